@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/contact/answer.h"
+
+namespace touchstone {
+
+std::string_view word(PlaneSide side) {
+  switch (side) {
+    case PlaneSide::InFront: return "in_front";
+    case PlaneSide::Behind: return "behind";
+    case PlaneSide::Intersects: return "intersects";
+  }
+  return {};
+}
+
+std::string_view word(FootPlace place) {
+  switch (place) {
+    case FootPlace::Inside: return "inside";
+    case FootPlace::Boundary: return "boundary";
+    case FootPlace::Outside: return "outside";
+  }
+  return {};
+}
+
+std::string_view word(Relation relation) {
+  switch (relation) {
+    case Relation::Separate: return "separate";
+    case Relation::Touching: return "touching";
+    case Relation::Overlapping: return "overlapping";
+  }
+  return {};
+}
+
+std::string_view word(Feature::Kind kind) {
+  switch (kind) {
+    case Feature::Kind::Face: return "face";
+    case Feature::Kind::Edge: return "edge";
+    case Feature::Kind::Vertex: return "vertex";
+  }
+  return {};
+}
+
+}  // namespace touchstone

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "geometry/floating_point.h"
+#include "geometry/shapes/rejection.h"
+
+namespace touchstone {
+
+/// The closed ball of the points at distance <= radius from the centre; radius 0 is a point.
+///
+/// Centre and radius are exact real numbers in one unit of length, that of the polygon asked about. Requires finite
+/// coordinates and a finite radius >= 0: what `find_fault` accepts. The contact functions do not look again.
+struct Ball {
+  Eigen::Vector3d center;
+  double radius;
+};
+
+/// The reason why a ball is none (`not-finite` before `negative-radius`), if there is one.
+[[nodiscard]] std::optional<Rejection> find_fault(const Ball& ball);
+
+}  // namespace touchstone

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/floating_point.h"
+
+namespace touchstone {
+
+/// Vertices and faces as a file gives them: each face a loop of vertex numbers (from 0), of three or more vertices,
+/// planar or not. Nothing is welded, triangulated or repaired; coordinates are the doubles nearest to the file's
+/// numbers, in the file's own unit.
+struct Mesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
+}  // namespace touchstone

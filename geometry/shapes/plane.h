@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/floating_point.h"
+
+namespace touchstone {
+
+/// A supporting plane: the points x with normal.(x - point) = 0; the front is the side that the normal points to.
+///
+/// The normal need not have length 1: unit normals cost a root and a rounding that no test needs.
+template <class Scalar>
+struct Plane {
+  Eigen::Matrix<Scalar, 3, 1> normal;
+  Eigen::Matrix<Scalar, 3, 1> point;
+};
+
+/// The axis of the component of largest magnitude, the lowest on a tie: the coordinate to drop when points of a plane
+/// with this normal are projected to two dimensions. Exact for a given normal.
+template <class Scalar>
+[[nodiscard]] int dropped_axis(const Eigen::Matrix<Scalar, 3, 1>& normal) {
+  int axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace touchstone
