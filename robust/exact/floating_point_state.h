@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cfenv>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace touchstone::exact {
+
+/// Round to nearest with subnormal numbers while it lives; then the caller's rounding mode, flush-to-zero setting and
+/// exception flags again, as found. Cost: about 10 ns with SSE2.
+class FloatingPointState {
+ public:
+#if defined(__SSE2__)
+  FloatingPointState() : found_(_mm_getcsr()) { _mm_setcsr(kDefault); }
+  ~FloatingPointState() { _mm_setcsr(found_); }
+#else
+  FloatingPointState() {
+    std::fegetenv(&found_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~FloatingPointState() { std::fesetenv(&found_); }
+#endif
+  FloatingPointState(const FloatingPointState&) = delete;
+  FloatingPointState& operator=(const FloatingPointState&) = delete;
+
+ private:
+#if defined(__SSE2__)
+  static constexpr unsigned kDefault = 0x1f80;  // all exceptions masked, nearest, neither flush- nor denormals-to-zero
+  unsigned found_;
+#else
+  std::fenv_t found_;
+#endif
+};
+
+}  // namespace touchstone::exact
