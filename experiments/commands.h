@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+// The subcommands of `touchstone`. Each is defined beside what it runs; `status` becomes the exit status.
+namespace touchstone::commands {
+
+void add_judge(CLI::App& app, int& status);
+void add_methods(CLI::App& app);
+
+}  // namespace touchstone::commands

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "experiments/methods/method.h"
+
+namespace touchstone::judge {
+
+/// What is judged and where it is printed.
+struct Order {
+  std::vector<std::string> files;                 ///< JSON Lines; none: standard input
+  std::vector<const methods::Method*> methods;    ///< asked about each case, in this order
+  std::string engine;                             ///< a command that reads cases and prints verdicts; asked last, if any
+  bool explain = false;
+  std::FILE* verdicts = stdout;
+  std::FILE* complaints = stderr;
+};
+
+/// Exit status of the judge: the worst that was met.
+enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
+
+/// Judges every case and prints one line for each case and method, in input order, as soon as it is known.
+///
+/// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
+/// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
+/// its replies back makes the cases wait in memory). Ids are not checked for being unique.
+[[nodiscard]] Status judge(const Order& order);
+
+}  // namespace touchstone::judge

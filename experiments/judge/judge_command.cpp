@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "experiments/commands.h"
+#include "experiments/judge/judge.h"
+
+namespace touchstone::commands {
+namespace {
+
+struct Options {
+  std::vector<std::string> methods, files;
+  std::string engine;
+  bool explain = false;
+};
+
+/// The methods of these names; `all` is every one. Throws CLI::ValidationError, which names what is unknown.
+std::vector<const methods::Method*> select(const std::vector<std::string>& names) {
+  std::vector<const methods::Method*> selected;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      for (const auto& method : methods::all_methods()) selected.push_back(method.get());
+    } else if (const methods::Method* method = methods::find_method(name)) {
+      selected.push_back(method);
+    } else {
+      throw CLI::ValidationError("--method", "there is no method \"" + name + "\"; `touchstone methods` lists them");
+    }
+  }
+  return selected;
+}
+
+}  // namespace
+
+void add_judge(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
+  auto options = std::make_shared<Options>();
+  command->add_option("--method", options->methods, "Method names, separated by commas, or all (default: exact)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged beside the methods");
+  command->add_flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
+  command->add_option("FILE", options->files, "Files of cases; none: standard input");
+  command->callback([options, &status] {
+    judge::Order order;
+    order.files = options->files;
+    order.engine = options->engine;
+    order.explain = options->explain;
+    if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
+    order.methods = select(options->methods);
+    status = judge::judge(order);
+  });
+}
+
+void add_methods(CLI::App& app) {
+  app.add_subcommand("methods", "List the methods, a line each")->callback([] {
+    for (const auto& method : methods::all_methods()) fmt::print("{:<24}{}\n", method->name(), method->summary());
+  });
+}
+
+}  // namespace touchstone::commands

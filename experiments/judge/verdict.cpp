@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "experiments/workloads/doubles.h"
+
+namespace touchstone::judge {
+namespace {
+
+Verdict number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
+}
+
+Verdict feature(const Feature& nearest) {
+  Verdict object = Verdict::object();
+  object["kind"] = word(nearest.kind);
+  if (nearest.kind != Feature::Kind::Face) object["index"] = nearest.index;
+  return object;
+}
+
+template <class Json>
+void write(std::string& line, const Json& value) {
+  if (value.is_object()) {
+    char separator = '{';
+    for (const auto& [key, member] : value.items()) {
+      line += separator;
+      line += Verdict(key).dump() + ':';
+      write(line, member);
+      separator = ',';
+    }
+    line += value.empty() ? "{}" : "}";
+  } else if (value.is_array()) {
+    line += '[';
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (i > 0) line += ',';
+      write(line, value[i]);
+    }
+    line += ']';
+  } else if (value.is_number_float()) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.begin(), digits.end(), value.template get<double>()).ptr;
+    line.append(digits.begin(), end);
+  } else {
+    line += value.dump();
+  }
+}
+
+std::string text(const nlohmann::json& value) {
+  std::string line;
+  write(line, value);
+  return line;
+}
+
+}  // namespace
+
+bool is_answer_key(std::string_view key) {
+  constexpr std::array<std::string_view, 10> keys{"plane",   "plane_tangent", "foot",  "edges_hit", "relation",
+                                                  "contact", "nearest",       "point", "distance",  "off_plane"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer) {
+  Verdict verdict = Verdict::object();
+  verdict["id"] = id;
+  verdict["method"] = method;
+  if (answer.plane) verdict["plane"] = word(*answer.plane);
+  if (answer.plane_tangent) verdict["plane_tangent"] = *answer.plane_tangent;
+  if (answer.foot) verdict["foot"] = word(*answer.foot);
+  if (answer.edges_hit) verdict["edges_hit"] = *answer.edges_hit;
+  if (answer.relation) verdict["relation"] = word(*answer.relation);
+  if (answer.contact) verdict["contact"] = *answer.contact;
+  if (answer.nearest) verdict["nearest"] = feature(*answer.nearest);
+  if (answer.point)
+    verdict["point"] = {number(answer.point->x()), number(answer.point->y()), number(answer.point->z())};
+  if (answer.distance) verdict["distance"] = number(*answer.distance);
+  if (answer.off_plane) verdict["off_plane"] = number(*answer.off_plane);
+  return verdict;
+}
+
+Verdict verdict_of(const std::optional<std::string>& id, std::string_view method, const Rejection& rejection) {
+  Verdict verdict = Verdict::object();
+  verdict["id"] = id ? Verdict(*id) : Verdict(nullptr);
+  verdict["method"] = method;
+  verdict["error"] = word(rejection.code);
+  verdict["message"] = (id ? "case " + *id + ": " : "") + rejection.message;
+  return verdict;
+}
+
+void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radius) {
+  if (!answer.stage.empty()) verdict["stage"] = answer.stage;
+  if (answer.distance && !std::isnan(*answer.distance))
+    verdict["margin"] = workloads::ordinal(radius) - workloads::ordinal(*answer.distance);
+  else
+    verdict["margin"] = nullptr;
+}
+
+std::vector<std::string> differences(const nlohmann::json& expected, const Verdict& verdict) {
+  std::vector<std::string> found;
+  const nlohmann::json given = verdict;
+  for (const auto& [key, value] : expected.items()) {
+    const auto answered = given.find(key);
+    if (key == "error" && value == nlohmann::json(true) && answered != given.end()) continue;
+    if (answered == given.end())
+      found.push_back(key + ": expected " + text(value) + ", not given");
+    else if (*answered != value)
+      found.push_back(key + ": expected " + text(value) + ", found " + text(*answered));
+  }
+  return found;
+}
+
+std::string to_line(const Verdict& verdict) {
+  std::string line;
+  write(line, verdict);
+  return line + '\n';
+}
+
+}  // namespace touchstone::judge

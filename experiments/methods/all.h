@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "experiments/methods/method.h"
+
+// The files of this folder, each of which adds its methods.
+namespace touchstone::methods {
+
+void add_exact(std::vector<std::unique_ptr<Method>>& list);
+void add_fast(std::vector<std::unique_ptr<Method>>& list);
+void add_thesis(std::vector<std::unique_ptr<Method>>& list);
+
+}  // namespace touchstone::methods

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robust/exact/exact.h"
+
+#include "experiments/methods/all.h"
+
+namespace touchstone::methods {
+namespace {
+
+class PreparedExact final : public PreparedMethod {
+ public:
+  explicit PreparedExact(const Polygon& polygon) : polygon_(polygon) {}
+
+  PartialAnswer ask(const Ball& ball, Question question) const override {
+    PartialAnswer answer;
+    switch (question) {
+      case Question::Contact: answer.contact = exact::contact(ball, polygon_); break;
+      case Question::Relation: answer.relation = exact::relation(ball, polygon_); break;
+      case Question::PlaneSide: answer.plane = exact::plane_side(ball, polygon_); break;
+      case Question::Foot: answer.foot = exact::foot(ball, polygon_); break;
+      case Question::EdgesHit: answer.edges_hit = exact::edges_hit(ball, polygon_); break;
+      case Question::Answer: answer = PartialAnswer::of(exact::answer(ball, polygon_), ""); break;
+    }
+    answer.stage = "exact";
+    return answer;
+  }
+
+ private:
+  exact::PreparedPolygon polygon_;
+};
+
+class Exact final : public Method {
+ public:
+  std::string_view name() const override { return "exact"; }
+  std::string_view summary() const override { return "the truth: CGAL exact arithmetic, correctly rounded point and distance"; }
+  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<PreparedExact>(polygon);
+  }
+};
+
+}  // namespace
+
+void add_exact(std::vector<std::unique_ptr<Method>>& list) { list.push_back(std::make_unique<Exact>()); }
+
+}  // namespace touchstone::methods

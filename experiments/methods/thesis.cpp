@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/contact/thesis.h"
+
+#include "experiments/methods/all.h"
+
+namespace touchstone::methods {
+namespace {
+
+template <class Scalar>
+class PreparedThesis final : public PreparedMethod {
+ public:
+  PreparedThesis(const Polygon& polygon, const thesis::Options& options, std::string_view stage)
+      : polygon_(polygon, options), stage_(stage) {}
+
+  PartialAnswer ask(const Ball& ball, Question question) const override {
+    const bool all = question == Question::Answer;
+    PartialAnswer answer;
+    if (all || question == Question::PlaneSide) answer.plane = thesis::plane_side(ball, polygon_);
+    if (all || question == Question::Foot) answer.foot = thesis::foot(ball, polygon_);
+    if (all || question == Question::EdgesHit) answer.edges_hit = thesis::edges_hit(ball, polygon_);
+    if (all || question == Question::Contact || question == Question::Relation) {
+      answer.contact = thesis::contact(ball, polygon_);
+      // A collision or none: the method does not tell touching from overlapping.
+      if (question != Question::Contact)
+        answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
+    }
+    answer.stage = stage_;
+    return answer;
+  }
+
+ private:
+  thesis::PreparedPolygon<Scalar> polygon_;
+  std::string_view stage_;
+};
+
+template <class Scalar>
+class Thesis final : public Method {
+ public:
+  Thesis(std::string_view name, const thesis::Options& options, std::string_view stage, std::string_view summary)
+      : name_(name), options_(options), stage_(stage), summary_(summary) {}
+  std::string_view name() const override { return name_; }
+  std::string_view summary() const override { return summary_; }
+  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<PreparedThesis<Scalar>>(polygon, options_, stage_);
+  }
+
+ private:
+  std::string_view name_;
+  thesis::Options options_;
+  std::string_view stage_, summary_;
+};
+
+template <class Scalar>
+std::unique_ptr<Method> variant(std::string_view name, const thesis::Options& options, std::string_view summary) {
+  return std::make_unique<Thesis<Scalar>>(name, options, sizeof(Scalar) == 4 ? "float" : "double", summary);
+}
+
+}  // namespace
+
+void add_thesis(std::vector<std::unique_ptr<Method>>& list) {
+  using namespace thesis;
+  list.push_back(variant<double>("thesis", {}, "the thesis's own tests (2008) in doubles: angle sum >= 0.99 x 2 pi, strict"));
+  list.push_back(variant<float>("thesis-float", {}, "thesis with 32-bit vectors, as in its source"));
+  list.push_back(variant<double>("thesis-0.9999", {.match_factor = 0.9999}, "thesis with match factor 0.9999"));
+  list.push_back(variant<double>("thesis-1", {.match_factor = 1}, "thesis with match factor 1"));
+  list.push_back(variant<double>("thesis-signed", {.angles = Angles::Signed}, "thesis with signed angles: right on non-convex outlines"));
+  list.push_back(variant<double>("thesis-atan2", {.arc = Arc::Tangent}, "thesis with atan2 in place of acos"));
+  list.push_back(variant<double>("thesis-newell", {.normal = Normal::Newell}, "thesis with the Newell normal in place of the first three vertices"));
+  list.push_back(variant<double>("thesis-closed", {.comparison = Comparison::Closed}, "thesis in which touching counts"));
+}
+
+}  // namespace touchstone::methods

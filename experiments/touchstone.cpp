@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "experiments/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("touchstone: does a ball touch a polygon, where, and how sure is the answer?");
+  app.require_subcommand(1);
+  int status = 0;
+  touchstone::commands::add_judge(app, status);
+  touchstone::commands::add_methods(app);
+  try {
+    CLI11_PARSE(app, argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "touchstone: %s\n", error.what());
+    return 2;
+  }
+  return status;
+}

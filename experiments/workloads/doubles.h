@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace touchstone::workloads {
+
+/// The number of a double when all are counted in ascending order: 0 is 0 (and so is -0), the smallest subnormal 1, its
+/// negative -1; the difference of two ordinals is how many doubles one lies above the other. Requires no NaN.
+[[nodiscard]] constexpr std::int64_t ordinal(double value) {
+  const auto bits = std::bit_cast<std::int64_t>(value);
+  return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
+}
+
+/// The double of that ordinal. (1) from_ordinal(ordinal(x)) == x.
+[[nodiscard]] constexpr double from_ordinal(std::int64_t ordinal) {
+  return std::bit_cast<double>(ordinal >= 0 ? ordinal : std::numeric_limits<std::int64_t>::min() - ordinal);
+}
+
+/// The double that lies `steps` doubles above (below, if negative) a finite one.
+[[nodiscard]] constexpr double move_by_doubles(double value, std::int64_t steps) {
+  return from_ordinal(ordinal(value) + steps);
+}
+
+}  // namespace touchstone::workloads
