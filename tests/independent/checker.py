@@ -1,0 +1,394 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An independent checker of the contract: what an exact method must answer, in integers and fractions alone.
+
+    python3 checker.py [--method NAME] CASES.jsonl VERDICTS.jsonl
+
+compares the verdicts that `touchstone judge --method exact CASES.jsonl` printed with the ones derived here, key by
+key. Exit status 0 if all agree and at least one was compared, else 1.
+
+Every double is an integer over a power of two, so each case is scaled by one power of two to integers. Nothing is
+rounded before the last step, and there is no tolerance. Written from the contract; shares no code with the project.
+"""
+import argparse
+import json
+import math
+import sys
+from fractions import Fraction
+from itertools import combinations, zip_longest
+
+ANSWER_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "relation", "contact", "nearest", "point", "distance",
+               "off_plane")
+EXPLAIN_KEYS = ("stage", "margin")
+SHOWN = 20
+
+
+class Rejected(Exception):
+    """The case is rejected; the only argument is the code."""
+
+
+def reject_if(condition, code):
+    if condition:
+        raise Rejected(code)
+
+
+# Reading: section 3
+
+def read_json(line):
+    """The JSON value of a line, each number a float, and the flaws that only the text shows: a set of codes.
+
+    ValueError if the line is not JSON; the literals NaN and Infinity are not.
+    """
+    flaws = set()
+
+    def number(text):
+        value = float(text)
+        if math.isinf(value):
+            flaws.add("not-finite")
+        return value
+
+    def members(pairs):
+        if len(dict(pairs)) < len(pairs):
+            flaws.add("malformed-case")
+        return dict(pairs)
+
+    def not_json(literal):
+        raise ValueError(literal)
+
+    text = line.decode("utf-8") if isinstance(line, bytes) else line
+    return json.loads(text, parse_int=number, parse_float=number, parse_constant=not_json,
+                      object_pairs_hook=members), flaws
+
+
+def member(parent, key, kind, default=None):
+    """parent[key], which must be of the kind; without a default it must be there."""
+    reject_if(not isinstance(parent, dict), "malformed-case")
+    value = parent.get(key, default)
+    reject_if(not isinstance(value, kind), "malformed-case")
+    return value
+
+
+def read_point(value):
+    reject_if(not isinstance(value, list) or len(value) != 3, "malformed-case")
+    reject_if(not all(isinstance(x, float) for x in value), "malformed-case")
+    return tuple(value)
+
+
+def read_loop(value):
+    reject_if(not isinstance(value, list), "malformed-case")
+    return [read_point(p) for p in value]
+
+
+def read_case(case):
+    """Centre, radius and loops (the outer one first) of a well-formed case, in floats."""
+    member(case, "id", str)
+    ball, polygon = member(case, "ball", dict), member(case, "polygon", dict)
+    center, radius = read_point(member(ball, "center", list)), member(ball, "radius", float)
+    loops = [read_loop(v) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
+    expected = member(case, "expected", dict, {})
+    reject_if(not set(expected) <= {*ANSWER_KEYS, "error"}, "malformed-case")
+    reject_if(not all(isinstance(tag, str) for tag in member(case, "tags", list, [])), "malformed-case")
+    return center, radius, loops
+
+
+# Arithmetic
+
+def sub(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def times(k, a):
+    return tuple(k * x for x in a)
+
+
+def nearest_double(value):
+    """The double nearest to a rational, ties to even, never -0; None beyond the finite doubles."""
+    try:
+        return value.numerator / value.denominator + 0.0  # int / int is correctly rounded in Python
+    except OverflowError:
+        return None
+
+
+def nearest_root(value):
+    """The double nearest to the square root of a rational >= 0.
+
+    The root is cut to at least 64 bits and a last bit says whether something was cut: no double and no midpoint of
+    doubles lies between that and the root.
+    """
+    a, b = value.numerator, value.denominator
+    shift = max(0, (130 - a.bit_length() + b.bit_length()) // 2)
+    a <<= 2 * shift
+    root = math.isqrt(a // b)
+    return nearest_double(Fraction(2 * root + (root * root * b != a), 2 << shift))
+
+
+# Loops with one coordinate dropped: points are pairs of integers
+
+def edges(loop):
+    return list(zip(loop, loop[1:] + loop[:1]))
+
+
+def turn(a, b, c):
+    """Positive if a, b, c turn left, negative if right, 0 if collinear."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def between(a, b, p):
+    """Whether p lies in the box with corners a and b."""
+    return all(min(x, y) <= z <= max(x, y) for x, y, z in zip(a, b, p))
+
+
+def apart(a, b, p):
+    """Whether all of p's points lie strictly to one side of both a and b in some coordinate."""
+    return any(max(x, y) < min(z) or max(z) < min(x, y) for x, y, z in zip(a, b, zip(*p)))
+
+
+def share_a_point(first, second):
+    """Whether two closed segments share a point."""
+    (a, b), (c, d) = first, second
+    if apart(a, b, second):
+        return False
+    turns = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
+    ends = zip(turns, (first, first, second, second), (c, d, a, b))
+    if any(t == 0 and between(*segment, p) for t, segment, p in ends):
+        return True
+    return opposite(turns[0], turns[1]) and opposite(turns[2], turns[3])
+
+
+def opposite(s, t):
+    return s < 0 < t or t < 0 < s
+
+
+def meets_itself(loop):
+    """Whether an edge is a point, turns back on the one before, or shares a point with one that is no neighbour."""
+    sides = edges(loop)
+    if any(a == b for a, b in sides):
+        return True
+    if any(turn(a, b, c) == 0 and dot(sub(b, a), sub(c, b)) < 0 for (a, b), (_, c) in edges(sides)):
+        return True
+    return any(share_a_point(sides[i], sides[j]) for i, j in combinations(range(len(sides)), 2)
+               if 1 < j - i < len(sides) - 1)
+
+
+def meet(first, second):
+    return any(share_a_point(e, f) for e in edges(first) for f in edges(second))
+
+
+def locate(p, loops):
+    """`inside`, `boundary` or `outside`: p against the even-odd region of the loops."""
+    inside = False
+    for a, b in (edge for loop in loops for edge in edges(loop)):
+        if not min(a[1], b[1]) <= p[1] <= max(a[1], b[1]):
+            continue
+        side = turn(a, b, p)
+        if side == 0 and between(a, b, p):
+            return "boundary"
+        if (a[1] > p[1]) != (b[1] > p[1]) and (side > 0) == (b[1] > a[1]):
+            inside = not inside
+    return "inside" if inside else "outside"
+
+
+# Judging: sections 1 and 2
+
+def newell(loop):
+    """Sum of p_i x p_(i+1)."""
+    return tuple(map(sum, zip(*(cross(a, b) for a, b in edges(loop)))))
+
+
+def drop(p, axis):
+    return p[:axis] + p[axis + 1:]
+
+
+def dropped_axis(normal):
+    """The coordinate of the largest magnitude, the lowest on a tie."""
+    return max(range(3), key=lambda k: abs(normal[k]))
+
+
+def validate(radius, loops):
+    """Raises Rejected with the first code that applies to finite numbers."""
+    reject_if(radius < 0, "negative-radius")
+    reject_if(any(len(loop) < 3 for loop in loops), "too-few-vertices")
+    reject_if(any(a == b for loop in loops for a, b in edges(loop)), "repeated-vertex")
+    normal = newell(loops[0])
+    reject_if(normal == (0, 0, 0), "zero-normal")
+    flat = [[drop(p, dropped_axis(normal)) for p in loop] for loop in loops]
+    reject_if(any(map(meets_itself, flat)), "loop-meets-itself")
+    reject_if(any(meet(a, b) for a, b in combinations(flat, 2)), "loops-meet")
+    reject_if(any(locate(hole[0], flat[:1]) != "inside" for hole in flat[1:]), "hole-outside")
+
+
+def scaled_to_integers(center, radius, loops):
+    """The power of two that makes every number an integer, and the numbers times it."""
+    numbers = [radius, *center, *(x for loop in loops for p in loop for x in p)]
+    scale = max(x.as_integer_ratio()[1] for x in numbers)
+
+    def exact(x):
+        numerator, denominator = x.as_integer_ratio()
+        return numerator * (scale // denominator)
+
+    def point(p):
+        return tuple(map(exact, p))
+
+    return scale, point(center), exact(radius), [[point(p) for p in loop] for loop in loops]
+
+
+def closest_on_edge(a, b, c, i, j):
+    """Where edge i from vertex i (at a) to vertex j (at b) is closest to c.
+
+    (squared distance, 0 for the edge or 1 for a vertex, index, numerators of the point, their denominator): the least
+    of these is the contract's choice among equal distances.
+    """
+    along, to_c = sub(b, a), sub(c, a)
+    t, length2 = dot(to_c, along), dot(along, along)
+    if t <= 0:
+        return Fraction(dot(to_c, to_c)), 1, i, a, 1
+    if t >= length2:
+        return Fraction(dot(sub(c, b), sub(c, b))), 1, j, b, 1
+    point = tuple(length2 * x + t * y for x, y in zip(a, along))
+    return Fraction(dot(to_c, to_c) * length2 - t * t, length2), 0, i, point, length2
+
+
+def successors(loops):
+    """The vertex that follows each vertex: edge i runs from i to successors[i]."""
+    result = []
+    for loop in loops:
+        first = len(result)
+        result += [*range(first + 1, first + len(loop)), first]
+    return result
+
+
+def answer(scale, c, r, loops):
+    """The answer of section 2 for valid integers, which are the case's numbers times `scale`."""
+    normal, count, total = newell(loops[0]), len(loops[0]), tuple(map(sum, zip(*loops[0])))
+    axis = dropped_axis(normal)
+
+    def height(p):
+        """count * N.(p - g)."""
+        return dot(normal, sub(times(count, p), total))
+
+    # Lifted vertices and centre, times `unit` (which may be negative: a point reflection keeps all distances).
+    vertices = [p for loop in loops for p in loop]
+    heights = [height(p) for p in vertices]
+    unit = count * normal[axis] if any(heights) else 1
+    lifted = [tuple(unit * x - (h if k == axis else 0) for k, x in enumerate(p)) for p, h in zip(vertices, heights)]
+    follows = successors(loops)
+    closest = [closest_on_edge(a, lifted[j], times(unit, c), i, j) for i, (a, j) in enumerate(zip(lifted, follows))]
+
+    # The foot q = c - (s / N.N) N, times `magnitude`.
+    s, normal2 = height(c), dot(normal, normal)
+    magnitude = count * normal2
+    q = tuple(magnitude * x - s * y for x, y in zip(c, normal))
+    flat = [[times(magnitude, drop(p, axis)) for p in loop] for loop in loops]
+    foot = locate(drop(q, axis), flat)
+
+    if foot == "inside":
+        d2, nearest, point, denominator = Fraction(s * s, count * magnitude), {"kind": "face"}, q, magnitude
+    else:
+        d2, is_vertex, index, point, denominator = min(closest)
+        d2, denominator = d2 / unit ** 2, denominator * unit
+        nearest = {"kind": "vertex" if is_vertex else "edge", "index": index}
+    beyond_plane = s * s - r * r * count * magnitude
+    return {
+        "plane": "intersects" if beyond_plane <= 0 else "in_front" if s > 0 else "behind",
+        "plane_tangent": beyond_plane == 0,
+        "foot": foot,
+        "edges_hit": [i for i, edge in enumerate(closest) if edge[0] <= (unit * r) ** 2],
+        "relation": "separate" if d2 > r * r else "touching" if d2 == r * r else "overlapping",
+        "contact": d2 <= r * r,
+        "nearest": nearest,
+        "point": [nearest_double(Fraction(x, denominator * scale)) for x in point],
+        "distance": nearest_root(d2 / scale ** 2),
+        "off_plane": nearest_double(Fraction(max(map(abs, heights)), count * abs(normal[axis]) * scale)),
+    }
+
+
+def judge_case(text_line):
+    """The verdict for one line: id and all answer keys, or id and `error`; None if the line is not JSON."""
+    try:
+        case, flaws = read_json(text_line)
+    except ValueError:
+        return None
+    name = case.get("id") if isinstance(case, dict) else None
+    verdict = {"id": name if isinstance(name, str) else None}
+    try:
+        reject_if("malformed-case" in flaws, "malformed-case")
+        center, radius, loops = read_case(case)
+        reject_if("not-finite" in flaws, "not-finite")
+        scale, *scaled = scaled_to_integers(center, radius, loops)
+        validate(*scaled[1:])
+        verdict.update(answer(scale, *scaled))
+    except Rejected as rejection:
+        verdict["error"], = rejection.args
+    return verdict
+
+
+# Comparing: section 4
+
+def differences(ours, line, method):
+    """One sentence for each way in which the verdict line differs from our verdict."""
+    try:
+        theirs, flaws = read_json(line)
+    except ValueError:
+        return [f"the verdict is not JSON: {line!r}"]
+    if not isinstance(theirs, dict) or flaws:
+        return [f"the verdict is no object of finite numbers with distinct keys: {line!r}"]
+    wanted = {**ours, "method": method}
+    message = theirs.pop("message", None) if "error" in theirs else None
+    result = [] if "error" not in theirs or isinstance(message, str) and message else ["an error without a message"]
+    keys = [*wanted, *(k for k in theirs if k not in wanted and k not in EXPLAIN_KEYS)]
+    for key in keys if ("error" in theirs) == ("error" in ours) else ["id", "method", "error"]:
+        mine, other = (canonical(side[key]) if key in side else "nothing" for side in (wanted, theirs))
+        if mine != other:
+            result.append(f"{key} is {other}, should be {mine}")
+    return result
+
+
+def canonical(value):
+    """A text that is equal for equal values: 1 and 1.0 are equal; 1 and true are not, nor 0 and -0 (never written)."""
+    return json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)
+
+
+def filled_lines(path):
+    """The lines of a file that are not only white space."""
+    with open(path, "rb") as file:
+        yield from (line for line in file if line.strip())
+
+
+def compare(cases, verdicts, method, out):
+    """Writes every difference between our verdicts for the cases and the given ones; whether all agree."""
+    compared = rejects = found = 0
+    ours = (verdict for verdict in map(judge_case, filled_lines(cases)) if verdict is not None)
+    for mine, line in zip_longest(ours, filled_lines(verdicts)):
+        if mine is None or line is None:
+            problems = ["no verdict for this case" if line is None else f"a verdict too many: {line!r}"]
+        else:
+            problems = differences(mine, line, method)
+            compared, rejects = compared + 1, rejects + ("error" in mine)
+        for problem in problems:
+            found += 1
+            if found <= SHOWN:
+                print(f"case {mine['id'] if mine else None}: {problem}", file=out)
+    if found > SHOWN:
+        print(f"... {found - SHOWN} differences more", file=out)
+    print(f"{compared} cases compared, {rejects} of them rejects: {found or 'no'} differences", file=out)
+    return compared > 0 and found == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--method", default="exact", help="the method that the verdicts must name")
+    parser.add_argument("cases")
+    parser.add_argument("verdicts")
+    options = parser.parse_args()
+    return 0 if compare(options.cases, options.verdicts, options.method, sys.stdout) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
