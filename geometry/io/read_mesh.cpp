@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/io/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "geometry/io/mesh_builder.h"
+#include "geometry/io/mesh_formats.h"
+#include "geometry/io/mesh_source.h"
+
+namespace touchstone {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  void (*read)(const io::MeshSource&, io::MeshBuilder&);
+  std::int64_t first_vertex;
+};
+
+constexpr std::array<Format, 4> kFormats{{
+    {".obj", io::read_obj, 1},
+    {".off", io::read_off, 0},
+    {".stl", io::read_stl, 0},
+    {".ply", io::read_ply, 0},
+}};
+
+const Format& format_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto* const format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == extension; });
+  if (format == kFormats.end())
+    throw BrokenMesh(file.string() + ": the extension '" + extension + "' is none of .obj, .off, .stl and .ply");
+  return *format;
+}
+
+io::MeshSource load(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw BrokenMesh(file.string() + ": cannot be opened: " + error.message());
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw BrokenMesh(file.string() + ": cannot be opened");
+  io::MeshSource source{file.string(), std::string(static_cast<std::size_t>(size), '\0')};
+  if (!stream.read(source.bytes.data(), static_cast<std::streamsize>(size)))
+    throw BrokenMesh(file.string() + ": cannot be read to its end");
+  return source;
+}
+
+}  // namespace
+
+ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
+  const Format& format = format_of(file);
+  const io::MeshSource source = load(file);
+  io::MeshBuilder builder(source, on_fault, format.first_vertex);
+  builder.attempt_file([&] { format.read(source, builder); });
+  return std::move(builder).finish();
+}
+
+}  // namespace touchstone
