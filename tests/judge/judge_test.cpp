@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace touchstone::judge {
+namespace {
+
+constexpr auto kTouching =
+    R"({"id":"t","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]}%s})";
+constexpr auto kCollinear =
+    R"({"id":"c","ball":{"center":[0,0,0],"radius":1},"polygon":{"outer":[[0,0,0],[1,1,1],[2,2,2]]}%s})";
+
+std::string with(const char* line, const std::string& members) {
+  std::string text = line;
+  return text.replace(text.find("%s"), 2, members);
+}
+
+struct Result {
+  Status status;
+  std::string verdicts, complaints;
+};
+
+std::string take(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  for (int c; (c = std::fgetc(file)) != EOF;) text += static_cast<char>(c);
+  std::fclose(file);
+  return text;
+}
+
+std::string write_file(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + "judge_test_" + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+Result run(const std::string& input, Order order = {}) {
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  order.files.insert(order.files.begin(), write_file(test + ".jsonl", input));
+  if (order.methods.empty() && order.engine.empty()) order.methods = {methods::find_method("exact")};
+  order.verdicts = std::tmpfile();
+  order.complaints = std::tmpfile();
+  const Status status = judge(order);
+  return {status, take(order.verdicts), take(order.complaints)};
+}
+
+Order engine(const std::string& command) {
+  Order order;
+  order.engine = command;
+  return order;
+}
+
+TEST(Judge, PrintsTheVerdictOfTheContract) {
+  EXPECT_EQ(run(with(kTouching, "")).verdicts,
+            R"({"id":"t","method":"exact","plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],)"
+            R"("relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[0.5,0.25,0],"distance":1,)"
+            R"("off_plane":0})"
+            "\n");
+}
+
+TEST(Judge, PrintsOneVerdictForEachCaseAndMethodInInputOrder) {
+  Order order;
+  order.methods = {methods::find_method("fast"), methods::find_method("exact")};
+  const std::string verdicts = run(with(kTouching, "") + "\n" + with(kCollinear, ""), order).verdicts;
+  std::istringstream lines(verdicts);
+  std::string found;
+  for (std::string line; std::getline(lines, line);) {
+    const auto verdict = nlohmann::json::parse(line);
+    found += verdict["id"].get<std::string>() + ":" + verdict["method"].get<std::string>() + " ";
+  }
+  EXPECT_EQ(found, "t:fast t:exact c:fast c:exact ");
+}
+
+TEST(Judge, ComparesExpectationsByValue) {
+  const auto status = [](const std::string& expected) {
+    return run(with(kTouching, R"(,"expected":)" + expected)).status;
+  };
+  EXPECT_EQ(status(R"({"relation":"touching","point":[0.5,0.25,-0.0],"distance":1.0,"nearest":{"kind":"face"}})"), AllMet);
+  EXPECT_EQ(status(R"({"relation":"separate"})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"distance":1.0000000000000002})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"nearest":{"kind":"face","index":0}})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"distance":null})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"error":true})"), ExpectationNotMet);
+}
+
+TEST(Judge, NamesEveryExpectationThatIsNotMet) {
+  const Result result = run(with(kTouching, R"(,"expected":{"relation":"separate","distance":2})"));
+  EXPECT_NE(result.complaints.find("case t: method exact: relation: expected \"separate\", found \"touching\""),
+            std::string::npos);
+  EXPECT_NE(result.complaints.find("case t: method exact: distance: expected 2, found 1"), std::string::npos);
+}
+
+TEST(Judge, HoldsAMethodToKeysThatItDoesNotCompute) {
+  Order order;
+  order.methods = {methods::find_method("thesis")};
+  EXPECT_EQ(run(with(kTouching, R"(,"expected":{"distance":1})"), order).status, ExpectationNotMet);
+}
+
+TEST(Judge, ExitsByTheWorstThatItMet) {
+  EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":"zero-normal"})")).status, AllMet);
+  EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":true})")).status, AllMet);
+  EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":"loops-meet"})")).status, ExpectationNotMet);
+  EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"contact":false})")).status, InputRejected);
+  EXPECT_EQ(run(with(kCollinear, "")).status, InputRejected);
+  EXPECT_EQ(run("nonsense").status, InputRejected);
+  EXPECT_EQ(run(with(kTouching, R"(,"expected":{"contact":false})") + "\nnonsense").status, InputRejected);
+  EXPECT_EQ(run("").status, AllMet);
+}
+
+TEST(Judge, GivesARejectedCaseItsVerdictAndGoesOn) {
+  const Result result = run(with(kCollinear, "") + "\n" + with(kTouching, ""));
+  EXPECT_TRUE(result.verdicts.starts_with(R"({"id":"c","method":"exact","error":"zero-normal","message":"case c: )"));
+  EXPECT_NE(result.verdicts.find(R"("relation":"touching")"), std::string::npos);
+}
+
+TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
+  const Result result = run("\n" + with(kTouching, "") + "\nnonsense\n" + with(kTouching, ""));
+  EXPECT_NE(result.complaints.find(".jsonl: line 3: not JSON"), std::string::npos);
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2);
+}
+
+TEST(Judge, NamesAFileThatCannotBeReadAndGoesOn) {
+  Order order;
+  order.files = {"/nowhere/at/all.jsonl", testing::TempDir(), write_file("last.jsonl", with(kTouching, ""))};
+  const Result result = run("", order);
+  EXPECT_EQ(result.status, InputRejected);
+  EXPECT_NE(result.complaints.find("/nowhere/at/all.jsonl"), std::string::npos);
+  EXPECT_NE(result.complaints.find(testing::TempDir() + ": cannot be read"), std::string::npos);
+  EXPECT_NE(result.verdicts.find("touching"), std::string::npos);
+}
+
+TEST(Judge, WritesValuesBeyondTheFiniteDoublesAsNull) {
+  const std::string verdict =
+      run(R"({"id":"h","ball":{"center":[1.5e308,1.5e308,0],"radius":1},"polygon":{"outer":[[-1.5e308,-1.5e308,0],)"
+          R"([-1.6e308,-1.5e308,0],[-1.5e308,-1.6e308,0]]},"expected":{"distance":null}})")
+          .verdicts;
+  EXPECT_NE(verdict.find(R"("distance":null)"), std::string::npos);
+}
+
+TEST(Judge, ExplainsTheStageAndTheMarginInDoubles) {
+  Order order;
+  order.explain = true;
+  EXPECT_NE(run(with(kTouching, ""), order).verdicts.find(R"("stage":"exact","margin":0})"), std::string::npos);
+  EXPECT_NE(run(R"({"id":"m","ball":{"center":[0.5,0.25,1],"radius":1.0000000000000002},)"
+                R"("polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]}})",
+                order)
+                .verdicts.find(R"("margin":1})"),
+            std::string::npos);
+}
+
+// An engine that answers as exact does, but only when all cases are read; and one that forgets the touching.
+constexpr auto kEngine =
+    "python3 -c \"import sys,json\nfor line in sys.stdin.readlines():\n"
+    " case=json.loads(line); print(json.dumps({'id':case['id'],'relation':'%s'}))\"";
+
+TEST(JudgeEngine, IsComparedWithWhatTheCasesExpect) {
+  const std::string cases = with(kTouching, R"(,"expected":{"relation":"touching"})") + "\n" + with(kCollinear, "") +
+                            "\n" + with(kTouching, R"(,"expected":{"relation":"touching"})");
+  const Result right = run(cases, engine(with(kEngine, "touching")));
+  EXPECT_EQ(right.complaints.find("relation"), std::string::npos) << right.complaints;
+  EXPECT_EQ(std::count(right.verdicts.begin(), right.verdicts.end(), '\n'), 3);
+  const Result wrong = run(cases, engine(with(kEngine, "separate")));
+  EXPECT_NE(wrong.complaints.find("relation: expected \"touching\", found \"separate\""), std::string::npos);
+}
+
+TEST(JudgeEngine, IsReportedWhereItSaysNothingOrNonsense) {
+  const Result nonsense = run(with(kTouching, ""), engine("sed s/.*/what/"));
+  EXPECT_EQ(nonsense.status, ExpectationNotMet);
+  EXPECT_NE(nonsense.complaints.find("case t: method sed s/.*/what/: not a verdict on this case: what"),
+            std::string::npos);
+  const Result dead = run(with(kTouching, "") + "\n" + with(kTouching, ""), engine("exit 3"));
+  EXPECT_EQ(dead.status, ExpectationNotMet);
+  EXPECT_NE(dead.complaints.find("ended with exit status 3; 2 case(s) without a verdict"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchstone::judge
