@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
   int status = 0;
   touchstone::commands::add_judge(app, status);
   touchstone::commands::add_methods(app);
+  touchstone::commands::add_near_edge(app, status);
+  touchstone::commands::add_cases(app);
   try {
     CLI11_PARSE(app, argc, argv);
   } catch (const std::exception& error) {

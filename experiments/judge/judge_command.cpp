@@ -14,21 +14,6 @@ struct Options {
   bool explain = false;
 };
 
-/// The methods of these names; `all` is every one. Throws CLI::ValidationError, which names what is unknown.
-std::vector<const methods::Method*> select(const std::vector<std::string>& names) {
-  std::vector<const methods::Method*> selected;
-  for (const std::string& name : names) {
-    if (name == "all") {
-      for (const auto& method : methods::all_methods()) selected.push_back(method.get());
-    } else if (const methods::Method* method = methods::find_method(name)) {
-      selected.push_back(method);
-    } else {
-      throw CLI::ValidationError("--method", "there is no method \"" + name + "\"; `touchstone methods` lists them");
-    }
-  }
-  return selected;
-}
-
 }  // namespace
 
 void add_judge(CLI::App& app, int& status) {
@@ -46,7 +31,7 @@ void add_judge(CLI::App& app, int& status) {
     order.engine = options->engine;
     order.explain = options->explain;
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
-    order.methods = select(options->methods);
+    order.methods = methods::find_methods(options->methods);
     status = judge::judge(order);
   });
 }

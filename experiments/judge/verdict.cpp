@@ -16,6 +16,15 @@ Verdict number(double value) {
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
 }
 
+Verdict point(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
+
+Verdict loop(const Polygon& polygon, std::size_t number) {
+  Verdict points = Verdict::array();
+  for (std::size_t i = polygon.loop_begin(number); i < polygon.loop_end(number); ++i)
+    points.push_back(point(polygon.vertex(i)));
+  return points;
+}
+
 Verdict feature(const Feature& nearest) {
   Verdict object = Verdict::object();
   object["kind"] = word(nearest.kind);
@@ -64,10 +73,8 @@ bool is_answer_key(std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer) {
+Verdict object_of(const methods::PartialAnswer& answer) {
   Verdict verdict = Verdict::object();
-  verdict["id"] = id;
-  verdict["method"] = method;
   if (answer.plane) verdict["plane"] = word(*answer.plane);
   if (answer.plane_tangent) verdict["plane_tangent"] = *answer.plane_tangent;
   if (answer.foot) verdict["foot"] = word(*answer.foot);
@@ -75,10 +82,17 @@ Verdict verdict_of(const std::string& id, std::string_view method, const methods
   if (answer.relation) verdict["relation"] = word(*answer.relation);
   if (answer.contact) verdict["contact"] = *answer.contact;
   if (answer.nearest) verdict["nearest"] = feature(*answer.nearest);
-  if (answer.point)
-    verdict["point"] = {number(answer.point->x()), number(answer.point->y()), number(answer.point->z())};
+  if (answer.point) verdict["point"] = point(*answer.point);
   if (answer.distance) verdict["distance"] = number(*answer.distance);
   if (answer.off_plane) verdict["off_plane"] = number(*answer.off_plane);
+  return verdict;
+}
+
+Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer) {
+  Verdict verdict = Verdict::object();
+  verdict["id"] = id;
+  verdict["method"] = method;
+  verdict.update(object_of(answer));
   return verdict;
 }
 
@@ -111,6 +125,19 @@ std::vector<std::string> differences(const nlohmann::json& expected, const Verdi
       found.push_back(key + ": expected " + text(value) + ", found " + text(*answered));
   }
   return found;
+}
+
+Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon, const std::vector<std::string>& tags,
+                const Verdict& expected) {
+  Verdict holes = Verdict::array();
+  for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
+  Verdict object = Verdict::object();
+  object["id"] = id;
+  object["ball"] = {{"center", point(ball.center)}, {"radius", number(ball.radius)}};
+  object["polygon"] = {{"outer", loop(polygon, 0)}, {"holes", holes}};
+  if (!expected.is_null()) object["expected"] = expected;
+  object["tags"] = tags;
+  return object;
 }
 
 std::string to_line(const Verdict& verdict) {

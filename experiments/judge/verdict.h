@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/methods/method.h"
 #include "geometry/shapes/rejection.h"
@@ -18,7 +19,11 @@ using Verdict = nlohmann::ordered_json;
 /// Is this a key of an answer: `plane`, ..., `off_plane`?
 [[nodiscard]] bool is_answer_key(std::string_view key);
 
-/// `id` and `method`, then the keys that the method computed. Numbers beyond the finite doubles become null, -0 becomes 0.
+/// The keys that a method computed, as they stand in a verdict or in `expected`. Numbers beyond the finite doubles
+/// become null, -0 becomes 0.
+[[nodiscard]] Verdict object_of(const methods::PartialAnswer& answer);
+
+/// `id` and `method`, then the keys that the method computed.
 [[nodiscard]] Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer);
 
 /// `id` (null if there is none), `method`, `error` and `message`.
@@ -32,6 +37,10 @@ void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radi
 /// What of `expected` the verdict does not meet, a sentence for each key: `relation: expected "touching", found
 /// "separate"`. Compared by value (0 = -0, integers and decimals alike), nested objects whole.
 [[nodiscard]] std::vector<std::string> differences(const nlohmann::json& expected, const Verdict& verdict);
+
+/// A case in the contract's form; `expected` may be null, then it is left out.
+[[nodiscard]] Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon,
+                              const std::vector<std::string>& tags, const Verdict& expected = nullptr);
 
 /// One line of JSON, numbers in the shortest form that reads back as the same double (std::to_chars).
 [[nodiscard]] std::string to_line(const Verdict& verdict);

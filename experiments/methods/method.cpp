@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/method.h"
 
+#include <stdexcept>
+
 #include "experiments/methods/all.h"
 
 namespace touchstone::methods {
@@ -34,6 +36,19 @@ const Method* find_method(std::string_view name) {
   for (const auto& method : all_methods())
     if (method->name() == name) return method.get();
   return nullptr;
+}
+
+std::vector<const Method*> find_methods(const std::vector<std::string>& names) {
+  std::vector<const Method*> found;
+  for (const std::string& name : names) {
+    if (name == "all")
+      for (const auto& method : all_methods()) found.push_back(method.get());
+    else if (const Method* method = find_method(name))
+      found.push_back(method);
+    else
+      throw std::invalid_argument("there is no method \"" + name + "\"; `touchstone methods` lists them");
+  }
+  return found;
 }
 
 }  // namespace touchstone::methods

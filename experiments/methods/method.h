@@ -59,4 +59,8 @@ class Method {
 /// The method of that name, or nullptr.
 [[nodiscard]] const Method* find_method(std::string_view name);
 
+/// The methods of these names, in this order; `all` stands for every one.
+/// Throws std::invalid_argument, which names the one that is unknown.
+[[nodiscard]] std::vector<const Method*> find_methods(const std::vector<std::string>& names);
+
 }  // namespace touchstone::methods

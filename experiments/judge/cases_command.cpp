@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+
+#include "experiments/commands.h"
+#include "experiments/judge/verdict.h"
+#include "experiments/workloads/workload.h"
+
+namespace touchstone::commands {
+namespace {
+
+using judge::Verdict;
+using methods::Question;
+
+struct Options {
+  workloads::Workload workload;
+  std::uint64_t seed = 1, first = 0, count = 10;
+  bool expected = false;
+  std::vector<std::string> failing;
+};
+
+/// An option that takes the word of one of `all`.
+template <class Enumerator>
+void add_word(CLI::App& command, const std::string& name, Enumerator& target, const std::vector<Enumerator>& all,
+              const std::string& description) {
+  std::map<std::string, Enumerator> by_word;
+  std::vector<std::string> words;
+  for (const Enumerator value : all) {
+    by_word.emplace(workloads::word(value), value);
+    words.emplace_back(workloads::word(value));
+  }
+  command.add_option_function<std::string>(
+             name, [&target, by_word](const std::string& word) { target = by_word.at(word); }, description)
+      ->check(CLI::IsMember(words))
+      ->default_str(std::string(workloads::word(target)));
+}
+
+Verdict ask(const methods::Method& method, const workloads::Sample& sample) {
+  return judge::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+}
+
+/// Does one of the methods give a key whose value is not that of the truth, the roundings of point and distance aside?
+bool fails(const std::vector<const methods::Method*>& methods, const workloads::Sample& sample, const Verdict& truth) {
+  for (const auto* method : methods) {
+    const Verdict given = ask(*method, sample);
+    for (const char* key : {"foot", "edges_hit", "relation", "contact", "nearest"})
+      if (given.contains(key) && given[key] != truth[key]) return true;
+  }
+  return false;
+}
+
+void print(const Options& options) {
+  const auto failing = methods::find_methods(options.failing);
+  const methods::Method& exact = *methods::find_method("exact");
+  std::uint64_t printed = 0;
+  for (std::uint64_t index = options.first; printed < options.count; ++index) {
+    const workloads::Sample sample = workloads::sample(options.workload, options.seed, index);
+    Verdict expected = nullptr;
+    if (options.expected || !failing.empty()) expected = ask(exact, sample);
+    if (!failing.empty() && !fails(failing, sample, expected)) {
+      // A method that never fails here must not make this run for ever.
+      if (index - options.first >= 10'000 * options.count) break;
+      continue;
+    }
+    ++printed;
+    const std::string line = judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, sample.tags,
+                                                           options.expected ? expected : Verdict(nullptr)));
+    std::fwrite(line.data(), 1, line.size(), stdout);
+  }
+  if (printed < options.count)
+    std::fprintf(stderr, "touchstone: only %llu of %llu cases found in %llu samples\n",
+                 static_cast<unsigned long long>(printed), static_cast<unsigned long long>(options.count),
+                 static_cast<unsigned long long>(10'000 * options.count));
+}
+
+}  // namespace
+
+void add_cases(CLI::App& app) {
+  auto* command = app.add_subcommand("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+  auto options = std::make_shared<Options>();
+  auto& workload = options->workload;
+  add_word(*command, "--family", workload.family, workloads::all_families(), "Outline");
+  add_word(*command, "--placement", workload.placement,
+           {workloads::Placement::LatticeFrame, workloads::Placement::Rotated}, "How the outline comes into space");
+  add_word(*command, "--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
+  command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")->capture_default_str();
+  command->add_option("--holes", workload.holes, "Holes")->capture_default_str();
+  command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
+  command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
+  command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
+  command->add_option("--seed", options->seed, "Seed")->capture_default_str();
+  command->add_option("--first", options->first, "Number of the first sample");
+  command->add_option("--count", options->count, "Cases to print")->capture_default_str();
+  command->add_flag("--expected", options->expected, "Add the exact answer");
+  command->add_option("--failing", options->failing, "Only cases on which one of these methods errs")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command->callback([options] { print(*options); });
+}
+
+}  // namespace touchstone::commands
