@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace touchstone::workloads {
+
+/// Outlines keep |x| and |y| within this: products of differences, and thousands of such products, fit in 64 bits.
+inline constexpr std::int64_t kLatticeRadius = std::int64_t{1} << 20;
+
+/// A point, or the difference of two, in the plane of the integers.
+struct LatticePoint {
+  std::int64_t x, y;
+
+  friend bool operator==(const LatticePoint&, const LatticePoint&) = default;
+  friend LatticePoint operator+(LatticePoint a, LatticePoint b) { return {a.x + b.x, a.y + b.y}; }
+  friend LatticePoint operator-(LatticePoint a, LatticePoint b) { return {a.x - b.x, a.y - b.y}; }
+};
+
+[[nodiscard]] inline std::int64_t cross(LatticePoint a, LatticePoint b) { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] inline std::int64_t dot(LatticePoint a, LatticePoint b) { return a.x * b.x + a.y * b.y; }
+
+/// The vertices of a closed loop in order; the last is joined to the first.
+using LatticeLoop = std::vector<LatticePoint>;
+
+/// An outer loop with holes strictly inside it, disjoint and none inside another.
+struct Outline {
+  LatticeLoop outer;
+  std::vector<LatticeLoop> holes;
+};
+
+struct LatticeBox {
+  LatticePoint low, high;
+
+  /// The longer side.
+  [[nodiscard]] std::int64_t size() const;
+};
+
+/// A vertex with its neighbours.
+struct Corner {
+  LatticePoint previous, here, next;
+  bool region_on_left;  ///< of the edge from `here` to `next`
+
+  /// Does the region turn by less than 180 degrees here?
+  [[nodiscard]] bool convex() const;
+};
+
+[[nodiscard]] LatticeBox bounding_box(const LatticeLoop& loop);
+/// Twice the signed area; positive for a counterclockwise loop.
+[[nodiscard]] std::int64_t twice_area(const LatticeLoop& loop);
+/// Does a simple loop bound a convex region? Straight runs are allowed.
+[[nodiscard]] bool is_convex(const LatticeLoop& loop);
+
+[[nodiscard]] std::size_t vertex_count(const Outline& outline);
+/// Vertex `i` of the outline, the outer loop's first, then the holes'.
+[[nodiscard]] Corner corner(const Outline& outline, std::size_t i);
+/// Inside the outer loop and outside the holes (even-odd). Points of an edge may be given to either side.
+[[nodiscard]] bool contains(const Outline& outline, LatticePoint point);
+/// Distance from a point to the nearest edge, in doubles.
+[[nodiscard]] double clearance(const Outline& outline, LatticePoint point);
+
+}  // namespace touchstone::workloads

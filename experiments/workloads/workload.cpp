@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/workloads/workload.h"
+
+#include <charconv>
+#include <stdexcept>
+
+#include "experiments/workloads/balls.h"
+#include "experiments/workloads/placement.h"
+
+namespace touchstone::workloads {
+namespace {
+
+constexpr std::size_t kMostVertices = std::size_t{1} << 17;
+
+void check(const Workload& workload) {
+  if (workload.vertices > kMostVertices) throw std::invalid_argument("more than 2^17 vertices");
+  if (!(workload.koch_dimension > 1 && workload.koch_dimension < 2))
+    throw std::invalid_argument("the dimension of a Koch curve lies between 1 and 2");
+  if (!(workload.origin_distance >= 0 && workload.origin_distance <= 0x1p53))
+    throw std::invalid_argument("the distance from the origin lies between 0 and 2^53 sizes");
+}
+
+std::string shortest(double x) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, x).ptr};
+}
+
+std::string id(const Workload& workload, std::uint64_t seed, std::uint64_t index) {
+  std::string text;
+  text.append(word(workload.family)).append("-").append(word(workload.placement)).append("-");
+  text.append(word(workload.ball));
+  text += "-n" + std::to_string(workload.vertices) + "-h" + std::to_string(workload.holes) + "-k" +
+          std::to_string(workload.doubles);
+  const Workload usual;
+  if (workload.koch_dimension != usual.koch_dimension) text += "-d" + shortest(workload.koch_dimension);
+  if (workload.origin_distance != usual.origin_distance) text += "-o" + shortest(workload.origin_distance);
+  return text + "-s" + std::to_string(seed) + "-i" + std::to_string(index);
+}
+
+std::vector<std::string> tags(const Workload& workload) {
+  std::vector<std::string> words{std::string(word(workload.family)), std::string(word(workload.placement)),
+                                 std::string(word(workload.ball))};
+  if (workload.ball == BallPlace::LatticeTangent && workload.doubles == 0) words.emplace_back("tangent");
+  return words;
+}
+
+}  // namespace
+
+Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index) {
+  check(workload);
+  PlacedOutline placed = draw_placed_outline(workload, seed, index);
+  const Ball ball = draw_ball(placed, workload, seed, index);
+  return {id(workload, seed, index), ball, std::move(placed.polygon), tags(workload)};
+}
+
+std::string_view word(Family family) {
+  switch (family) {
+    case Family::Triangle: return "triangle";
+    case Family::Convex: return "convex";
+    case Family::Star: return "star";
+    case Family::Comb: return "comb";
+    case Family::Spiral: return "spiral";
+    case Family::RandomSimple: return "random-simple";
+    case Family::Koch: return "koch";
+    case Family::U: return "u";
+    case Family::L: return "l";
+    case Family::E: return "e";
+  }
+  return "";
+}
+
+std::string_view word(Placement placement) {
+  return placement == Placement::LatticeFrame ? "lattice-frame" : "rotated";
+}
+
+std::string_view word(BallPlace place) {
+  switch (place) {
+    case BallPlace::Anywhere: return "anywhere";
+    case BallPlace::NearFace: return "near-face";
+    case BallPlace::NearEdge: return "near-edge";
+    case BallPlace::NearVertex: return "near-vertex";
+    case BallPlace::FootNearEdge: return "foot-near-edge";
+    case BallPlace::FootNearVertex: return "foot-near-vertex";
+    case BallPlace::LatticeTangent: return "lattice-tangent";
+  }
+  return "";
+}
+
+const std::vector<Family>& all_families() {
+  static const std::vector<Family> families{Family::Triangle,     Family::Convex, Family::Star, Family::Comb,
+                                            Family::Spiral,       Family::RandomSimple, Family::Koch,
+                                            Family::U,            Family::L,      Family::E};
+  return families;
+}
+
+const std::vector<BallPlace>& all_ball_places() {
+  static const std::vector<BallPlace> places{
+      BallPlace::Anywhere,     BallPlace::NearFace,       BallPlace::NearEdge,      BallPlace::NearVertex,
+      BallPlace::FootNearEdge, BallPlace::FootNearVertex, BallPlace::LatticeTangent};
+  return places;
+}
+
+}  // namespace touchstone::workloads

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+
+namespace touchstone::workloads {
+
+/// Outlines of simple polygons; every one but Triangle and Convex is non-convex.
+enum class Family { Triangle, Convex, Star, Comb, Spiral, RandomSimple, Koch, U, L, E };
+
+/// How an outline on the integer lattice comes into space.
+enum class Placement {
+  LatticeFrame,  ///< by an integer frame: every vertex exact, the loop exactly planar
+  Rotated,       ///< by a rational rotation, rounded to doubles: off its plane by roundings
+};
+
+/// Where the ball is.
+enum class BallPlace {
+  Anywhere,        ///< centre in the outline's enlarged bounding box, at any height; radius log-uniform
+  NearFace,        ///< radius the double nearest to the exact distance, moved by `doubles`; closest feature the face
+  NearEdge,        ///< the same, closest feature an edge
+  NearVertex,      ///< the same, closest feature a vertex
+  FootNearEdge,    ///< the foot within a few doubles of an edge; ample radius
+  FootNearVertex,  ///< the foot within a few doubles of a vertex; ample radius
+  LatticeTangent,  ///< exactly tangent: distance and radius are the same integer (LatticeFrame only)
+};
+
+struct Workload {
+  Family family = Family::Star;
+  Placement placement = Placement::LatticeFrame;
+  BallPlace ball = BallPlace::Anywhere;
+  std::size_t vertices = 24;       ///< of the outer loop, as near as the family allows; at most 2^17
+  std::size_t holes = 0;
+  int doubles = 0;                 ///< how far a Near* or LatticeTangent radius is moved from the distance's double
+  double koch_dimension = 1.26;    ///< in (1, 2)
+  double origin_distance = 0;      ///< distance of the polygon from the origin, in units of its size
+};
+
+struct Sample {
+  std::string id;                  ///< names workload, seed and index: all that is needed to draw it again
+  Ball ball;
+  Polygon polygon;
+  std::vector<std::string> tags;
+};
+
+/// Sample number `index` of a workload: a function of (workload, seed, index) alone. Every polygon is one that
+/// `exact::validate` accepts. Ball and polygon are drawn apart: workloads that differ in `ball` and `doubles` alone
+/// have the same polygons, in `doubles` alone the same centres.
+///
+/// Requires rounding to nearest. Cost: 5 to 200 us at 24 vertices.
+/// Throws std::invalid_argument if the workload asks for what the family cannot give.
+[[nodiscard]] Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index);
+
+[[nodiscard]] std::string_view word(Family family);
+[[nodiscard]] std::string_view word(Placement placement);
+[[nodiscard]] std::string_view word(BallPlace place);
+[[nodiscard]] const std::vector<Family>& all_families();
+[[nodiscard]] const std::vector<BallPlace>& all_ball_places();
+
+}  // namespace touchstone::workloads
