@@ -11,6 +11,7 @@ namespace touchstone::commands {
 void add_judge(CLI::App& app, int& status);
 void add_methods(CLI::App& app);
 void add_near_edge(CLI::App& app, int& status);
+void add_mesh_contact(CLI::App& app, int& status);
 void add_cases(CLI::App& app);
 
 }  // namespace touchstone::commands

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   touchstone::commands::add_judge(app, status);
   touchstone::commands::add_methods(app);
   touchstone::commands::add_near_edge(app, status);
+  touchstone::commands::add_mesh_contact(app, status);
   touchstone::commands::add_cases(app);
   try {
     CLI11_PARSE(app, argc, argv);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
@@ -12,6 +14,9 @@ namespace {
 
 using judge::Verdict;
 using methods::Question;
+
+// A method that never fails must not make the search for failures run for ever.
+constexpr std::uint64_t kMostSamplesPerCase = 10'000;
 
 struct Options {
   workloads::Workload workload;
@@ -59,8 +64,7 @@ void print(const Options& options) {
     Verdict expected = nullptr;
     if (options.expected || !failing.empty()) expected = ask(exact, sample);
     if (!failing.empty() && !fails(failing, sample, expected)) {
-      // A method that never fails here must not make this run for ever.
-      if (index - options.first >= 10'000 * options.count) break;
+      if (index - options.first >= kMostSamplesPerCase * options.count) break;
       continue;
     }
     ++printed;
@@ -69,9 +73,8 @@ void print(const Options& options) {
     std::fwrite(line.data(), 1, line.size(), stdout);
   }
   if (printed < options.count)
-    std::fprintf(stderr, "touchstone: only %llu of %llu cases found in %llu samples\n",
-                 static_cast<unsigned long long>(printed), static_cast<unsigned long long>(options.count),
-                 static_cast<unsigned long long>(10'000 * options.count));
+    fmt::print(stderr, "touchstone: only {} of {} cases found in {} samples\n", printed, options.count,
+               kMostSamplesPerCase * options.count);
 }
 
 }  // namespace

@@ -17,11 +17,12 @@
 /// is what `exact` is for. Round to nearest is assumed. With Scalar = double no intermediate result may leave the
 /// normal doubles: sizes from about 1e-50 to 1e50 are safe.
 ///
-/// Guarantees, for every input (rounded operations commute with these):
+/// Guarantees, for every input but for what is said (rounded operations commute with these):
 ///  (1) scaling ball and polygon by a power of two scales point, distance and off_plane and changes nothing else,
 ///      while no intermediate result leaves the normal numbers;
 ///  (2) growing r never loses a contact, an edge of edges_hit, or `Intersects`;
-///  (3) mirroring in a coordinate plane mirrors `point` and changes nothing else but front and back.
+///  (3) mirroring in a coordinate plane mirrors `point` and changes nothing else but front and back, while the foot
+///      is farther from the boundary than rounding reaches (nearer, it may change its place, and with it the rest).
 /// The identities of `exact` hold where the input is far from every boundary.
 /// Source: [arshad2008, ch. 4], [ericson2005, 5.1]; crossing number after [haines1994].
 namespace touchstone::fast {

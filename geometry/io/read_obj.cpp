@@ -34,7 +34,7 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
     const std::string_view keyword = lines.take();
     if (keyword == "v") {
       builder.add_vertex([&] {
-        const Eigen::Vector3d point = lines.take_point("after 'v'");
+        Eigen::Vector3d point = lines.take_point("after 'v'");
         lines.rest_is_numbers();  // a weight or a colour
         return point;
       });

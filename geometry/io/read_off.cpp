@@ -51,7 +51,7 @@ void read_off(const MeshSource& source, MeshBuilder& builder) {
   for (std::int64_t i = 0; i < counts.vertices; ++i) {
     need_part(lines, "vertex", i, counts.vertices);
     builder.add_vertex([&] {
-      const Eigen::Vector3d point = lines.take_point("for a vertex");
+      Eigen::Vector3d point = lines.take_point("for a vertex");
       lines.rest_is_numbers();
       return point;
     });

@@ -15,7 +15,7 @@ class PlanarLoops {
  public:
   struct Point {
     double x, y;
-    friend auto operator<=>(const Point&, const Point&) = default;  // by x, then by y
+    friend auto operator<=>(const Point&, const Point&) = default;  // by x, then by y  NOLINT(modernize-use-nullptr)
     friend bool operator==(const Point&, const Point&) = default;
   };
 

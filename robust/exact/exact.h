@@ -18,21 +18,22 @@
 ///
 /// Guarantees, for every ball and every polygon that `validate` accepts:
 ///  (1) rotating the start of a loop, or reordering holes, renumbers edges and vertices and changes nothing else,
-///      but the lowest index on a tie;
-///  (2) reversing the outer loop swaps InFront and Behind; reversing a hole does not; apart from the renumbering
-///      nothing else changes;
+///      but which of several nearest features has the lowest index, and `point` with it;
+///  (2) reversing the outer loop swaps InFront and Behind; reversing a hole does not; apart from the renumbering,
+///      as in (1), nothing else changes;
 ///  (3) mirroring in a coordinate plane or exchanging two axes mirrors `point`, swaps InFront and Behind, and changes
 ///      nothing else, where no tie decides the dropped axis;
 ///  (4) scaling by a power of two scales `point`, `distance` and `off_plane` and changes nothing else, while no
 ///      number leaves the normal doubles;
-///  (5) a translation that is exact in every coordinate and keeps the loops planar moves `point` and changes nothing else;
+///  (5) a translation that is exact in every coordinate moves `point` (rounded anew) and changes nothing else;
 ///  (6) growing r never loses a contact, an edge of edges_hit, or Intersects;
 ///  (7) closed: r = d is Touching, r one double less is Separate, one double more Overlapping, wherever d is a double;
 ///  (8) together: contact if and only if the plane is Intersects and the foot is not Outside, or an edge is hit;
 ///      foot Inside <=> nearest is the face; contact => plane Intersects;
 ///  (9) equal to `fast` wherever the input is far from every boundary;
-/// (10) a hole is a difference of regions: with hole H in P, the foot is in (P without H) exactly where it is in P and
-///      not inside H, boundary in either's boundary; the edges hit are those of P, then those of H.
+/// (10) a hole is a difference of regions: with hole H in the region P, and in its plane, the foot is in (P without H)
+///      exactly where it is in P and not inside H, boundary in either's boundary; the edges hit are those of P, then
+///      those of H.
 /// Source: [arshad2008, ch. 4]; kernel [cgal2022].
 namespace touchstone::exact {
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/near_edge/threshold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/workloads/balls.h"
+#include "experiments/workloads/doubles.h"
+#include "experiments/workloads/placement.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+using methods::PartialAnswer;
+using workloads::BallPlace;
+using workloads::Placement;
+
+BallPlace ball_place(Threshold threshold) {
+  switch (threshold) {
+    case Threshold::Face: return BallPlace::NearFace;
+    case Threshold::Edge: return BallPlace::NearEdge;
+    case Threshold::Vertex: return BallPlace::NearVertex;
+    case Threshold::Tangent: return BallPlace::LatticeTangent;
+    case Threshold::FootEdge: return BallPlace::FootNearEdge;
+    case Threshold::FootVertex: break;
+  }
+  return BallPlace::FootNearVertex;
+}
+
+/// Fills values[low + 1 .. high - 1], given the two ends, where value i is ask(i) and the values grow with i in some
+/// order: equal ends then have nothing else between them. Otherwise asks in the middle.
+template <class Value, class Ask>
+void fill_growing(std::vector<Value>& values, std::size_t low, std::size_t high, const Ask& ask) {
+  if (high - low < 2) return;
+  if (values[low] == values[high]) {
+    std::fill(values.begin() + static_cast<std::ptrdiff_t>(low), values.begin() + static_cast<std::ptrdiff_t>(high),
+              values[high]);
+    return;
+  }
+  const std::size_t middle = low + (high - low) / 2;
+  values[middle] = ask(middle);
+  fill_growing(values, low, middle, ask);
+  fill_growing(values, middle, high, ask);
+}
+
+/// ask(i) of every i below count, values growing with i.
+template <class Ask>
+auto growing(std::size_t count, const Ask& ask) {
+  std::vector<decltype(ask(0))> values(count);
+  values.front() = ask(0);
+  values.back() = ask(count - 1);
+  fill_growing(values, 0, count - 1, ask);
+  return values;
+}
+
+/// The truth about balls of one centre and ascending radii.
+///
+/// The foot does not depend on r. The others compare r with distances that do not: the plane is intersected from
+/// r = |s|/|N| on, edge i is hit from r = d_i on, there is a contact from r = d on. So each of them grows with r (the
+/// edges in the order of inclusion), and what holds for two radii holds for those between.
+std::vector<PartialAnswer> truths_by_radius(const std::vector<Ball>& balls, const exact::PreparedPolygon& polygon) {
+  const FootPlace foot = exact::foot(balls.front(), polygon);
+  const auto planes = growing(balls.size(), [&](std::size_t i) { return exact::plane_side(balls[i], polygon); });
+  const auto edges = growing(balls.size(), [&](std::size_t i) { return exact::edges_hit(balls[i], polygon); });
+  const auto contacts =
+      growing(balls.size(), [&](std::size_t i) { return static_cast<int>(exact::contact(balls[i], polygon)); });
+
+  std::vector<PartialAnswer> truths(balls.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    truths[i].plane = planes[i];
+    truths[i].foot = foot;
+    truths[i].edges_hit = edges[i];
+    truths[i].contact = contacts[i] != 0;
+  }
+  return truths;
+}
+
+PartialAnswer truth(const Ball& ball, const exact::PreparedPolygon& polygon) {
+  PartialAnswer truth;
+  truth.plane = exact::plane_side(ball, polygon);
+  truth.foot = exact::foot(ball, polygon);
+  truth.edges_hit = exact::edges_hit(ball, polygon);
+  truth.contact =
+      (truth.plane == PlaneSide::Intersects && truth.foot != FootPlace::Outside) || !truth.edges_hit->empty();
+  return truth;
+}
+
+/// Balls whose radius grows across that of `middle`.
+std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
+  if (workloads::move_by_doubles(middle.radius, all_offsets().front()) < 0) return std::nullopt;
+  std::vector<Ball> balls;
+  for (const std::int64_t offset : all_offsets())
+    balls.push_back({middle.center, workloads::move_by_doubles(middle.radius, offset)});
+  return balls;
+}
+
+/// Balls whose centre moves along an axis, so that the foot leaves the polygon behind offset 0. Nothing if it does so
+/// nowhere within 1024 doubles.
+std::optional<std::vector<Ball>> move_foot(const Ball& drawn, int axis, const exact::PreparedPolygon& polygon) {
+  constexpr std::int64_t kReach = 1024;
+  constexpr double kSmall = 1e-100;  // about a coordinate of zero the doubles are too dense for `fast`
+  if (std::abs(drawn.center[axis]) < kSmall) return std::nullopt;
+
+  const auto moved = [&](std::int64_t doubles) {
+    Ball ball = drawn;
+    ball.center[axis] = workloads::move_by_doubles(ball.center[axis], doubles);
+    return ball;
+  };
+  const auto outside = [&](std::int64_t doubles) { return exact::foot(moved(doubles), polygon) == FootPlace::Outside; };
+
+  const bool start_outside = outside(0);
+  std::int64_t same = 0, other = 0;
+  for (std::int64_t reach = 1; reach <= kReach && other == 0; reach *= 2)
+    for (const std::int64_t there : {reach, -reach})
+      if (other == 0 && outside(there) != start_outside) other = there;
+  if (other == 0) return std::nullopt;
+  while (std::abs(other - same) > 1) {
+    const std::int64_t middle = same + (other - same) / 2;
+    (outside(middle) == start_outside ? same : other) = middle;
+  }
+
+  const std::int64_t last = start_outside ? other : same;
+  const std::int64_t outward = start_outside ? same - other : other - same;
+  std::vector<Ball> balls;
+  for (const std::int64_t offset : all_offsets()) balls.push_back(moved(last + outward * offset));
+  return balls;
+}
+
+std::optional<std::vector<Ball>> draw_foot_crossing(const workloads::PlacedOutline& placed,
+                                                    const workloads::Workload& workload, std::uint64_t seed,
+                                                    std::uint64_t index, const exact::PreparedPolygon& polygon) {
+  constexpr std::uint64_t kAttempts = 50;
+  constexpr std::uint64_t kAxisStream = std::uint64_t{1} << 32;
+  for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    const Ball ball = workloads::draw_ball(placed, workload, seed, index + (attempt << 48));
+    workloads::Random random(seed, index, kAxisStream + attempt);
+    const auto axis = static_cast<int>(random.integer(0, 2));
+    if (auto balls = move_foot(ball, axis, polygon)) return balls;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view word(Threshold threshold) {
+  switch (threshold) {
+    case Threshold::Face: return "face";
+    case Threshold::Edge: return "edge";
+    case Threshold::Vertex: return "vertex";
+    case Threshold::Tangent: return "tangent";
+    case Threshold::FootEdge: return "foot-edge";
+    case Threshold::FootVertex: return "foot-vertex";
+  }
+  return "";
+}
+
+bool moves_radius(Threshold threshold) {
+  return threshold != Threshold::FootEdge && threshold != Threshold::FootVertex;
+}
+
+const std::vector<Threshold>& all_thresholds() {
+  static const std::vector<Threshold> thresholds{Threshold::Face,    Threshold::Edge,     Threshold::Vertex,
+                                                 Threshold::Tangent, Threshold::FootEdge, Threshold::FootVertex};
+  return thresholds;
+}
+
+const std::vector<Stratum>& all_strata() {
+  static const std::vector<Stratum> strata = [] {
+    std::vector<Stratum> list;
+    for (const auto family : workloads::all_families())
+      for (const auto placement : {Placement::LatticeFrame, Placement::Rotated})
+        for (const auto threshold : all_thresholds())
+          if (threshold != Threshold::Tangent || placement == Placement::LatticeFrame)
+            list.push_back({family, placement, threshold});
+    return list;
+  }();
+  return strata;
+}
+
+const std::vector<std::int64_t>& all_offsets() {
+  static const std::vector<std::int64_t> offsets = [] {
+    std::vector<std::int64_t> list;
+    for (std::int64_t k = -8; k <= 8; ++k) list.push_back(k);
+    for (std::int64_t k = 16; k <= std::int64_t{1} << 32; k *= 4) {
+      list.push_back(k);
+      list.push_back(-k);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+  }();
+  return offsets;
+}
+
+std::optional<Crossing> draw_crossing(std::size_t stratum, std::uint64_t seed, std::uint64_t n) {
+  const auto& [family, placement, threshold] = all_strata()[stratum];
+  workloads::Workload workload;
+  workload.family = family;
+  workload.placement = placement;
+  workload.ball = ball_place(threshold);
+  const std::uint64_t index = n * all_strata().size() + stratum;
+  try {
+    auto placed = workloads::draw_placed_outline(workload, seed, index);
+    const exact::PreparedPolygon polygon(placed.polygon);
+    const auto balls = moves_radius(threshold) ? move_radius(workloads::draw_ball(placed, workload, seed, index))
+                                               : draw_foot_crossing(placed, workload, seed, index, polygon);
+    if (!balls) return std::nullopt;
+    std::vector<PartialAnswer> truths;
+    if (moves_radius(threshold))
+      truths = truths_by_radius(*balls, polygon);
+    else
+      for (const Ball& ball : *balls) truths.push_back(truth(ball, polygon));
+    return Crossing{std::move(placed.polygon), *balls, std::move(truths)};
+  } catch (const std::invalid_argument&) {  // the workload found no such polygon or ball
+    return std::nullopt;
+  }
+}
+
+}  // namespace touchstone::near_edge

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of `touchstone near-edge`: near_edge.py FOLDER draws the rates and maps of the CSV files there.
+
+Same data, same bytes: nothing here depends on the time or on chance."""
+import csv
+import math
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patches import Patch
+
+plt.rcParams.update({"svg.hashsalt": "touchstone", "font.size": 9, "axes.titlesize": 9, "axes.spines.top": False,
+                     "axes.spines.right": False})
+
+# Okabe and Ito's colours, told apart by all eyes; line and marker tell them apart without colour.
+STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), ("#000000", ":", "v"),
+          ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
+THRESHOLDS = ["face", "edge", "vertex", "tangent", "foot-edge", "foot-vertex"]
+OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "plane", "foot-edge": "foot",
+            "foot-vertex": "foot"}
+TITLES = {"face": "radius at a face", "edge": "radius at an edge", "vertex": "radius at a vertex",
+          "tangent": "radius exactly tangent", "foot-edge": "foot crosses an edge", "foot-vertex": "foot passes a vertex"}
+PLACEMENTS = {"lattice-frame": "exactly planar polygons on an integer lattice",
+              "rotated": "rotated polygons, vertices rounded to doubles"}
+
+
+def place(offset):
+    """Where an offset stands on the axis: evenly up to 8 doubles, by powers of two beyond."""
+    size = abs(offset)
+    return math.copysign(size if size <= 8 else 8 + 0.7 * math.log2(size / 8), offset)
+
+
+def save(figure, folder, name, kinds):
+    for kind in kinds:
+        metadata = {"Date": None} if kind == "svg" else {"Software": None}
+        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=metadata)
+    plt.close(figure)
+
+
+class Rates:
+    def __init__(self, path):
+        self.curves, self.methods, self.families = {}, [], []
+        with open(path, newline="") as file:
+            for row in csv.DictReader(file):
+                if row["method"] not in self.methods:
+                    self.methods.append(row["method"])
+                if row["family"] not in self.families:
+                    self.families.append(row["family"])
+                key = tuple(row[name] for name in ("family", "placement", "threshold", "test", "method"))
+                curve = self.curves.setdefault(key, [])
+                curve.append([int(row["offset"])] + [100 * float(row[name]) for name in ("rate", "lower", "upper")])
+
+    def draw(self, axes, family, placement, threshold, test, markers=True):
+        for method, (colour, line, marker) in zip(self.methods, STYLES * len(self.methods)):
+            curve = self.curves.get((family, placement, threshold, test, method))
+            if curve is None:
+                continue
+            offset, rate, lower, upper = np.array(curve).T
+            x = [place(k) for k in offset]
+            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
+            axes.plot(x, rate, color=colour, linestyle=line, linewidth=1.2, label=method,
+                      marker=marker if markers else None, markersize=2.5)
+        ticks = [-2**32, -2**16, -8, 0, 8, 2**16, 2**32]
+        axes.set_xticks([place(k) for k in ticks], ["$-2^{32}$", "$-2^{16}$", "−8", "0", "8", "$2^{16}$", "$2^{32}$"])
+        axes.set_ylim(-3, 103)
+        axes.grid(color="#dddddd", linewidth=0.5)
+        axes.axvline(0, color="#888888", linewidth=0.6)
+
+    def thresholds(self, placement):
+        return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
+
+    def legend(self, figure):
+        handles, labels = figure.axes[0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="upper right", ncol=min(4, len(labels)), frameon=False)
+
+
+def axis_label(threshold):
+    moved = "a centre coordinate" if threshold.startswith("foot") else "the radius"
+    return f"offset of {moved},\nin doubles"
+
+
+def draw_rates(rates, folder, placement):
+    """Above, the test whose threshold is crossed; below, the final answer."""
+    thresholds = rates.thresholds(placement)
+    figure, grid = plt.subplots(2, len(thresholds), figsize=(2.6 * len(thresholds), 5.6), sharex=True, sharey=True,
+                                squeeze=False, layout="constrained")
+    for column, threshold in enumerate(thresholds):
+        for row, test in enumerate((OWN_TEST[threshold], "contact")):
+            axes = grid[row][column]
+            rates.draw(axes, "all", placement, threshold, test)
+            name = "final answer" if test == "contact" else f"{test} test"
+            axes.set_title(f"{TITLES[threshold]}:\n{name}" if row == 0 else name)
+            if row == 1:
+                axes.set_xlabel(axis_label(threshold))
+    for row in grid:
+        row[0].set_ylabel("wrong answers, %")
+    figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n",
+                    x=0.01, ha="left")
+    rates.legend(figure)
+    save(figure, folder, f"rates-{placement}", ("png", "svg"))
+
+
+def draw_families(rates, folder, placement):
+    families = [family for family in rates.families if family != "all"]
+    thresholds = rates.thresholds(placement)
+    figure, grid = plt.subplots(len(thresholds), len(families), figsize=(1.5 * len(families) + 0.8, 1.5 * len(thresholds) + 0.9),
+                                sharex=True, sharey=True, squeeze=False, layout="constrained")
+    for row, threshold in enumerate(thresholds):
+        for column, family in enumerate(families):
+            axes = grid[row][column]
+            rates.draw(axes, family, placement, threshold, OWN_TEST[threshold], markers=False)
+            axes.set_xticks([place(k) for k in (-2**32, 0, 2**32)], ["$-2^{32}$", "0", "$2^{32}$"])
+            if row == 0:
+                axes.set_title(family)
+        grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{OWN_TEST[threshold]} test, %", fontsize=7.5)
+    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles", fontsize=9)
+    figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n", x=0.01, ha="left")
+    rates.legend(figure)
+    save(figure, folder, f"rates-{placement}-families", ("png", "svg"))
+
+
+# What a pixel can be: letter of the verdict, colour, words. Right pixels keep the shade of the truth.
+WRONG = {"+": ("#D55E00", "wrongly inside / a contact"), "-": ("#0072B2", "wrongly outside / none"),
+         "b": ("#F0E442", "inside and boundary confused")}
+TRUTH = {"i": ("#c9c9c9", "right: inside / a contact"), "c": ("#c9c9c9", ""), "o": ("#f7f7f7", "right: outside / none"),
+         "n": ("#f7f7f7", ""), "b": ("#000000", "truth: boundary")}
+
+
+def read_map(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    names, cells = rows[0][2:], np.array(rows[1:])
+    size = int(cells[-1, 0]) + 1
+    return {name: cells[:, 2 + i].reshape(size, -1) for i, name in enumerate(names)}
+
+
+def colours(truth, verdicts):
+    picture = np.zeros(truth.shape + (3,))
+    for letter, (colour, _) in TRUTH.items():
+        picture[truth == letter] = matplotlib.colors.to_rgb(colour)
+    if verdicts is not None:
+        for letter, (colour, _) in WRONG.items():
+            picture[verdicts == letter] = matplotlib.colors.to_rgb(colour)
+    return picture
+
+
+def draw_maps(folder):
+    distances = [(0, "at the origin"), (1000, "1e3 sizes away"), (1000000, "1e6 sizes away")]
+    columns = [(test, distance, words) for test in ("foot", "contact") for distance, words in distances
+               if (folder / f"map-{test}-{distance}.csv").exists()]
+    if not columns:
+        return
+    maps = [read_map(folder / f"map-{test}-{distance}.csv") for test, distance, _ in columns]
+    names = list(maps[0])
+    dpi, pixels_a_double = 150, 3
+    side = maps[0]["truth"].shape[0] * pixels_a_double / dpi
+    gap, left, top, bottom = 0.12, 1.1, 0.85, 0.75
+    width = left + len(columns) * (side + gap)
+    height = top + len(names) * (side + gap) + bottom
+    figure = plt.figure(figsize=(width, height))
+    for column, ((test, _, words), letters) in enumerate(zip(columns, maps)):
+        for row, name in enumerate(names):
+            axes = figure.add_axes([(left + column * (side + gap)) / width,
+                                    1 - (top + (row + 1) * side + row * gap) / height, side / width, side / height])
+            verdicts = None if name == "truth" else letters[name]
+            axes.imshow(colours(letters["truth"], verdicts), interpolation="nearest")
+            axes.set_xticks([])
+            axes.set_yticks([])
+            for spine in axes.spines.values():
+                spine.set(visible=True, color="#888888", linewidth=0.5)
+            if row == 0:
+                axes.set_title(f"{'foot' if test == 'foot' else 'final answer'},\n{words}")
+            if column == 0:
+                axes.set_ylabel(name, fontsize=10)
+    size = maps[0]["truth"].shape[0]
+    figure.text(0.01, 1 - 0.12 / height, "The plane above the reflex vertex of an L, one pixel a double "
+                f"({size} x {size} doubles; the vertex in the middle)", va="top", fontsize=11)
+    legend = [Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in [*TRUTH.values(), *WRONG.values()] if words]
+    figure.legend(handles=legend, loc="lower center", ncol=3, frameon=False)
+    save(figure, folder, "maps", ("png",))
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: near_edge.py FOLDER")
+    folder = pathlib.Path(sys.argv[1])
+    rates = Rates(folder / "rates.csv")
+    for placement in PLACEMENTS:
+        if rates.thresholds(placement):
+            draw_rates(rates, folder, placement)
+            draw_families(rates, folder, placement)
+    draw_maps(folder)
+
+
+if __name__ == "__main__":
+    main()

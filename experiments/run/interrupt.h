@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+
+namespace touchstone::run {
+
+/// While one exists, the first SIGINT only sets `requested`; a second one ends the process as ever. One at a time.
+class Interrupt {
+ public:
+  Interrupt();
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+  ~Interrupt();
+
+  [[nodiscard]] const std::atomic<bool>& requested() const;
+};
+
+}  // namespace touchstone::run

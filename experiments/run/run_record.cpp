@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/run_record.h"
+
+#include <sys/utsname.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#ifndef TOUCHSTONE_COMPILE_FLAGS
+#define TOUCHSTONE_COMPILE_FLAGS ""
+#endif
+
+namespace touchstone::run {
+namespace {
+
+#ifdef __clang__
+constexpr const char* kCompiler = "clang++ " __clang_version__;
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
+/// What a shell command prints, without its last line end; empty where it fails.
+std::string output_of(const std::string& command) {
+  std::string text;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  char buffer[256];
+  while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) text += buffer;
+  if (pclose(pipe) != 0) return "";
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+/// Null where git or a commit is missing; `+` marks sources that differ from it.
+nlohmann::ordered_json commit() {
+  const std::string git = "git -C " + shell_quoted(source_folder().string());
+  const std::string head = output_of(git + " rev-parse --verify --quiet HEAD 2>/dev/null");
+  if (head.empty()) return nullptr;
+  return output_of(git + " status --porcelain 2>/dev/null").empty() ? head : head + "+";
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "";
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+}  // namespace
+
+std::filesystem::path source_folder() {
+  const char* folder = std::getenv("TOUCHSTONE_SOURCE_DIR");
+  return folder != nullptr ? folder : TOUCHSTONE_SOURCE_DIR;
+}
+
+std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+void write_run_record(const std::filesystem::path& folder, const Run& run) {
+  utsname machine{};
+  uname(&machine);
+  const nlohmann::ordered_json record = {
+      {"command", run.command},
+      {"seed", run.seed},
+      {"samples_asked", run.samples_asked},
+      {"samples_done", run.samples_done},
+      {"samples_missing", run.samples_missing},
+      {"threads", run.threads},
+      {"seconds", run.seconds},
+      {"date", now()},
+      {"commit", commit()},
+      {"compiler", kCompiler},
+      {"flags", TOUCHSTONE_COMPILE_FLAGS},
+      {"processor", processor()},
+      {"cores", std::thread::hardware_concurrency()},
+      {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
+  };
+  const auto path = folder / "run.json";
+  std::ofstream file(path);
+  file << record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace touchstone::run

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace touchstone::run {
+
+/// What a sidecar says of a run besides the compiler, the flags, the commit, the machine and the date.
+struct Run {
+  std::string command;
+  std::uint64_t seed;
+  std::uint64_t samples_asked, samples_done, samples_missing;
+  unsigned threads;
+  double seconds;
+};
+
+/// Writes run.json. Throws std::runtime_error where it cannot be written.
+void write_run_record(const std::filesystem::path& folder, const Run& run);
+
+/// The folder of the sources: $TOUCHSTONE_SOURCE_DIR, else where the program was built from.
+[[nodiscard]] std::filesystem::path source_folder();
+/// As one word of a shell command.
+[[nodiscard]] std::string shell_quoted(const std::string& word);
+
+}  // namespace touchstone::run

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of thresholds: what is compared, that its samples stand at thresholds, and that it keeps its promises.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "experiments/commands.h"
+#include "experiments/near_edge/map.h"
+#include "experiments/near_edge/output.h"
+#include "experiments/near_edge/study.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+namespace fs = std::filesystem;
+using methods::PartialAnswer;
+using workloads::Family;
+using workloads::Placement;
+using Tested = judge::Test;  // within TEST, Test is GoogleTest's
+
+const std::atomic<bool> kNeverStop = false;
+const run::Progress kSilent = [](std::uint64_t) {};
+
+std::vector<const methods::Method*> select(const std::vector<std::string>& names) {
+  std::vector<const methods::Method*> selected;
+  for (const auto& name : names) selected.push_back(methods::find_method(name));
+  return selected;
+}
+
+Settings settings(const std::vector<std::string>& methods, std::uint64_t samples, unsigned threads = 1) {
+  return {select(methods), {Family::Star, Family::L}, samples, 7, threads};
+}
+
+std::vector<std::size_t> strata(Placement placement, Threshold threshold) {
+  std::vector<std::size_t> found;
+  for (std::size_t s = 0; s < all_strata().size(); ++s)
+    if (all_strata()[s].placement == placement && all_strata()[s].threshold == threshold) found.push_back(s);
+  return found;
+}
+
+std::size_t place_of(std::int64_t offset) {
+  const auto& offsets = all_offsets();
+  return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
+}
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// A folder that goes away again.
+struct Scratch {
+  Scratch() : path(fs::temp_directory_path() / ("touchstone-near-edge-" + std::to_string(::getpid()))) {
+    fs::create_directories(path);
+  }
+  ~Scratch() { fs::remove_all(path); }
+  fs::path path;
+};
+
+PartialAnswer foot(FootPlace place) {
+  PartialAnswer answer;
+  answer.foot = place;
+  return answer;
+}
+
+TEST(NearEdgeComparison, FrontAndBehindCountAlike) {
+  PartialAnswer front, behind, across;
+  front.plane = PlaneSide::InFront;
+  behind.plane = PlaneSide::Behind;
+  across.plane = PlaneSide::Intersects;
+  EXPECT_EQ(compare(Tested::Plane, front, behind, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Plane, across, behind, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Plane, front, across, true), Outcome::WronglyOut);
+}
+
+TEST(NearEdgeComparison, ABoundaryIsAskedOfThoseWhoKnowTheWord) {
+  const auto inside = foot(FootPlace::Inside), boundary = foot(FootPlace::Boundary), outside = foot(FootPlace::Outside);
+  EXPECT_EQ(compare(Tested::Foot, boundary, boundary, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, inside, boundary, true), Outcome::BoundaryMissed);
+  EXPECT_EQ(compare(Tested::Foot, outside, boundary, true), Outcome::WronglyOut);
+  EXPECT_EQ(compare(Tested::Foot, boundary, outside, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Foot, inside, boundary, false), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, outside, boundary, false), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, inside, outside, false), Outcome::WronglyIn);
+  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("exact")));
+  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("fast")));
+  EXPECT_FALSE(judge::knows_boundary(*methods::find_method("thesis")));
+}
+
+TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
+  PartialAnswer truth, fewer, other;
+  truth.edges_hit = {1, 4};
+  fewer.edges_hit = {4};
+  other.edges_hit = {4, 5};
+  EXPECT_EQ(compare(Tested::Edges, truth, truth, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Edges, fewer, truth, true), Outcome::WronglyOut);
+  EXPECT_EQ(compare(Tested::Edges, other, truth, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Edges, PartialAnswer{}, truth, true), std::nullopt);
+}
+
+// Radii: none below the distance, contact above it. Feet: not outside at offset 0, outside at offset 1.
+TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
+  for (std::size_t s = 0; s < all_strata().size(); ++s) {
+    const auto crossing = draw_crossing(s, 3, 0);
+    ASSERT_TRUE(crossing) << s;
+    const auto& truths = crossing->truths;
+    if (moves_radius(all_strata()[s].threshold)) {
+      EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
+      EXPECT_TRUE(*truths[place_of(1)].contact) << s;
+    } else {
+      EXPECT_NE(truths[place_of(0)].foot, FootPlace::Outside) << s;
+      EXPECT_EQ(truths[place_of(1)].foot, FootPlace::Outside) << s;
+    }
+    if (all_strata()[s].threshold == Threshold::Tangent) {
+      EXPECT_TRUE(*truths[place_of(0)].contact) << s;
+    }
+  }
+}
+
+// What is filled in between by monotony is what `exact` says; and `exact`, as a method, never fails.
+TEST(NearEdgeStudy, ExactNeverFails) {
+  const auto setting = settings({"exact"}, 3);
+  const Result result = run_study(setting, kNeverStop, kSilent);
+  EXPECT_EQ(result.missing, 0U);
+  for (const Tested test : kTests)
+    for (const Threshold threshold : all_thresholds()) {
+      const Summary summary = result.counts.summary(strata(Placement::LatticeFrame, threshold), test, 0);
+      EXPECT_EQ(summary.all.failures, 0U) << word(test) << " " << word(threshold);
+      EXPECT_EQ(summary.samples.trials, 6U);
+      if (threshold == Threshold::Tangent) continue;
+      EXPECT_EQ(result.counts.summary(strata(Placement::Rotated, threshold), test, 0).all.failures, 0U);
+    }
+}
+
+// In rotated planes rounding is felt at once; the sweep reaches to where it is no longer.
+TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
+  const auto setting = settings({"fast"}, 30);
+  const Result result = run_study(setting, kNeverStop, kSilent);
+  std::uint64_t near = 0, far = 0;
+  for (const std::size_t s : strata(Placement::Rotated, Threshold::Face)) {
+    for (std::int64_t k = -4; k <= 4; ++k) near += result.counts.at(s, Tested::Plane, 0, place_of(k)).failures;
+    far += result.counts.at(s, Tested::Plane, 0, 0).failures;
+    far += result.counts.at(s, Tested::Plane, 0, all_offsets().size() - 1).failures;
+  }
+  EXPECT_GT(near, 0U);
+  EXPECT_EQ(far, 0U);
+}
+
+// Touching is a contact, but not to the thesis: |s| < r is strict. Where a contact is seen nevertheless, a wrong foot
+// or rounding saw it.
+TEST(NearEdgeStudy, ThesisMissesTangentBalls) {
+  const auto setting = settings({"thesis-signed", "thesis-closed"}, 30);
+  const Result result = run_study(setting, kNeverStop, kSilent);
+  for (const std::size_t s : strata(Placement::LatticeFrame, Threshold::Tangent)) {
+    const Tally& tally = result.counts.at(s, Tested::Contact, 0, place_of(0));
+    EXPECT_GE(2 * tally.failures, tally.trials);
+  }
+}
+
+TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
+  const Scratch scratch;
+  const std::vector<std::string> names{"fast", "thesis"};
+  for (const unsigned threads : {1U, 2U}) {
+    const auto setting = settings(names, 4, threads);
+    const auto folder = scratch.path / std::to_string(threads);
+    fs::create_directories(folder);
+    const Result result = run_study(setting, kNeverStop, kSilent);
+    write_rates(folder, setting, result.counts);
+    write_bands(folder, setting, result.counts);
+    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kNeverStop, kSilent));
+  }
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(scratch.path / "1")) {
+    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 8);
+}
+
+// Stopped after two samples: the same as a run of two.
+TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
+  std::atomic<bool> stop = false;
+  const auto longer = settings({"fast"}, 50), shorter = settings({"fast"}, 2);
+  const Result stopped = run_study(longer, stop, [&](std::uint64_t done) { stop = done == 2; });
+  const Result whole = run_study(shorter, kNeverStop, kSilent);
+  EXPECT_EQ(stopped.samples, 2U);
+  EXPECT_EQ(table(longer, stopped.counts), table(shorter, whole.counts));
+}
+
+// The counts of a family do not depend on which others are asked for.
+TEST(NearEdgeStudy, FamiliesStandAlone) {
+  auto alone = settings({"fast"}, 3);
+  const auto both = alone;
+  alone.families = {Family::L};
+  const Result one = run_study(alone, kNeverStop, kSilent), two = run_study(both, kNeverStop, kSilent);
+  for (std::size_t s = 0; s < all_strata().size(); ++s) {
+    if (all_strata()[s].family != Family::L) continue;
+    const Summary first = one.counts.summary({s}, Tested::Contact, 0),
+                  second = two.counts.summary({s}, Tested::Contact, 0);
+    EXPECT_EQ(first.all.failures, second.all.failures) << s;
+    EXPECT_EQ(first.all.trials, second.all.trials) << s;
+  }
+}
+
+TEST(NearEdgeMap, HoldsAllThatItShows) {
+  const auto maps = draw_maps(select({"exact", "thesis"}), 1, 1, kNeverStop, kSilent);
+  ASSERT_EQ(maps.size(), 6U);
+  for (const Map& map : maps) {
+    const std::string both = map.test == Tested::Foot ? "io" : "cn";
+    for (const char letter : both) EXPECT_NE(map.truth.find(letter), std::string::npos);
+    EXPECT_EQ(map.verdicts[0], std::string(map.truth.size(), '='));
+  }
+  // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
+  EXPECT_NE(maps[0].verdicts[1].find('+'), std::string::npos);
+}
+
+int run_command(std::vector<std::string> arguments) {
+  CLI::App app("test");
+  int status = 0;
+  commands::add_near_edge(app, status);
+  arguments.insert(arguments.begin(), "near-edge");
+  std::reverse(arguments.begin(), arguments.end());
+  app.parse(arguments);
+  return status;
+}
+
+TEST(NearEdgeCommand, WritesResultsAndASidecar) {
+  const Scratch scratch;
+  const auto folder = scratch.path / "it's new" / "too";
+  ASSERT_EQ(run_command({"--methods", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--no-pictures",
+                         "--output", folder.string()}),
+            0);
+  const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
+  for (const char* key : {"command", "seed", "samples_asked", "samples_done", "samples_missing", "threads", "seconds",
+                          "date", "commit", "compiler", "flags", "processor", "cores", "machine"})
+    EXPECT_TRUE(record.contains(key)) << key;
+  EXPECT_EQ(record["seed"], 5);
+  EXPECT_EQ(record["samples_done"], 1);
+  EXPECT_TRUE(fs::exists(folder / "rates.csv"));
+  EXPECT_TRUE(fs::exists(folder / "bands.csv"));
+  EXPECT_TRUE(fs::exists(folder / "map-contact-1000000.csv"));
+}
+
+TEST(NearEdgeCommand, WrongOptionsAreErrors) {
+  EXPECT_THROW(run_command({"--methods", "slow"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--families", "donut"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "many"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::near_edge
