@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+#include "robust/exact/exact.h"
+
+/// The study of wrong answers on the faces of meshes that others made: `touchstone mesh-contact`.
+namespace touchstone::real_input {
+
+/// What a ball is near to.
+enum class Place {
+  Face,    ///< the radius is near the distance to the polygon, whose nearest feature is the face
+  Edge,    ///< the same, a drawn edge
+  Vertex,  ///< the same, a drawn vertex
+  Foot,    ///< the foot is near a drawn edge, the radius ample
+};
+inline constexpr std::array kPlaces{Place::Face, Place::Edge, Place::Vertex, Place::Foot};
+
+[[nodiscard]] std::string_view word(Place place);
+
+/// How far balls are moved, in doubles.
+inline constexpr std::array kSteps{-2, -1, 0, 1, 2};
+
+/// Place Foot: `steps` moves the centre along one axis. Else it moves the radius, from the double nearest to the
+/// exact distance.
+struct MeshBall {
+  Place place;
+  int steps;
+  Ball ball;
+};
+
+struct MeshBalls {
+  std::vector<MeshBall> balls;  ///< one a step for each place that is not missing, in order
+  std::vector<Place>
+      missing;  ///< places for which no ball was found, as for needles thinner than the doubles near them
+};
+
+/// Balls near one face of a mesh: a function of the arguments alone. Distances are log-uniform, from a hundredth of the
+/// face's size to four times it; smaller only where such balls miss the feature. Every nearest feature is verified by
+/// `exact`, which must be given as prepared from the same polygon.
+[[nodiscard]] MeshBalls draw_mesh_balls(const Polygon& polygon, const exact::PreparedPolygon& exact, std::uint64_t seed,
+                                        std::string_view mesh, std::uint64_t face);
+
+}  // namespace touchstone::real_input

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+#include "experiments/commands.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/real_input/output.h"
+#include "geometry/io/read_mesh.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace real_input;
+
+struct Options {
+  std::vector<std::string> files;
+  std::vector<std::string> methods{"all"};
+  Settings settings{.threads = std::max(1U, std::thread::hardware_concurrency())};
+  bool skip_bad = false;
+  std::string output = "results/mesh-contact";
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "touchstone mesh-contact";
+  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  std::string names;
+  for (const std::string& name : options.methods) names.append(names.empty() ? "" : ",").append(name);
+  line += fmt::format(" --method {} --seed {} --threads {} --output {}", names, options.settings.seed,
+                      options.settings.threads, run::shell_quoted(options.output));
+  if (options.settings.faces != Settings{}.faces) line += fmt::format(" --faces {}", options.settings.faces);
+  if (options.skip_bad) line += " --skip-bad";
+  return line;
+}
+
+/// The file without its extension and the folder that it lies in, numbered where several have the same:
+/// `puma/puma_link1`.
+std::string short_name(const std::filesystem::path& file, std::map<std::string, int>& seen) {
+  const auto folder = file.parent_path().filename();
+  const std::string name = (folder.empty() || folder == "." ? file.stem() : folder / file.stem()).string();
+  const int number = ++seen[name];
+  return number == 1 ? name : fmt::format("{}#{}", name, number);
+}
+
+struct Meshes {
+  std::vector<NamedMesh> read;
+  std::vector<std::string> left_out;  ///< sentences
+  bool all_read = true;
+};
+
+/// Reads what can be read; says on standard error what cannot, and what is left out.
+Meshes read(const Options& options) {
+  constexpr std::size_t kShown = 3;
+  Meshes meshes;
+  std::map<std::string, int> seen;
+  for (const std::string& file : options.files) {
+    std::string name = short_name(file, seen);
+    try {
+      ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+      for (std::size_t i = 0; i < mesh.left_out.size() && i < kShown; ++i)
+        fmt::print(stderr, "touchstone: left out: {}\n", mesh.left_out[i]);
+      if (mesh.left_out.size() > kShown)
+        fmt::print(stderr, "touchstone: left out: {}: {} more parts, listed in {}\n", file,
+                   mesh.left_out.size() - kShown, (std::filesystem::path(options.output) / "left-out.txt").string());
+      for (std::string& sentence : mesh.left_out) meshes.left_out.push_back(std::move(sentence));
+      meshes.read.push_back({std::move(name), std::move(mesh.mesh)});
+    } catch (const BrokenMesh& broken) {
+      fmt::print(stderr, "touchstone: {}\n", broken.what());
+      meshes.all_read = false;
+    }
+  }
+  return meshes;
+}
+
+void write_left_out(const std::filesystem::path& folder, const std::vector<std::string>& sentences) {
+  const auto path = folder / "left-out.txt";
+  std::ofstream file(path);
+  for (const std::string& sentence : sentences) file << sentence << "\n";
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+int run(Options& options) {
+  Settings& settings = options.settings;
+  settings.methods = methods::find_methods(options.methods);
+  const std::filesystem::path folder = options.output;
+  std::filesystem::create_directories(folder);  // before time is spent
+  const auto begin = std::chrono::steady_clock::now();
+  const Meshes meshes = read(options);
+  constexpr int kBadInput = 2, kInterrupted = 130;
+  if (meshes.read.empty()) return kBadInput;
+
+  const run::Interrupt interrupt;
+  const Result result = [&] {
+    run::ProgressLine line("mesh-contact", block_count(settings, meshes.read));
+    return run_study(settings, meshes.read, interrupt.requested(), [&](std::uint64_t done) { line(done); });
+  }();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::uint64_t faces = 0;
+  for (const MeshCounts& counts : result.meshes) faces += counts.faces;
+
+  write_meshes(folder, settings, meshes.read, result);
+  write_rejected(folder, meshes.read, result);
+  write_failures(folder, settings, meshes.read, result);
+  write_left_out(folder, meshes.left_out);
+  run::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces,
+                                       result.rejected.size(), settings.threads, seconds});
+
+  fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
+             table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
+             meshes.left_out.size(), seconds, settings.seed);
+  fmt::print("Results: {}\n", folder.string());
+  std::fflush(stdout);
+  if (faces < result.faces) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
+               result.faces);
+    return kInterrupted;
+  }
+  if (!meshes.all_read) return kBadInput;
+  if (!result.rejected.empty() && !options.skip_bad) {
+    fmt::print(stderr, "touchstone: {} faces were rejected; with --skip-bad that is no error\n",
+               result.rejected.size());
+    return kBadInput;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_mesh_contact(CLI::App& app, int& status) {
+  auto* command =
+      app.add_subcommand("mesh-contact", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
+  auto options = std::make_shared<Options>();
+  command->add_option("MESH", options->files, "Mesh files")->required();
+  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command->add_option("--seed", options->settings.seed, "Any number; the same gives the same bytes")
+      ->capture_default_str();
+  command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->settings.threads, "They do not change the results")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--skip-bad", options->skip_bad,
+                    "Leave out what is wrong in a file, and say what; rejected faces are no error then");
+  command->add_option("--output", options->output, "The folder for the tables and the failing cases")
+      ->capture_default_str();
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace touchstone::commands
