@@ -34,22 +34,7 @@ struct Options {
 
 bool is_all(const std::vector<std::string>& names) { return names == std::vector<std::string>{"all"}; }
 
-// Each throws CLI::ValidationError, which names what is unknown.
-
-std::vector<const methods::Method*> select_methods(const std::vector<std::string>& names) {
-  std::vector<const methods::Method*> selected;
-  if (is_all(names))
-    for (const auto& method : methods::all_methods()) selected.push_back(method.get());
-  else
-    for (const std::string& name : names) {
-      const auto* method = methods::find_method(name);
-      if (method == nullptr)
-        throw CLI::ValidationError("--methods", "there is no method \"" + name + "\"; `touchstone methods` lists them");
-      selected.push_back(method);
-    }
-  return selected;
-}
-
+// Throws CLI::ValidationError, which names what is unknown.
 workloads::Family find_family(const std::string& name) {
   std::string known;
   for (const auto family : workloads::all_families()) {
@@ -74,7 +59,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string command_line(const Options& options) {
   return fmt::format(
-      "touchstone near-edge --methods {} --families {} --samples {} --seed {} --threads {} --output {}{}",
+      "touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {} --output {}{}",
       joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
       run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
 }
@@ -118,7 +103,7 @@ std::string check_number(const std::string& text, std::uint64_t lowest) {
 }
 
 int run(const Options& options) {
-  const Settings settings{select_methods(options.methods), select_families(options.families), options.samples,
+  const Settings settings{methods::find_methods(options.methods), select_families(options.families), options.samples,
                           options.seed, options.threads};
   make_folder(options.output);
   const run::Interrupt interrupt;
@@ -162,7 +147,7 @@ void add_near_edge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
-  command->add_option("--methods", options->methods, "Method names, separated by commas, or all")
+  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();

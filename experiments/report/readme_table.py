@@ -29,7 +29,7 @@ def study(touchstone):
     """Failures and trials by (threshold, method), all families and placements, within one double of the threshold."""
     counts = collections.defaultdict(lambda: [0, 0])
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "near-edge", "--methods", ",".join(METHODS), "--samples", str(SAMPLES), "--seed", "1",
+        subprocess.run([touchstone, "near-edge", "--method", ",".join(METHODS), "--samples", str(SAMPLES), "--seed", "1",
                         "--no-pictures", "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:

@@ -38,7 +38,8 @@ TEST(ExactCases, EveryKeyIsThatDerivedByHandAtBothEndsOfTheDoubles) {
 /// Vertices 1/3 off the plane through their mean: N = (1, -1, 3), plane z = 1/3 - x/3 + y/3.
 const Polygon kThirds({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 1, 1}});
 
-// Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): no double among them, yet edge 0 passes through (1, 0, 0).
+// Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): thirds are no doubles, yet edge 0 passes through
+// (1, 0, 0).
 TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
   const Answer on_edge = exact::answer({{1, 0, 0}, 0}, kThirds);
   EXPECT_EQ(on_edge, (Answer{PlaneSide::Intersects, true, FootPlace::Boundary, {0}, Relation::Touching,

@@ -191,7 +191,9 @@ RC_GTEST_PROP(ExactRadius, GrowingItLosesNothing, ()) {
 
 /// Is the nearest feature hit, where it is an edge or vertex?
 bool hits_nearest(const Answer& answer, const Polygon& polygon) {
-  const auto hit = [&](std::size_t edge) { return std::binary_search(answer.edges_hit.begin(), answer.edges_hit.end(), edge); };
+  const auto hit = [&](std::size_t edge) {
+    return std::binary_search(answer.edges_hit.begin(), answer.edges_hit.end(), edge);
+  };
   const std::size_t i = answer.nearest.index;
   if (answer.nearest.kind == Kind::Vertex) return hit(i) && hit(polygon.previous(i));
   return answer.nearest.kind == Kind::Edge && hit(i);

@@ -161,7 +161,7 @@ RC_GTEST_PROP(FastAgainstExact, EqualFarFromEveryBoundary, ()) {
   expect_equal_when_far<long double>(c, expected);
 }
 
-// Small integers in an axis-parallel plane: nothing that decides is rounded, so ties, touching and boundaries agree too.
+// Small integers in an axis-parallel plane: nothing that decides is rounded, so ties, touching and boundaries agree.
 RC_GTEST_PROP(FastAgainstExact, EqualOnSmallIntegers, ()) {
   const Case c = *grid_cases();
   const Answer expected = exact::answer(c.ball, c.polygon), actual = fast::answer(c.ball, c.polygon);

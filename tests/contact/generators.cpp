@@ -115,20 +115,34 @@ Loop grid_loop(int count, int low, int high, int warp, int axis, double h) {
   return loop;
 }
 
+/// A rectangle about (3, 3), so that points with x = 3 are as far from its left as from its right.
+Loop rectangle(int axis, double h) {
+  const int a = *rc::gen::inRange(1, 3), b = *rc::gen::inRange(1, 3);
+  Loop loop;
+  for (const GridPoint& p : {GridPoint{3 - a, 3 - b, 0}, {3 + a, 3 - b, 0}, {3 + a, 3 + b, 0}, {3 - a, 3 + b, 0}})
+    loop.push_back(on_grid(p, axis, h));
+  return loop;
+}
+
+/// A random loop; or in a square with one corner moved a random hole, or a rectangular one and the ball in its middle.
 std::optional<Case> grid_case(int warp) {
   const int axis = *rc::gen::inRange(0, 3);
   const double h = *rc::gen::inRange(-2, 3);
-  const bool with_hole = *rc::gen::inRange(0, 3) == 2;
+  const int kind = *rc::gen::inRange(0, 4);
+  const bool with_hole = kind >= 2, tie = kind == 3;
   std::vector<Loop> loops;
-  if (with_hole) {  // in a square with one corner moved
+  if (with_hole) {
     const int corner = *rc::gen::inRange(5, 7);
     loops.emplace_back();
     for (const GridPoint& p : {GridPoint{0, 0, 0}, {6, 0, 0}, {corner, corner, 0}, {0, 6, 0}})
       loops[0].push_back(on_grid(p, axis, h));
   }
   const int count = *rc::gen::inRange(3, with_hole ? 5 : 7);
-  loops.push_back(with_hole ? grid_loop(count, 1, 4, warp, axis, h) : grid_loop(count, 0, 6, warp, axis, h));
-  const int x = *rc::gen::inRange(-2, 9), y = *rc::gen::inRange(-2, 9);
+  if (tie)
+    loops.push_back(rectangle(axis, h));
+  else
+    loops.push_back(with_hole ? grid_loop(count, 1, 4, warp, axis, h) : grid_loop(count, 0, 6, warp, axis, h));
+  const int x = tie ? 3 : *rc::gen::inRange(-2, 9), y = *rc::gen::inRange(-2, 9);
   const Ball ball{on_grid({x, y, *rc::gen::inRange(-4, 5)}, axis, h), static_cast<double>(*rc::gen::inRange(0, 9))};
   try {
     Polygon polygon = polygon_of(loops);

@@ -20,7 +20,8 @@ Polygon with_order(const Polygon& polygon, const Order& order) {
 template <class T>
 void turn(std::vector<T>& items, std::size_t begin, std::size_t steps) {
   const auto first = items.begin() + static_cast<std::ptrdiff_t>(begin);
-  if (first != items.end()) std::rotate(first, first + static_cast<std::ptrdiff_t>(steps % (items.size() - begin)), items.end());
+  if (first == items.end()) return;
+  std::rotate(first, first + static_cast<std::ptrdiff_t>(steps % (items.size() - begin)), items.end());
 }
 
 }  // namespace
@@ -106,7 +107,8 @@ std::size_t Reordered::place(Feature original) const {
   return static_cast<std::size_t>(std::find(old.begin(), old.end(), original.index) - old.begin());
 }
 
-std::vector<Reordered> all_starts(const Polygon& polygon, const std::function<bool(std::size_t)>& reverse) {
+std::vector<Reordered> all_starts(const Polygon& polygon,
+                                  const std::function<bool(std::size_t)>& reverse) {
   std::vector<Reordered> result;
   for (std::size_t start = 0; start < polygon.loop_end(0); ++start) {
     Order order = order_of(polygon);

@@ -47,6 +47,7 @@ struct Reordered {
 
 /// Starts the outer loop at each of its vertices in turn; the holes, and the order of the holes, turn along.
 /// `reverse(l)` says whether loop l is told backwards.
-[[nodiscard]] std::vector<Reordered> all_starts(const Polygon& polygon, const std::function<bool(std::size_t)>& reverse);
+[[nodiscard]] std::vector<Reordered> all_starts(const Polygon& polygon,
+                                                const std::function<bool(std::size_t)>& reverse);
 
 }  // namespace touchstone::contact_tests

@@ -27,7 +27,9 @@ std::string verdict(const Loop& outer, const std::vector<Loop>& holes = {}) {
   return rejection ? std::string(word(rejection->code)) + ": " + rejection->message : "accepted";
 }
 
-bool refused_for_itself(const Loop& loop) { return verdict(loop).rfind("loop-meets-itself: the outer loop: edge ", 0) == 0; }
+bool refused_for_itself(const Loop& loop) {
+  return verdict(loop).rfind("loop-meets-itself: the outer loop: edge ", 0) == 0;
+}
 
 Loop square(double low, double high) { return {{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}; }
 
@@ -47,7 +49,8 @@ TEST(ValidateCases, RejectsVerticesThatCoincideFarApartInTheLoop) {
 }
 
 TEST(ValidateCases, RejectsEdgesThatOverlap) {
-  EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {4, 2, 0}, {4, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}}));
+  EXPECT_TRUE(refused_for_itself(
+      {{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {4, 2, 0}, {4, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}}));
 }
 
 TEST(ValidateCases, RejectsLoopsThatTouch) {

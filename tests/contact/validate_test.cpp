@@ -36,6 +36,12 @@ TEST(Validate, AcceptsWhatTheContractAllows) {
   EXPECT_EQ(verdict({{0, 0, 0}, {0, 1, 7}, {0, 5, 7}, {0, 5, 0}}), "accepted") << "upright";
 }
 
+// The wedge of edges 3 and 4 lies between edges 0 and 2 until it ends at vertex 4; they cross behind it.
+TEST(Validate, FindsACrossingOfEdgesThatBecomeNeighboursLate) {
+  EXPECT_EQ(verdict({{0, 0, 0}, {10, 6, 0}, {10, 0, 0}, {0, 6, 0}, {2, 3, 0}}),
+            "loop-meets-itself: the outer loop: edge 0 (vertices 0, 1) meets edge 2 (vertices 2, 3)");
+}
+
 TEST(Validate, AcceptsLargePolygonsAndFindsOneCrossingInThem) {
   for (const auto family : {workloads::Family::Star, workloads::Family::Comb, workloads::Family::Spiral}) {
     const Polygon polygon = workloads::sample({.family = family, .vertices = 20'000}, 1, 0).polygon;
