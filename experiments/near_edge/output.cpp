@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "experiments/statistics/clopper_pearson.h"
@@ -13,7 +12,6 @@
 namespace touchstone::near_edge {
 namespace {
 
-using Row = std::back_insert_iterator<std::string>;
 
 void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
@@ -107,7 +105,7 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
           Tally tally;
           for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
           if (tally.trials == 0) continue;
-          fmt::format_to(Row(text), "{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
+          text += fmt::format("{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
                          all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
         }
   write(folder / "rates.csv", text);
@@ -122,7 +120,7 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
         const auto& [samples, all, below, above] = counts.summary(group.strata, test, m);
         if (samples.trials == 0) continue;
-        fmt::format_to(Row(text), "{},{},{},{},{},{},{},{},{},{}\n", group.name, word(test),
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", group.name, word(test),
                        settings.methods[m]->name(), samples.failures, samples.trials, rate_and_limits(samples),
                        all.failures, all.trials, below ? std::to_string(*below) : "",
                        above ? std::to_string(*above) : "");
@@ -136,7 +134,7 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
     for (const auto* method : settings.methods) text.append(",").append(method->name());
     text += "\n";
     for (std::size_t pixel = 0; pixel < map.truth.size(); ++pixel) {
-      fmt::format_to(Row(text), "{},{},{}", pixel / Map::kSize, pixel % Map::kSize, map.truth[pixel]);
+      text += fmt::format("{},{},{}", pixel / Map::kSize, pixel % Map::kSize, map.truth[pixel]);
       for (const std::string& verdicts : map.verdicts) text.append(",").append(1, verdicts[pixel]);
       text += "\n";
     }
@@ -147,7 +145,7 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
 std::string table(const Settings& settings, const Counts& counts) {
   std::string text;
   for (const Threshold threshold : all_thresholds()) {
-    fmt::format_to(Row(text), "\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold),
+    text += fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold),
                    movement(threshold), "method", "test", "failed of samples", "rate", "95 % limits",
                    "band of offsets");
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
@@ -156,7 +154,7 @@ std::string table(const Settings& settings, const Counts& counts) {
         const auto& [failures, trials] = summary.samples;
         if (trials == 0) continue;
         const auto limits = statistics::clopper_pearson(failures, trials);
-        fmt::format_to(Row(text), "  {:<16} {:<8} {:>18}  {:>7.3f}%  {:<22} {}\n", settings.methods[m]->name(),
+        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7.3f}%  {:<22} {}\n", settings.methods[m]->name(),
                        word(test), fmt::format("{} of {}", failures, trials), 100 * rate(summary.samples),
                        fmt::format("{:.3f} to {:.3f} %", 100 * limits.lower, 100 * limits.upper), band_text(summary));
       }
