@@ -22,6 +22,7 @@ double koch_ratio(double dimension) {
   mpfr_exp2(value, value, MPFR_RNDN);
   const double ratio = mpfr_get_d(value, MPFR_RNDN);
   mpfr_clear(value);
+  mpfr_free_cache();  // of this thread, which may end soon
   return ratio;
 }
 

@@ -19,8 +19,14 @@ mpz_class shifted(const mpz_class& value, long shift) {
   return shift >= 0 ? mpz_class(value << static_cast<mp_bitcnt_t>(shift)) : value;
 }
 
+/// MPFR keeps memory for each thread; this gives it back when the thread ends.
+struct ThreadCaches {
+  ~ThreadCaches() { mpfr_free_cache(); }
+};
+
 /// Rounds (integer + t) 2^exponent, where 0 <= t < 1 and `inexact` says t > 0, to the nearest double.
 double rounded(const mpz_class& integer, bool inexact, long exponent) {
+  static thread_local const ThreadCaches caches;
   const mpz_class with_sticky = 2 * integer + (inexact ? 1 : 0);
   mpfr_t value;
   mpfr_init2(value, static_cast<mpfr_prec_t>(bits(with_sticky)));
