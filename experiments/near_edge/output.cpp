@@ -4,21 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
+#include "experiments/run/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::near_edge {
 namespace {
-
-
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
-}
 
 double rate(const Tally& tally) {
   return tally.trials == 0 ? 0 : static_cast<double>(tally.failures) / static_cast<double>(tally.trials);
@@ -108,7 +100,7 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
           text += fmt::format("{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
                          all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
         }
-  write(folder / "rates.csv", text);
+  run::write_file(folder / "rates.csv", text);
 }
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
@@ -125,7 +117,7 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
                        all.failures, all.trials, below ? std::to_string(*below) : "",
                        above ? std::to_string(*above) : "");
       }
-  write(folder / "bands.csv", text);
+  run::write_file(folder / "bands.csv", text);
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
@@ -138,7 +130,7 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
       for (const std::string& verdicts : map.verdicts) text.append(",").append(1, verdicts[pixel]);
       text += "\n";
     }
-    write(folder / fmt::format("map-{}-{:.0f}.csv", word(map.test), map.origin_distance), text);
+    run::write_file(folder / fmt::format("map-{}-{:.0f}.csv", word(map.test), map.origin_distance), text);
   }
 }
 

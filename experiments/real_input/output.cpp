@@ -4,23 +4,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 
 #include "experiments/judge/verdict.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::real_input {
 namespace {
-
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
-}
 
 /// A field of a CSV file, quoted where that is needed.
 std::string field(const std::string& text) {
@@ -71,7 +64,7 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
                           count.trials, count.wrong(), count.wrongly_in, count.wrongly_out, count.boundary_missed);
         }
   }
-  write(folder / "meshes.csv", text);
+  run::write_file(folder / "meshes.csv", text);
 }
 
 void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
@@ -79,7 +72,7 @@ void write_rejected(const std::filesystem::path& folder, const std::vector<Named
   for (const RejectedFace& face : result.rejected)
     text += fmt::format("{},{},{},{}\n", field(meshes[face.mesh].name), face.face, word(face.rejection.code),
                         field(face.rejection.message));
-  write(folder / "rejected.csv", text);
+  run::write_file(folder / "rejected.csv", text);
 }
 
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
@@ -95,7 +88,7 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
     const auto& [mesh, face, ball] = key;
     text += case_line(settings, meshes[mesh], face, ball, failed);
   }
-  write(folder / "failures.jsonl", text);
+  run::write_file(folder / "failures.jsonl", text);
 }
 
 }  // namespace touchstone::real_input

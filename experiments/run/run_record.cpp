@@ -8,8 +8,9 @@
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <thread>
+
+#include "experiments/run/write_file.h"
 
 #ifndef TOUCHSTONE_COMPILE_FLAGS
 #define TOUCHSTONE_COMPILE_FLAGS ""
@@ -92,10 +93,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
   };
   const auto path = folder / "run.json";
-  std::ofstream file(path);
-  file << record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace touchstone::run
