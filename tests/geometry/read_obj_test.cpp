@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "geometry/io/read_mesh.h"
+#include "tests/geometry/mesh_fixture.h"
+
+namespace touchstone::geometry_tests {
+namespace {
+
+constexpr std::string_view kObjTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kObj{kObjTriangle};
+
+TEST(ReadObj, ReadsTheVertexOfEachFormOfCorner) {
+  const Mesh mesh =
+      read(".obj", kObj + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 3/1 2/1 1/1\nf 1/1/1 2/1/1 3/1/1\nf 3//1 1//1 2//1\n");
+  EXPECT_EQ(points(mesh), kTrianglePoints);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {2, 1, 0}, {0, 1, 2}, {2, 0, 1}}));
+}
+
+TEST(ReadObj, CountsNegativeIndicesFromTheLastVertexSoFar) {
+  EXPECT_EQ(read(".obj", kObj + "f -3 -2 -1\nv 5 5 5\nf -1/-1 -2/-1 -3/-1\n").faces, (Faces{{0, 1, 2}, {3, 2, 1}}));
+}
+
+TEST(ReadObj, KeepsAFaceOfFiveVerticesAsOnePolygon) {
+  EXPECT_EQ(read(".obj", kObj + "v 2 2 0\nv 3 3 1\nf 5 4 3 2 1\n").faces, (Faces{{4, 3, 2, 1, 0}}));
+}
+
+TEST(ReadObj, JoinsALineThatEndsWithABackslash) {
+  const Mesh mesh = read(".obj", "v 0 0 \\\n0\nv 1 \\\r\n0 \\\r\n0\nv 0 1 0\nf 1 2\\\n 3\nf 3 2 1\\");
+  EXPECT_EQ(points(mesh), kTrianglePoints);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {2, 1, 0}}));
+}
+
+TEST(ReadObj, NamesTheFirstLineOfAContinuedOneAndCountsThemAll) {
+  EXPECT_EQ(fault(".obj", "v 0 \\\n0 \\\nx\n"), "line 1: 'x' is not a number");
+  EXPECT_EQ(fault(".obj", "v 0 \\\n0 \\\n0\nv x 0 0\n"), "line 4: 'x' is not a number");
+}
+
+// A path of Windows in a comment must not swallow the vertex after it.
+TEST(ReadObj, DoesNotContinueComments) {
+  EXPECT_EQ(points(read(".obj", "# C:\\models\\\nv 1 2 3 # here\\\nv 4 5 6\n")), (Points{{1, 2, 3}, {4, 5, 6}}));
+}
+
+TEST(ReadObj, TakesTheFirstThreeOfAVertexWithAWeightOrAColour) {
+  EXPECT_EQ(points(read(".obj", "v 1 2 3 0.5\nv 4 5 6 1 0 0.25\n\tv\t7  8\t9 \n")),
+            (Points{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+}
+
+TEST(ReadObj, RefusesWordsAfterAVertex) {
+  EXPECT_EQ(fault(".obj", "v 1 2 3 v 4 5 6\n"), "line 1: 'v' is not a number");
+}
+
+TEST(ReadObj, PassesOverLinesWithoutVertexOrFace) {
+  const Mesh mesh = read(
+      ".obj",
+      "# a comment\nmtllib a.mtl\no part\ng group\nusemtl red#1\ns off\nl 1 2\np 1\nvp 1 1\nvn nan 0 0\nv 1 2 3\n");
+  EXPECT_EQ(mesh.vertices.size(), 1u);
+  EXPECT_TRUE(mesh.faces.empty());
+}
+
+TEST(ReadObj, FacesMayNameVerticesThatComeLater) {
+  EXPECT_EQ(read(".obj", "f 1 2 3\n" + kObj).faces, (Faces{{0, 1, 2}}));
+}
+
+TEST(ReadObj, RefusesAnIndexOutOfRange) {
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 4\n"),
+            "line 4: vertex 4 is out of range: 3 vertices were read, numbered from 1");
+  EXPECT_EQ(fault(".obj", kObj + "f 0 1 2\n"),
+            "line 4: vertex 0 is out of range: 3 vertices were read, numbered from 1");
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 -4\n"), "line 4: vertex -4 is out of range: 3 vertices come before it");
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2 4294967299\n"),
+            "line 4: vertex 4294967299 is out of range: 3 vertices were read, numbered from 1");
+}
+
+TEST(ReadObj, RefusesAMalformedCorner) {
+  for (const std::string corner : {"x", "/1", "1.5", "99999999999999999999", "1e0"})
+    EXPECT_EQ(fault(".obj", kObj + "f 1 2 " + corner + "\n"), "line 4: '" + corner + "' is not a corner of a face");
+}
+
+TEST(ReadObj, RefusesAFaceOfFewerThanThreeVertices) {
+  EXPECT_EQ(fault(".obj", kObj + "f 1 2\n"), "line 4: a face needs at least 3 vertices, this one has 2");
+  EXPECT_EQ(fault(".obj", kObj + "f\n"), "line 4: a face needs at least 3 vertices, this one has 0");
+}
+
+// What is left keeps its order and is numbered anew; a face that needs a vertex left out goes with it.
+TEST(ReadObj, SkipLeavesOutWrongVerticesAndTheFacesThatNeedThem) {
+  const ReadMesh result =
+      skip(".obj", "v 0 0 0\nv 0 x 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\nf 1 3\nf 4 3 9\nf -1 -2 -4\n");
+  EXPECT_EQ(points(result.mesh), kTrianglePoints);
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}, {2, 1, 0}}));
+  EXPECT_EQ(result.left_out,
+            (Sentences{"line 2: 'x' is not a number", "line 7: a face needs at least 3 vertices, this one has 2",
+                       "line 5: the face needs vertex 2, which is left out",
+                       "line 8: vertex 9 is out of range: 4 vertices were read, numbered from 1"}));
+}
+
+}  // namespace
+}  // namespace touchstone::geometry_tests

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "geometry/io/read_mesh.h"
+#include "tests/geometry/mesh_fixture.h"
+
+namespace touchstone::geometry_tests {
+namespace {
+
+const std::string kOffPoints = "0 0 0\n1 0 0\n0 1 0\n";
+
+TEST(ReadOff, ReadsVerticesAndPolygons) {
+  const Mesh mesh = read(".off", "OFF\n5 2 0\n" + kOffPoints + "2 2 0\n3 3 1\n3 0 1 2\n5 4 3 2 1 0\n");
+  EXPECT_EQ(mesh.vertices.size(), 5u);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {4, 3, 2, 1, 0}}));
+}
+
+TEST(ReadOff, ReadsCountsOnTheFirstLineWithOrWithoutEdgesOrTheWord) {
+  for (const std::string header : {"OFF 3 1 3\n", "OFF\n3 1 3\n", "OFF\n3 1\n", "3 1 3\n"}) {
+    const Mesh mesh = read(".off", header + kOffPoints + "3 0 1 2\n");
+    EXPECT_EQ(points(mesh), kTrianglePoints);
+    EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+  }
+}
+
+TEST(ReadOff, PassesOverCommentsAndBlankLines) {
+  const Mesh mesh = read(
+      ".off",
+      "# before\nOFF # after\n\n#\n3 1 0 # counts\n0 0 0 # first\n\n1 0 0\r\n0 1 0\n# faces\n3 0 1 2 # red\n\n# end");
+  EXPECT_EQ(points(mesh), kTrianglePoints);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+TEST(ReadOff, PassesOverColoursAndNormals) {
+  EXPECT_EQ(points(read(".off", "COFF\n1 0 0\n1 2 3 255 0 0 255\n")), (Points{{1, 2, 3}}));
+  EXPECT_EQ(points(read(".off", "NOFF\n1 0 0\n1 2 3 nan nan nan\n")), (Points{{1, 2, 3}}));
+  EXPECT_EQ(points(read(".off", "STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 1 0.5 0.5\n")), (Points{{1, 2, 3}}));
+  EXPECT_EQ(read(".off", "OFF 3 2 0\n" + kOffPoints + "3 0 1 2 0.5 0.5 0\n3 2 1 0 7\n").faces,
+            (Faces{{0, 1, 2}, {2, 1, 0}}));
+}
+
+TEST(ReadOff, RefusesABadHeader) {
+  EXPECT_EQ(fault(".off", "FOO\n1 0 0\n"), "line 1: expected 'OFF', found 'FOO'");
+  EXPECT_EQ(fault(".off", "4OFF\n1 0 0\n"), "line 1: expected 'OFF', found '4OFF'");
+  EXPECT_EQ(fault(".off", "OFF BINARY\n"), "line 1: 'BINARY' is not a count");
+  EXPECT_EQ(fault(".off", "OFF\n3\n"), "line 2: the line ends where a count is expected");
+  EXPECT_EQ(fault(".off", "OFF\n-3 1 0\n"), "line 2: the count -3 is negative");
+  EXPECT_EQ(fault(".off", "OFF\n3 99999999999999999999 0\n"), "line 2: '99999999999999999999' is not a count");
+  EXPECT_EQ(fault(".off", "OFF\n\n"), "line 2: the file is truncated: the counts of vertices and faces are missing");
+}
+
+TEST(ReadOff, RefusesAWrongCount) {
+  EXPECT_EQ(fault(".off", "OFF 4 0 0\n" + kOffPoints), "line 4: the file is truncated: vertex 3 of 4 is missing");
+  EXPECT_EQ(fault(".off", "OFF 3 2 0\n" + kOffPoints + "3 0 1 2\n"),
+            "line 5: the file is truncated: face 1 of 2 is missing");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "3 0 1 2\n3 0 1 2\n"),
+            "line 6: the file goes on after what the counts promise");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "4 0 1 2\n"), "line 5: expected 4 vertex numbers, found 3");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "-3 0 1 2\n"), "line 5: the count -3 is negative");
+}
+
+TEST(ReadOff, RefusesAWrongFace) {
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "3 0 1 3\n"),
+            "line 5: vertex 3 is out of range: 3 vertices were read, numbered from 0");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "3 0 1 -1\n"),
+            "line 5: vertex -1 is out of range: 3 vertices were read, numbered from 0");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "2 0 1\n"),
+            "line 5: a face needs at least 3 vertices, this one has 2");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "3 0 1 1.5\n"), "line 5: '1.5' is not a vertex number");
+}
+
+TEST(ReadOff, AbsurdCountsCostNothing) {
+  const std::string header = "OFF 3 1000000000000 0\n" + kOffPoints + "3 0 1 2\n";
+  EXPECT_EQ(fault(".off", header), "line 5: the file is truncated: face 1 of 1000000000000 is missing");
+  EXPECT_EQ(fault(".off", "OFF 1000000000000 1 0\n0 0 0\n"),
+            "line 2: the file is truncated: vertex 1 of 1000000000000 is missing");
+  EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "1000000000000 0 1 2\n"),
+            "line 5: expected 1000000000000 vertex numbers, found 3");
+  EXPECT_EQ(skip(".off", header).mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+TEST(ReadOff, SkipLeavesOutWrongLinesAndKeepsWhatCameBeforeTheEnd) {
+  const ReadMesh result = skip(".off", "OFF 4 4 0\n0 0 0\n1 0 inf\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 x\n3 0 2 3\n");
+  EXPECT_EQ(points(result.mesh), kTrianglePoints);
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
+  EXPECT_EQ(result.left_out, (Sentences{"line 3: 'inf' is not a finite double", "line 7: 'x' is not a vertex number",
+                                        "line 8: the file is truncated: face 3 of 4 is missing",
+                                        "line 6: the face needs vertex 1, which is left out"}));
+}
+
+}  // namespace
+}  // namespace touchstone::geometry_tests

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "geometry/io/read_mesh.h"
+#include "tests/geometry/mesh_fixture.h"
+
+namespace touchstone::geometry_tests {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+const std::string kFacet =
+    "facet normal nan nan nan\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+std::string binary_facet(std::array<float, 9> coordinates) {
+  std::string result = row({0.0f, 0.0f, 1.0f});
+  for (const float coordinate : coordinates) result += bytes(coordinate);
+  return result + bytes(std::uint16_t{0x0a0d});
+}
+
+std::string binary_stl(const std::string& title, std::uint32_t count, const std::string& facets) {
+  std::string header = title;
+  header.resize(80, '\0');
+  return header + bytes(count) + facets;
+}
+
+const std::string kBinaryFacet = binary_facet({0, 0, 0, 1, 0, 0, 0, 1, 0});
+
+TEST(ReadStl, EachFacetOfTextMakesThreeNewVertices) {
+  const Mesh mesh = read(".stl", "solid part with a name\n" + kFacet + kFacet + "endsolid part with a name\n");
+  EXPECT_EQ(mesh.vertices.size(), 6u);
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(mesh.vertices[4], Eigen::Vector3d(1, 0, 0));
+}
+
+TEST(ReadStl, ReadsDoublesFromText) {
+  const Mesh mesh = read(
+      ".stl",
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.1 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid");
+  EXPECT_EQ(mesh.vertices[0][0], 0.1);
+}
+
+TEST(ReadStl, ReadsTextInAnyCaseIndentedAndOfSeveralSolids) {
+  const std::string solid =
+      "\n  SOLID A\r\n\tFacet Normal 0 0 1\r\n Outer Loop\r\n  Vertex 0 0 0\r\nVERTEX 1 0 0\r\nvertex 0 1 "
+      "0\r\nEndLoop\r\nEndFacet\r\nENDSOLID\r\n";
+  EXPECT_EQ(read(".stl", solid + solid).faces, (Faces{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_TRUE(read(".stl", "solid nothing\nendsolid nothing\n").faces.empty());
+}
+
+TEST(ReadStl, ReadsBinaryFloatsAsTheSameDoubles) {
+  const Mesh mesh =
+      read(".stl", binary_stl("made by hand", 2, kBinaryFacet + binary_facet({0.1f, 2, 3, 4, 5, 6, 7, 8, 9.5f})));
+  EXPECT_EQ(points(mesh),
+            (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {static_cast<double>(0.1f), 2, 3}, {4, 5, 6}, {7, 8, 9.5}}));
+  EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}, {3, 4, 5}}));
+}
+
+TEST(ReadStl, TellsBinaryFromTextByTheContent) {
+  EXPECT_EQ(read(".stl", binary_stl("solid but binary", 1, kBinaryFacet)).faces.size(), 1u);
+  EXPECT_EQ(read(".stl", binary_stl("solid " + std::string(74, ' '), 1, kBinaryFacet)).faces.size(), 1u);
+  EXPECT_EQ(read(".stl", binary_stl("solid", 0, "")).faces.size(), 0u);
+  EXPECT_EQ(fault(".stl", binary_stl("solid", 2, kBinaryFacet)),
+            "byte 134: the file is truncated: facet 1 of 2 is not complete");
+}
+
+TEST(ReadStl, RefusesBinaryOfAnotherSizeThanItsCountPromises) {
+  const std::string whole = binary_stl("", 2, kBinaryFacet + kBinaryFacet);
+  EXPECT_EQ(fault(".stl", whole.substr(0, whole.size() - 1)),
+            "byte 134: the file is truncated: facet 1 of 2 is not complete");
+  EXPECT_EQ(fault(".stl", whole + "ab"), "byte 184: 2 bytes follow what the counts promise");
+  EXPECT_EQ(fault(".stl", whole.substr(0, 50)), "byte 50: the file is truncated within its header of 84 bytes");
+  EXPECT_EQ(skip(".stl", whole.substr(0, 150)).mesh.faces, (Faces{{0, 1, 2}}));
+}
+
+TEST(ReadStl, AbsurdCountsCostNothing) {
+  const ReadMesh result = skip(".stl", binary_stl("", 4294967295u, kBinaryFacet));
+  EXPECT_EQ(result.mesh.faces.size(), 1u);
+  EXPECT_EQ(result.left_out, (Sentences{"byte 134: the file is truncated: facet 1 of 4294967295 is not complete"}));
+}
+
+TEST(ReadStl, NamesTheByteOfABinaryVertexThatIsNotFinite) {
+  const auto infinity = static_cast<float>(kInfinity);
+  const std::string file =
+      binary_stl("", 3, kBinaryFacet + binary_facet({0, 0, 0, 0, infinity, 0, 0, 0, 0}) + kBinaryFacet);
+  EXPECT_EQ(fault(".stl", file), "byte 158: a coordinate is not a finite number");
+  const ReadMesh result = skip(".stl", file);
+  EXPECT_EQ(result.mesh.vertices.size(), 6u);
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_EQ(result.left_out, (Sentences{"byte 158: a coordinate is not a finite number"}));
+}
+
+TEST(ReadStl, RefusesWrongText) {
+  const std::string begin = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
+  EXPECT_EQ(fault(".stl", begin + "vertex 1 0\n"), "line 5: expected three numbers after 'vertex', found 2");
+  EXPECT_EQ(fault(".stl", begin + "vertex 1 0 0 0\n"), "line 5: expected three numbers after 'vertex', found more");
+  EXPECT_EQ(fault(".stl", begin + "vertex 1 0 o\n"), "line 5: 'o' is not a number");
+  EXPECT_EQ(fault(".stl", begin + "endloop\nendfacet\nendsolid\n"), "line 2: a facet has 3 vertices, this one has 1");
+  EXPECT_EQ(fault(".stl", begin + "vertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"),
+            "line 2: a facet has 3 vertices, this one has 4");
+  EXPECT_EQ(fault(".stl", begin + "endfacet\n"), "line 5: expected 'endloop', found 'endfacet'");
+  EXPECT_EQ(fault(".stl", begin), "line 4: the file is truncated: expected 'endloop'");
+  EXPECT_EQ(fault(".stl", "solid\n" + kFacet), "line 8: the file is truncated: expected 'facet' or 'endsolid'");
+  EXPECT_EQ(fault(".stl", "solid\ncolour\nendsolid\n"), "line 2: expected 'facet' or 'endsolid', found 'colour'");
+  EXPECT_EQ(fault(".stl", "solid\nendsolid\nfacet\n"), "line 3: expected 'solid', found 'facet'");
+}
+
+TEST(ReadStl, SkipGoesOnWithTheNextFacet) {
+  const std::string wrong_vertex = "facet\nouter loop\nvertex 0 0 0\nvertex 0 0 x\nvertex 0 0 0\nendloop\nendfacet\n";
+  const std::string no_end = "facet\nouter loop\n";
+  const std::string stray = "colour\n";
+  const ReadMesh result =
+      skip(".stl", "solid\n" + wrong_vertex + kFacet + no_end + stray + kFacet + stray + kFacet + no_end);
+  EXPECT_EQ(result.mesh.vertices.size(), 9u);
+  EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}));
+  EXPECT_EQ(result.left_out, (Sentences{"line 5: 'x' is not a number", "line 18: expected 'endloop', found 'colour'",
+                                        "line 26: expected 'facet' or 'endsolid', found 'colour'",
+                                        "line 35: the file is truncated: expected 'endloop'"}));
+}
+
+}  // namespace
+}  // namespace touchstone::geometry_tests
