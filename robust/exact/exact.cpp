@@ -11,7 +11,7 @@
 #include <cassert>
 
 #include "robust/exact/dropped_axis.h"
-#include "robust/exact/floating_point_state.h"
+#include "robust/floating_point_state.h"
 #include "robust/exact/nearest_double.h"
 
 namespace touchstone::exact {

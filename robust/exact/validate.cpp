@@ -5,7 +5,7 @@
 
 #include "robust/exact/dropped_axis.h"
 #include "robust/exact/edge_sweep.h"
-#include "robust/exact/floating_point_state.h"
+#include "robust/floating_point_state.h"
 
 namespace touchstone::exact {
 namespace {

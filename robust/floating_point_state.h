@@ -6,7 +6,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace touchstone::exact {
+namespace touchstone {
 
 /// Round to nearest with subnormal numbers while it lives; then the caller's rounding mode, flush-to-zero setting and
 /// exception flags again, as found. Cost: about 10 ns with SSE2.
@@ -34,4 +34,4 @@ class FloatingPointState {
 #endif
 };
 
-}  // namespace touchstone::exact
+}  // namespace touchstone

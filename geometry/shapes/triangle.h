@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "geometry/floating_point.h"
+
+namespace touchstone {
+
+/// The closed triangle of three vertices, edge i from vertex i to the next: a polygon that needs no preparation.
+///
+/// Coordinates are exact real numbers. Requires finite coordinates and vertices that are not collinear: what
+/// `exact::validate` accepts of the polygon with these three vertices. The contact functions do not look again.
+struct Triangle {
+  Eigen::Vector3d a, b, c;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// The constants that the filters rest on, each proved in robust/proofs by the test run.
+///
+/// Model: every operation returns its exact result times (1 + d), |d| <= unit, plus at most 2^-1021 in magnitude
+/// (underflow, flushed to zero or not). It holds for doubles in every rounding direction with `kUnit`, for fused and
+/// unfused products alike, and for double-doubles in round to nearest with `kDoubleDoubleUnit`.
+///
+/// Input: m_w bounds the magnitudes of `from`'s computed components and of r, m_e those of `edge`, m_N those of the
+/// normal. Components of `from` and `edge` are known to unit m_w and unit m_e, those of the normal to 5 unit m_N, r
+/// exactly. Every maximum is at most `kLargest`.
+///
+/// Then the computed value of a sign of signs.h differs from the exact one by at most
+///   k... unit (product of maxima) + kTiny,
+/// the rounding of that bound itself included.
+namespace touchstone::filtered::bounds {
+
+inline constexpr double kUnit = 0x1p-52;
+inline constexpr double kDoubleDoubleUnit = 0x1p-103;
+inline constexpr double kTiny = 0x1p-600;
+inline constexpr double kLargest = 0x1p64;
+
+inline constexpr double kVertex = 18.0625;   ///< m_w^2
+inline constexpr double kAlong = 14.0625;    ///< m_w m_e
+inline constexpr double kLine = 160.0625;    ///< m_w^2 m_e^2
+inline constexpr double kNormal = 5;         ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
+inline constexpr double kFront = 26.0625;    ///< m_N m_w
+inline constexpr double kPlane = 218.0625;   ///< m_N^2 m_w^2
+inline constexpr double kSide = 70.0625;     ///< m_N m_e m_w
+inline constexpr double kAbove = 94.0625;    ///< m_N^2 m_w
+
+/// The isometric frame (edge_frame.h). W bounds the components of c - origin as computed, each known to unit W; those
+/// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W.
+inline constexpr double kCoordinate = 14;
+/// S >= 1 bounds the foot's computed coordinates and W; starts of edges are at most 1 in magnitude and, like unit
+/// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
+inline constexpr double kEdgeFrame = 48;
+
+}  // namespace touchstone::filtered::bounds

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometry/contact/answer.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+#include "geometry/shapes/triangle.h"
+#include "robust/filtered/stage.h"
+
+/// The answers of `exact` at about the price of `fast`.
+///
+/// Every question is first asked in plain doubles with proved error bounds. What those leave unsure, and only where it
+/// can still change the answer asked for, goes on to stages that are slower and surer, the last of which decides every
+/// finite input. `point` and `distance` are correctly rounded: the same bits on every machine. The answers do not
+/// depend on the caller's rounding mode or flush-to-zero setting, which are left as found, as are the INVALID,
+/// OVERFLOW and DIVBYZERO flags. Nothing is allocated by a query but the list that `edges_hit` returns.
+///
+/// Guarantees, for every ball and every polygon that `exact::validate` accepts:
+///  (1) each answer equals that of the function of the same name in `exact`, and so keeps all its identities;
+///  (2) a batch gives what single questions give, in the same order;
+///  (3) the answers are the same with and without vector instructions; only stages and times differ.
+/// Bounds: robust/filtered/bounds.h, proved in robust/proofs. Source: [shewchuk1997], [melquiond2007], [joldes2017].
+namespace touchstone::filtered {
+
+/// A polygon with all that does not depend on the ball: exact normal, an isometric frame in its plane with proved
+/// bounds, edges as structure of arrays, and a hierarchy of boxes over them.
+///
+/// Throws Rejected with `zero-normal` where there is no supporting plane; that the loops are simple and do not meet is
+/// required (`exact::validate` decides it). Cost: O(n log n), about 1 us a vertex; then a query about a small ball
+/// costs O(log n) on outlines without pathological overlap.
+class PreparedPolygon {
+ public:
+  explicit PreparedPolygon(const Polygon& polygon);
+  PreparedPolygon(PreparedPolygon&&) noexcept;
+  PreparedPolygon& operator=(PreparedPolygon&&) noexcept;
+  ~PreparedPolygon();
+
+  struct Parts;
+  [[nodiscard]] const Parts& parts() const { return *parts_; }
+
+ private:
+  std::unique_ptr<const Parts> parts_;
+};
+
+/// Does the ball touch the polygon? The foot, distances and features are looked at only where they can decide it.
+[[nodiscard]] bool contact(const Ball& ball, const PreparedPolygon& polygon);
+/// Distance against radius: > is Separate, = Touching, < Overlapping.
+[[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon);
+/// Test 1: the ball against the supporting plane. Constant cost.
+[[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon);
+/// Test 2: the foot of the perpendicular against the lifted loops.
+[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon);
+/// Test 3: the lifted edges at distance <= r from the centre, ascending.
+[[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon);
+/// Every key of the contract.
+[[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon);
+
+/// The same questions; `counts` is told which stages decided.
+[[nodiscard]] bool contact(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+[[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+[[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+[[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon,
+                                                 StageCounts& counts);
+[[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+
+/// The same questions on a polygon asked about once.
+[[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
+
+/// Does the ball touch the triangle? Nothing is prepared; about 20 ns.
+[[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle);
+[[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts);
+
+/// Many balls against one polygon: touches[i] says whether balls[i] does. Requires spans of equal length.
+void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches);
+/// One ball against many triangles: touches[i] says whether it touches triangles[i]. Requires spans of equal length.
+void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches);
+
+}  // namespace touchstone::filtered

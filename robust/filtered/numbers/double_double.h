@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/floating_point.h"
+#include "robust/filtered/target.h"
+
+/// Error-free transformations and the arithmetic of unevaluated sums of two doubles.
+///
+/// Requires round to nearest and neither overflow nor underflow of any intermediate result; compiled without
+/// contraction. Source: [dekker1971], [joldes2017].
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// high + low with |low| <= ulp(high) / 2.
+///
+/// Relative error of an operation: + and - 3 u^2 + 13 u^3, * 5 u^2, with u = 2^-53; so each is below 2^-103
+/// (bounds::kDoubleDoubleUnit).
+struct DoubleDouble {
+  double high, low;
+
+  constexpr DoubleDouble() : high(0), low(0) {}
+  constexpr DoubleDouble(double value) : high(value), low(0) {}  // NOLINT: a double is one
+  constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
+};
+
+/// a + b exactly. Requires |a| >= |b| or a = 0.
+constexpr DoubleDouble quick_two_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/// a + b exactly.
+constexpr DoubleDouble two_sum(double a, double b) {
+  const double sum = a + b, b_part = sum - a;
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a - b exactly.
+constexpr DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
+
+/// a b exactly. Requires |a|, |b| < 2^995.
+constexpr DoubleDouble two_product(double a, double b) {
+  const double product = a * b;
+#if defined(__FMA__)
+  return {product, __builtin_fma(a, b, -product)};
+#else
+  constexpr double splitter = 0x1p27 + 1;
+  const double a_shifted = splitter * a, a_high = a_shifted - (a_shifted - a), a_low = a - a_high;
+  const double b_shifted = splitter * b, b_high = b_shifted - (b_shifted - b), b_low = b - b_high;
+  return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
+#endif
+}
+
+constexpr DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+
+constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = two_sum(a.high, b.high), low = two_sum(a.low, b.low);
+  const DoubleDouble sum = quick_two_sum(high.high, high.low + low.high);
+  return quick_two_sum(sum.high, low.low + sum.low);
+}
+constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+
+constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble product = two_product(a.high, b.high);
+  return quick_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+/// Sign of the sum, exact: high decides, as |low| <= |high|.
+constexpr int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/filtered/stage.h"
+
+namespace touchstone::filtered {
+
+std::string_view word(Stage stage) {
+  switch (stage) {
+    case Stage::Double: return "double";
+    case Stage::Permanent: return "permanent";
+    case Stage::DoubleDouble: return "double-double";
+    case Stage::FixedInteger: return "fixed-integer";
+    case Stage::Unlimited: break;
+  }
+  return "unlimited";
+}
+
+}  // namespace touchstone::filtered
