@@ -13,8 +13,8 @@ namespace touchstone {
 class FloatingPointState {
  public:
 #if defined(__SSE2__)
-  FloatingPointState() : found_(_mm_getcsr()) { _mm_setcsr(kDefault); }
-  ~FloatingPointState() { _mm_setcsr(found_); }
+  __attribute__((always_inline)) FloatingPointState() : found_(_mm_getcsr()) { _mm_setcsr(kDefault); }
+  __attribute__((always_inline)) ~FloatingPointState() { _mm_setcsr(found_); }
 #else
   FloatingPointState() {
     std::fegetenv(&found_);

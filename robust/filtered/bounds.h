@@ -20,21 +20,24 @@ inline constexpr double kUnit = 0x1p-52;
 inline constexpr double kDoubleDoubleUnit = 0x1p-103;
 inline constexpr double kTiny = 0x1p-600;
 inline constexpr double kLargest = 0x1p64;
+/// Where every maximum is at least this, each of the bounds below is above kTiny, which then need not be added.
+inline constexpr double kSmallest = 0x1p-90;
 
 inline constexpr double kVertex = 18.0625;   ///< m_w^2
 inline constexpr double kAlong = 14.0625;    ///< m_w m_e
+inline constexpr double kBeyond = 34.0625;   ///< m_e max(m_w, m_e)
 inline constexpr double kLine = 160.0625;    ///< m_w^2 m_e^2
-inline constexpr double kNormal = 5;         ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
-inline constexpr double kFront = 26.0625;    ///< m_N m_w
-inline constexpr double kPlane = 218.0625;   ///< m_N^2 m_w^2
-inline constexpr double kSide = 70.0625;     ///< m_N m_e m_w
-inline constexpr double kAbove = 94.0625;    ///< m_N^2 m_w
+inline constexpr double kNormal = 4.0625;         ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
+inline constexpr double kFront = 23.25;    ///< m_N m_w
+inline constexpr double kPlane = 195.5625;   ///< m_N^2 m_w^2
+inline constexpr double kSide = 64.4375;     ///< m_N m_e m_w
+inline constexpr double kAbove = 82.8125;    ///< m_N^2 m_w
 
 /// The isometric frame (edge_frame.h). W bounds the components of c - origin as computed, each known to unit W; those
 /// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W.
-inline constexpr double kCoordinate = 14;
+inline constexpr double kCoordinate = 14.0625;
 /// S >= 1 bounds the foot's computed coordinates and W; starts of edges are at most 1 in magnitude and, like unit
 /// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
-inline constexpr double kEdgeFrame = 48;
+inline constexpr double kEdgeFrame = 46.1875;
 
 }  // namespace touchstone::filtered::bounds

@@ -2,6 +2,7 @@
 #include "robust/filtered/filtered.h"
 
 #include "robust/exact/exact.h"
+#include "robust/filtered/engine.h"
 
 // TEMPORARY skeleton: everything is asked of exact.
 namespace touchstone::filtered {
@@ -31,12 +32,22 @@ QUESTION(FootPlace, foot)
 QUESTION(std::vector<std::size_t>, edges_hit)
 QUESTION(Answer, answer)
 
+namespace {
+TriangleQuestion question(const Ball& ball, const Triangle& triangle) {
+  TriangleQuestion q;
+  const Eigen::Vector3d* const vertices[] = {&triangle.a, &triangle.b, &triangle.c};
+  for (int i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) q.vertex[i][axis] = (*vertices[i])[axis];
+  for (int axis = 0; axis < 3; ++axis) q.center[axis] = ball.center[axis];
+  q.radius = ball.radius;
+  return q;
+}
+}  // namespace
 bool contact(const Ball& ball, const Triangle& triangle) {
-  return exact::contact(ball, Polygon({triangle.a, triangle.b, triangle.c}));
+  return engine().triangle_contact(question(ball, triangle));
 }
 bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts) {
-  counts.count(Stage::Unlimited);
-  return contact(ball, triangle);
+  return engine().counted_triangle_contact(question(ball, triangle), counts);
 }
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches) {
   for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = contact(balls[i], polygon);

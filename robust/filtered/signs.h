@@ -27,6 +27,12 @@ constexpr auto along(const Vector3<V>& from, const Vector3<E>& edge) {
   return dot(from, edge);
 }
 
+/// (c - a).(b - a) - |b - a|^2: the foot on the edge's line lies beyond b (+), at b (0), before b (-).
+template <class V, class E>
+constexpr auto beyond(const Vector3<V>& from, const Vector3<E>& edge) {
+  return dot(from, edge) - dot(edge, edge);
+}
+
 /// |(c - a) x (b - a)|^2 - r^2 |b - a|^2: the edge's line passes outside the ball (+), touches (0), cuts it (-).
 template <class V, class E, class R>
 constexpr auto line(const Vector3<V>& from, const Vector3<E>& edge, const R& radius) {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/numbers/integer.h"
+#include "robust/filtered/numbers/permanent.h"
+#include "robust/filtered/sign_kind.h"
+#include "robust/filtered/stage.h"
+
+/// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, unlimited.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// An edge as seen from a ball, in double-doubles.
+///
+/// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to 5 times
+/// that (the input that bounds.h asks for).
+struct EdgeInQuestion {
+  Vector3<DoubleDouble> from, edge, normal;
+  double radius;
+  int axis;        ///< of SignKind::Above
+  Maxima maxima;   ///< each at most bounds::kLargest
+  bool lifted;     ///< some vertex is not where its double says
+  /// Where the normal comes from, if it is that of a triangle: two edges; else the normal's bits are all in `normal`
+  /// or `exact_normal` is false.
+  const Vector3<DoubleDouble>* normal_edges;
+  bool exact_normal;
+};
+
+struct DoubleDoubleView {
+  const EdgeInQuestion& question;
+  [[nodiscard]] const Vector3<DoubleDouble>& from() const { return question.from; }
+  [[nodiscard]] const Vector3<DoubleDouble>& edge() const { return question.edge; }
+  [[nodiscard]] const Vector3<DoubleDouble>& normal() const { return question.normal; }
+  [[nodiscard]] DoubleDouble radius() const { return question.radius; }
+  [[nodiscard]] int axis() const { return question.axis; }
+};
+
+/// The doubles nearest to the differences and to the normal.
+struct PermanentView {
+  const EdgeInQuestion& question;
+  using Vector = Vector3<Permanent<1>>;
+
+  /// Half a unit in the last place is u |high|; what a double-double may be off is far below u 2^-40 of its maximum.
+  static Vector rounded(const Vector3<DoubleDouble>& v, double maximum) {
+    const auto component = [slack = 0x1p-40 * maximum](const DoubleDouble& x) {
+      return Permanent<1>{x.high, std::abs(x.high) + slack};
+    };
+    return {component(v.x), component(v.y), component(v.z)};
+  }
+  [[nodiscard]] Vector from() const { return rounded(question.from, question.lifted ? question.maxima.from : 0); }
+  [[nodiscard]] Vector edge() const { return rounded(question.edge, question.lifted ? question.maxima.edge : 0); }
+  [[nodiscard]] Vector normal() const { return rounded(question.normal, question.maxima.normal); }
+  [[nodiscard]] Permanent<0> radius() const { return exact_double(question.radius); }
+  [[nodiscard]] int axis() const { return question.axis; }
+};
+
+/// Everything times a power of two, as integers of at most Bits bits (the normal: 2 Bits + 1).
+template <int Bits>
+class IntegerView {
+ public:
+  /// Requires that nothing is lifted, and a normal from two edges or with all its bits.
+  explicit IntegerView(const EdgeInQuestion& question)
+      : question_(question),
+        // Then every difference is below 2^Bits.
+        scale_(std::ldexp(1.0, Bits - 1 - std::ilogb(std::max(question.maxima.from, question.maxima.edge)))),
+        fits_(whole(question.from) && whole(question.edge) && whole(question.radius * scale_) && whole_normal()) {}
+
+  /// Are all of them whole numbers after the scaling?
+  [[nodiscard]] bool fits() const { return fits_; }
+
+  using Vector = Vector3<Integer<Bits>>;
+  using Normal = Vector3<Integer<2 * Bits + 1>>;
+  [[nodiscard]] Vector from() const { return integers(question_.from); }
+  [[nodiscard]] Vector edge() const { return integers(question_.edge); }
+  [[nodiscard]] Normal normal() const {
+    if (question_.normal_edges != nullptr)
+      return signs::normal(integers(question_.normal_edges[0]), integers(question_.normal_edges[1]));
+    const auto integer = [scale = scale_ * scale_](const DoubleDouble& x) {
+      using Storage = typename Integer<2 * Bits + 1>::Storage;
+      return Integer<2 * Bits + 1>(static_cast<Storage>(x.high * scale) + static_cast<Storage>(x.low * scale));
+    };
+    return {integer(question_.normal.x), integer(question_.normal.y), integer(question_.normal.z)};
+  }
+  [[nodiscard]] Integer<Bits> radius() const { return integer(question_.radius); }
+  [[nodiscard]] int axis() const { return question_.axis; }
+
+ private:
+  static bool whole(double value) {
+    // From 2^53 on every double is whole.
+    return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
+  }
+  [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
+    const auto component = [this](const DoubleDouble& x) { return x.low == 0 && whole(x.high * scale_); };  // exact
+    return component(v.x) && component(v.y) && component(v.z);
+  }
+  [[nodiscard]] bool whole_normal() const {
+    if (question_.normal_edges != nullptr) return whole(question_.normal_edges[0]) && whole(question_.normal_edges[1]);
+    const double scale = scale_ * scale_;
+    const auto component = [scale](const DoubleDouble& x) { return whole(x.high * scale) && whole(x.low * scale); };
+    return question_.exact_normal && question_.maxima.normal * scale < std::ldexp(1.0, 2 * Bits) &&
+           component(question_.normal.x) && component(question_.normal.y) && component(question_.normal.z);
+  }
+  [[nodiscard]] Integer<Bits> integer(double value) const {
+    return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
+  }
+  [[nodiscard]] Vector integers(const Vector3<DoubleDouble>& v) const {
+    return {integer(v.x.high), integer(v.y.high), integer(v.z.high)};
+  }
+
+  const EdgeInQuestion& question_;
+  double scale_;
+  bool fits_;
+};
+
+/// The sign of double-doubles where their bound is sure of it, else 0.
+template <SignKind kind>
+int sure_sign(const EdgeInQuestion& question) {
+  const double value = expression<kind>(DoubleDoubleView{question}).high;
+  // high is within half a unit of its last place of the double-double, whose sign it has; the 1/16 in each constant
+  // pays for that and for the rounding of the bound.
+  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(question.maxima) + bounds::kTiny;
+  return (value > largest) - (value < -largest);
+}
+
+/// The exact sign. `unlimited()` is asked last. Requires round to nearest, without flush-to-zero.
+template <SignKind kind, class Unlimited, class Counts>
+int exact_sign(const EdgeInQuestion& question, Counts& counts, const Unlimited& unlimited) {
+  if (const int sign = sure_sign(expression<kind>(PermanentView{question}), bounds::kTiny)) {
+    counts.count(Stage::Permanent);
+    return sign;
+  }
+  if (!question.lifted) {
+    if (const IntegerView<30> view(question); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  if (const int sign = sure_sign<kind>(question)) {
+    counts.count(Stage::DoubleDouble);
+    return sign;
+  }
+  if (!question.lifted) {
+    if (const IntegerView<62> view(question); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  counts.count(Stage::Unlimited);
+  return unlimited();
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered
