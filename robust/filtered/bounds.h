@@ -8,35 +8,39 @@
 /// unfused products alike, and for double-doubles in round to nearest with `kDoubleDoubleUnit`.
 ///
 /// Input: m_w bounds the magnitudes of `from`'s computed components and of r, m_e those of `edge`, m_N those of the
-/// normal. Components of `from` and `edge` are known to unit m_w and unit m_e, those of the normal to 5 unit m_N, r
-/// exactly. Every maximum is at most `kLargest`.
+/// normal. Components of `from` and `edge` are known to unit m_w and unit m_e, those of the normal to kNormal unit m_N,
+/// r exactly. What a maximum bounds may exceed it by a factor of 1 + 2^-50: so the high parts of double-doubles have
+/// the maximum of the sums, and 2 m_u m_v serves as m_N as computed, in any rounding direction. Every maximum is at
+/// most `kLargest`, m_N at most 2 kLargest^2.
 ///
-/// Then the computed value of a sign of signs.h differs from the exact one by at most
+/// Then the computed value of a sign of signs.h differs from the exact one by less than
 ///   k... unit (product of maxima) + kTiny,
-/// the rounding of that bound itself included.
+/// the rounding of that bound itself included, in any order of its factors and in any rounding direction, and also the
+/// comparison of a double-double's high part with it.
 namespace touchstone::filtered::bounds {
 
 inline constexpr double kUnit = 0x1p-52;
 inline constexpr double kDoubleDoubleUnit = 0x1p-103;
 inline constexpr double kTiny = 0x1p-600;
 inline constexpr double kLargest = 0x1p64;
-/// Where every maximum is at least this, each of the bounds below is above kTiny, which then need not be added.
+/// Where every maximum is at least this and m_N is 2 m_u m_v, kTiny need not be added to a bound with `kUnit`.
 inline constexpr double kSmallest = 0x1p-90;
 
-inline constexpr double kVertex = 18.0625;   ///< m_w^2
-inline constexpr double kAlong = 14.0625;    ///< m_w m_e
-inline constexpr double kBeyond = 34.0625;   ///< m_e max(m_w, m_e)
-inline constexpr double kLine = 160.0625;    ///< m_w^2 m_e^2
-inline constexpr double kNormal = 4.0625;         ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
-inline constexpr double kFront = 23.25;    ///< m_N m_w
-inline constexpr double kPlane = 195.5625;   ///< m_N^2 m_w^2
-inline constexpr double kSide = 64.4375;     ///< m_N m_e m_w
-inline constexpr double kAbove = 82.8125;    ///< m_N^2 m_w
+inline constexpr double kVertex = 18.0625;  ///< m_w^2
+inline constexpr double kAlong = 14.0625;   ///< m_w m_e
+inline constexpr double kBeyond = 34.0625;  ///< m_e max(m_w, m_e)
+inline constexpr double kLine = 160.0625;   ///< m_w^2 m_e^2
+inline constexpr double kNormal = 4.0625;   ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
+inline constexpr double kFront = 23.25;     ///< m_N m_w
+inline constexpr double kPlane = 195.5625;  ///< m_N^2 m_w^2
+inline constexpr double kSide = 64.4375;    ///< m_N m_e m_w
+inline constexpr double kAbove = 82.8125;   ///< m_N^2 m_w
 
 /// The isometric frame (edge_frame.h). W bounds the components of c - origin as computed, each known to unit W; those
-/// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W.
+/// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W + kTiny. W is at
+/// most kLargest, and so is S.
 inline constexpr double kCoordinate = 14.0625;
-/// S >= 1 bounds the foot's computed coordinates and W; starts of edges are at most 1 in magnitude and, like unit
+/// S >= 1 bounds the foot's computed coordinates and W; starts of edges are at most S in magnitude and, like unit
 /// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
 inline constexpr double kEdgeFrame = 46.1875;
 

@@ -2,17 +2,39 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
-#include "robust/filtered/stage.h"
+#include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_question.h"
 
 namespace touchstone::filtered {
 
-/// The functions that are compiled once for each instruction set, and gathered here for the machine at hand.
-struct Engine {
-  bool (*triangle_contact)(const TriangleQuestion&);
-  bool (*counted_triangle_contact)(const TriangleQuestion&, StageCounts&);
+/// The functions that are compiled once for each instruction set, for one way of counting stages.
+template <class Counts>
+struct Questions {
+  using Parts = PreparedPolygon::Parts;
+  bool (*triangle_contact)(const TriangleQuestion&, Counts&);
+  bool (*contact)(const Ball&, const Parts&, Counts&);
+  Relation (*relation)(const Ball&, const Parts&, Counts&);
+  PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);
+  FootPlace (*foot)(const Ball&, const Parts&, Counts&);
+  std::vector<std::size_t> (*edges_hit)(const Ball&, const Parts&, Counts&);
+  Answer (*answer)(const Ball&, const Parts&, Counts&);
 };
+
+struct Engine {
+  Questions<NoCounts> plain;
+  Questions<StageCounts> counted;
+  void (*balls_contact)(std::span<const Ball>, const PreparedPolygon::Parts&, std::span<bool>);
+  void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
+};
+
+/// A view of a ball and a triangle.
+[[nodiscard]] __attribute__((always_inline)) inline TriangleQuestion question(const Ball& ball,
+                                                                             const Triangle& triangle) {
+  static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
+  return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball.center), ball.radius};
+}
 
 [[nodiscard]] const Engine& baseline_engine();
 [[nodiscard]] const Engine& avx2_engine();

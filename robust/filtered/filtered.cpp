@@ -1,59 +1,79 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/filtered.h"
 
-#include "robust/exact/exact.h"
+#include <cassert>
+
 #include "robust/filtered/engine.h"
+#include "robust/filtered/prepared.h"
 
-// TEMPORARY skeleton: everything is asked of exact.
 namespace touchstone::filtered {
-
-struct PreparedPolygon::Parts {
-  exact::PreparedPolygon exact;
-};
-PreparedPolygon::PreparedPolygon(const Polygon& polygon)
-    : parts_(std::make_unique<const Parts>(Parts{exact::PreparedPolygon(polygon)})) {}
-PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;
-PreparedPolygon& PreparedPolygon::operator=(PreparedPolygon&&) noexcept = default;
-PreparedPolygon::~PreparedPolygon() = default;
-
-#define QUESTION(type, name)                                                              \
-  type name(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {      \
-    counts.count(Stage::Unlimited);                                                       \
-    return exact::name(ball, polygon.parts().exact);                                      \
-  }                                                                                       \
-  type name(const Ball& ball, const PreparedPolygon& polygon) {                           \
-    return exact::name(ball, polygon.parts().exact);                                      \
-  }                                                                                       \
-  type name(const Ball& ball, const Polygon& polygon) { return exact::name(ball, polygon); }
-QUESTION(bool, contact)
-QUESTION(Relation, relation)
-QUESTION(PlaneSide, plane_side)
-QUESTION(FootPlace, foot)
-QUESTION(std::vector<std::size_t>, edges_hit)
-QUESTION(Answer, answer)
-
 namespace {
-TriangleQuestion question(const Ball& ball, const Triangle& triangle) {
-  TriangleQuestion q;
-  const Eigen::Vector3d* const vertices[] = {&triangle.a, &triangle.b, &triangle.c};
-  for (int i = 0; i < 3; ++i)
-    for (int axis = 0; axis < 3; ++axis) q.vertex[i][axis] = (*vertices[i])[axis];
-  for (int axis = 0; axis < 3; ++axis) q.center[axis] = ball.center[axis];
-  q.radius = ball.radius;
-  return q;
-}
+
+NoCounts uncounted;
+
 }  // namespace
+
+bool contact(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.contact(ball, polygon.parts(), uncounted);
+}
+Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.relation(ball, polygon.parts(), uncounted);
+}
+PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.plane_side(ball, polygon.parts(), uncounted);
+}
+FootPlace foot(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.foot(ball, polygon.parts(), uncounted);
+}
+std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.edges_hit(ball, polygon.parts(), uncounted);
+}
+Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
+  return engine().plain.answer(ball, polygon.parts(), uncounted);
+}
+
+bool contact(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.contact(ball, polygon.parts(), counts);
+}
+Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.relation(ball, polygon.parts(), counts);
+}
+PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.plane_side(ball, polygon.parts(), counts);
+}
+FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.foot(ball, polygon.parts(), counts);
+}
+std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.edges_hit(ball, polygon.parts(), counts);
+}
+Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
+  return engine().counted.answer(ball, polygon.parts(), counts);
+}
+
+bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }
+Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon)); }
+PlaneSide plane_side(const Ball& ball, const Polygon& polygon) { return plane_side(ball, PreparedPolygon(polygon)); }
+FootPlace foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
+std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
+  return edges_hit(ball, PreparedPolygon(polygon));
+}
+Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon)); }
+
 bool contact(const Ball& ball, const Triangle& triangle) {
-  return engine().triangle_contact(question(ball, triangle));
+  return engine().plain.triangle_contact(question(ball, triangle), uncounted);
 }
 bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts) {
-  return engine().counted_triangle_contact(question(ball, triangle), counts);
+  return engine().counted.triangle_contact(question(ball, triangle), counts);
 }
+
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches) {
-  for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = contact(balls[i], polygon);
+  assert(balls.size() == touches.size());
+  engine().balls_contact(balls, polygon.parts(), touches);
 }
 void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) {
-  for (std::size_t i = 0; i < triangles.size(); ++i) touches[i] = contact(ball, triangles[i]);
+  assert(triangles.size() == touches.size());
+  engine().triangles_contact(ball, triangles, touches);
 }
 
 }  // namespace touchstone::filtered

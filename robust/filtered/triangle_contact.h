@@ -93,39 +93,52 @@ inline bool unlimited_contact(const TriangleQuestion& question) {
   return false;
 }
 
-/// Multiplies everything by the power of two that brings the largest coordinate to [1/2, 1). False if a bit was lost.
-inline bool rescale(const TriangleQuestion& question, TriangleQuestion& scaled) {
-  const auto coordinates = [](auto& q) { return &q.vertex[0][0]; };
-  constexpr int count = sizeof(TriangleQuestion) / sizeof(double);
-  double largest = 0;
-  for (int i = 0; i < count; ++i) largest = std::max(largest, std::abs(coordinates(question)[i]));
-  const int exponent = std::ilogb(largest) + 1;
-  for (int i = 0; i < count; ++i) {
-    const double before = coordinates(question)[i], after = std::ldexp(before, -exponent);
-    coordinates(scaled)[i] = after;
-    if (std::ldexp(after, exponent) != before) return false;  // exact
+/// A triangle and a ball times a power of two.
+class ScaledTriangle {
+ public:
+  /// Requires that `largest` is the largest magnitude of a number in the question; brings it to [1/2, 1).
+  ScaledTriangle(const TriangleQuestion& question, double largest) : exponent_(std::ilogb(largest) + 1) {
+    for (int i = 0; i < 3; ++i) {
+      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(question.vertex[i][axis]);
+      center_[i] = scaled(question.center[i]);
+    }
+    radius_ = scaled(question.radius);
   }
-  return true;
-}
+  /// No bit was lost.
+  [[nodiscard]] bool exact() const { return exact_; }
+  [[nodiscard]] TriangleQuestion question() const { return {vertex_, center_, radius_}; }
+
+ private:
+  double scaled(double length) {
+    const double result = std::ldexp(length, -exponent_);
+    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
+    return result;
+  }
+
+  int exponent_;
+  bool exact_ = true;
+  double vertex_[3][3], center_[3], radius_;
+};
 
 /// What the first stage could not tell.
 template <class Counts>
 __attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, TriangleSigns& signs, Counts& counts) {
   const FloatingPointState nearest;
   double largest = question.radius;
-  for (const auto& vertex : question.vertex)
-    for (const double x : vertex) largest = std::max(largest, std::abs(x));
-  for (const double x : question.center) largest = std::max(largest, std::abs(x));
+  for (int i = 0; i < 3; ++i)
+    for (const double x : {question.vertex[i][0], question.vertex[i][1], question.vertex[i][2], question.center[i]})
+      largest = std::max(largest, std::abs(x));
   if (largest <= bounds::kLargest / 2 && largest >= 0x1p-30)
     return UnsureTriangle<Counts>(question, signs, counts).contact();
 
-  TriangleQuestion scaled;
-  if (!rescale(question, scaled)) {
+  const ScaledTriangle scaled(question, largest);
+  if (!scaled.exact()) {
     counts.count(Stage::Unlimited);
     return unlimited_contact(question);
   }
-  const Sure sure = triangle_filter(scaled, signs);
-  if (sure == Sure::Unsure) return UnsureTriangle<Counts>(scaled, signs, counts).contact();
+  const TriangleQuestion same = scaled.question();
+  const Sure sure = triangle_filter(same, signs);
+  if (sure == Sure::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
   counts.count(Stage::Double);
   return sure == Sure::Yes;
 }

@@ -3,10 +3,10 @@
 
 namespace touchstone::filtered {
 
-/// A triangle and a ball as plain numbers: vertices, centre, radius.
+/// A triangle and a ball as plain numbers where they lie: three vertices, centre, radius.
 struct TriangleQuestion {
-  double vertex[3][3];
-  double center[3];
+  const double (*vertex)[3];
+  const double* center;
   double radius;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/unlimited_sign.h"
 
-#include <CGAL/Mpzf.h>
+#include "robust/filtered/unlimited_expression.h"
 
 namespace touchstone::filtered {
 namespace {
@@ -28,25 +28,10 @@ struct View {
   [[nodiscard]] static int axis() { return 0; }
 };
 
-template <class View>
-int sign(SignKind kind, const View& view) {
-  switch (kind) {
-    case SignKind::Vertex: return CGAL::sign(expression<SignKind::Vertex>(view));
-    case SignKind::Along: return CGAL::sign(expression<SignKind::Along>(view));
-    case SignKind::Beyond: return CGAL::sign(expression<SignKind::Beyond>(view));
-    case SignKind::Line: return CGAL::sign(expression<SignKind::Line>(view));
-    case SignKind::Front: return CGAL::sign(expression<SignKind::Front>(view));
-    case SignKind::Plane: return CGAL::sign(expression<SignKind::Plane>(view));
-    case SignKind::Side: return CGAL::sign(expression<SignKind::Side>(view));
-    case SignKind::Above: break;
-  }
-  return CGAL::sign(expression<SignKind::Above>(view));
-}
-
 }  // namespace
 
 int unlimited_sign(SignKind kind, const TriangleQuestion& question, int edge) {
-  return sign(kind, View{question, edge});
+  return unlimited_expression_sign(kind, View{question, edge});
 }
 
 }  // namespace touchstone::filtered

@@ -4,7 +4,6 @@
 #include "robust/filtered/target.h"
 
 namespace touchstone::filtered {
-inline namespace TOUCHSTONE_TARGET {
 
 /// Three numbers of any type, of which only + - * are asked; the result's type is that of the operations.
 template <class Number>
@@ -15,6 +14,8 @@ struct Vector3 {
 };
 template <class Number>
 Vector3(Number, Number, Number) -> Vector3<Number>;
+
+inline namespace TOUCHSTONE_TARGET {
 
 template <class A, class B>
 constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "geometry/floating_point.h"
 #include "robust/filtered/target.h"
 
@@ -9,7 +11,6 @@
 /// Requires round to nearest and neither overflow nor underflow of any intermediate result; compiled without
 /// contraction. Source: [dekker1971], [joldes2017].
 namespace touchstone::filtered {
-inline namespace TOUCHSTONE_TARGET {
 
 /// high + low with |low| <= ulp(high) / 2.
 ///
@@ -18,10 +19,13 @@ inline namespace TOUCHSTONE_TARGET {
 struct DoubleDouble {
   double high, low;
 
-  constexpr DoubleDouble() : high(0), low(0) {}
-  constexpr DoubleDouble(double value) : high(value), low(0) {}  // NOLINT: a double is one
-  constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
+  // Inlined always: the type is shared by targets, its compiled functions must not be.
+  __attribute__((always_inline)) constexpr DoubleDouble() : high(0), low(0) {}
+  __attribute__((always_inline)) constexpr DoubleDouble(double value) : high(value), low(0) {}  // NOLINT: it is one
+  __attribute__((always_inline)) constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
 };
+
+inline namespace TOUCHSTONE_TARGET {
 
 /// a + b exactly. Requires |a| >= |b| or a = 0.
 constexpr DoubleDouble quick_two_sum(double a, double b) {
@@ -63,6 +67,23 @@ constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) {
 constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = two_product(a.high, b.high);
   return quick_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+/// a / b to within 2^-100 of its size. Requires b != 0.
+constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double first = a.high / b.high;
+  const DoubleDouble after_first = a - b * DoubleDouble(first);
+  const double second = after_first.high / b.high;
+  const DoubleDouble after_second = after_first - b * DoubleDouble(second);
+  return quick_two_sum(first, second) + DoubleDouble(after_second.high / b.high);
+}
+
+/// The square root to within 2^-100 of its size. Requires a >= 0.
+inline DoubleDouble sqrt(const DoubleDouble& a) {
+  if (a.high == 0) return {};  // exact: the tail is zero with it
+  const double root = std::sqrt(a.high);
+  const DoubleDouble rest = a - two_product(root, root);
+  return quick_two_sum(root, rest.high / (2 * root));
 }
 
 /// Sign of the sum, exact: high decides, as |low| <= |high|.

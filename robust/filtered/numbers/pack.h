@@ -14,7 +14,7 @@
 ///
 /// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: what follows each corner of a triangle.
 /// + - * and `maximum` are those of each lane alone, so no lane's value depends on the target. A truth value of a lane
-/// is its sign bit: set in x - y where x < y; & and | combine such bits, `negative_lanes` reads them.
+/// is its sign bit: set in x - y where x < y; &, | and ^ combine such bits, `negative_lanes` reads them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -36,6 +36,7 @@ TOUCHSTONE_INLINE Pack operator-(const Pack& a, const Pack& b) { return {_mm256_
 TOUCHSTONE_INLINE Pack operator*(const Pack& a, const Pack& b) { return {_mm256_mul_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) { return {_mm256_and_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) { return {_mm256_or_pd(a.lanes, b.lanes)}; }
+TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) { return {_mm256_xor_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) { return {_mm256_max_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes)}; }
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
@@ -86,6 +87,9 @@ TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) {
   return {_mm_or_pd(a.low, b.low), _mm_or_pd(a.high, b.high)};
+}
+TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) {
+  return {_mm_xor_pd(a.low, b.low), _mm_xor_pd(a.high, b.high)};
 }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
   return {_mm_max_pd(a.low, b.low), _mm_max_pd(a.high, b.high)};
@@ -138,6 +142,9 @@ TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return std::signbit(a.lanes[i]) || std::signbit(b.lanes[i]) ? -1.0 : 1.0; });
+}
+TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) {
+  return each_lane([&](int i) { return std::signbit(a.lanes[i]) != std::signbit(b.lanes[i]) ? -1.0 : 1.0; });
 }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return a.lanes[i] > b.lanes[i] ? a.lanes[i] : b.lanes[i]; });

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "robust/filtered/prepared.h"
+#include "robust/filtered/sign_ladder.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// The edges of a prepared polygon as seen from a ball, for signs that the frame could not tell.
+///
+/// Requires a frame, round to nearest and no flush-to-zero while it lives.
+template <class Counts>
+class ExactEdges {
+ public:
+  ExactEdges(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts)
+      : ball_(ball), parts_(parts), counts_(counts), radius_(scaled(ball.radius)), usable_(restores(ball.radius)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      center_[axis] = scaled(ball.center[axis]);
+      usable_ = usable_ && restores(ball.center[axis]);
+    }
+  }
+
+  /// The centre in the frame's unit of length, exact where `scales`.
+  [[nodiscard]] double center(int axis) const { return center_[axis]; }
+  [[nodiscard]] bool scales() const { return usable_; }
+
+  template <SignKind kind>
+  [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
+    const auto unlimited = [&] { return parts_.unlimited.sign(kind, ball_, edge, axis); };
+    if (!usable_) {
+      counts_.count(Stage::Unlimited);
+      return unlimited();
+    }
+    return exact_sign<kind>(question(edge, axis), counts_, unlimited);
+  }
+
+  /// Distance to the edge against the radius: > is +, = is 0, < is -.
+  [[nodiscard]] int distance_sign(std::size_t edge) const {
+    if (sign<SignKind::Along>(edge) <= 0) return sign<SignKind::Vertex>(edge);
+    if (sign<SignKind::Beyond>(edge) >= 0) return sign<SignKind::Vertex>(parts_.polygon.next(edge));
+    return sign<SignKind::Line>(edge);
+  }
+
+  [[nodiscard]] EdgeInQuestion question(std::size_t edge, int axis) const {
+    const std::size_t next = parts_.polygon.next(edge);
+    const LiftedPolygon& lifted = parts_.lifted;
+    EdgeInQuestion q{{}, {}, lifted.normal, radius_, axis, {radius_, 0, lifted.normal_maximum}, false, nullptr,
+                     lifted.exact_normal};
+    double p[3], e[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto coordinates = parts_.polygon.coordinates(k);
+      p[k] = scaled(coordinates[edge]), e[k] = scaled(coordinates[next]);
+    }
+    q.from = {two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])};
+    q.edge = {two_difference(e[0], p[0]), two_difference(e[1], p[1]), two_difference(e[2], p[2])};
+    q.maxima.edge = largest(q.edge);
+    if (!lifted.lifts.empty()) {
+      // What is known to 2^-99, or to 2^-99 of the edge, is known to 2^-103 of maxima 32 times as large.
+      q.lifted = true;
+      q.maxima.from = std::max(q.maxima.from, 32.0);
+      q.maxima.edge *= 32;
+      const int k = parts_.unlimited.dropped_axis();
+      DoubleDouble& from_k = k == 0 ? q.from.x : k == 1 ? q.from.y : q.from.z;
+      DoubleDouble& edge_k = k == 0 ? q.edge.x : k == 1 ? q.edge.y : q.edge.z;
+      from_k = from_k - lifted.lifts[edge];
+      edge_k = edge_k - dot(lifted.normal, q.edge) / lifted.normal[k];
+    }
+    constexpr double above_tails = 1 + 0x1p-50;  // high + low may exceed high
+    q.maxima.from = std::max(q.maxima.from, largest(q.from)) * above_tails;
+    q.maxima.edge = std::max(q.maxima.edge, largest(q.edge)) * above_tails;
+    return q;
+  }
+
+ private:
+  static double largest(const Vector3<DoubleDouble>& v) {
+    return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
+  }
+  [[nodiscard]] double scaled(double length) const {
+    return length * parts_.frame->scale[0] * parts_.frame->scale[1];
+  }
+  [[nodiscard]] bool restores(double length) const {
+    return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
+  }
+
+  const Ball& ball_;
+  const PreparedPolygon::Parts& parts_;
+  Counts& counts_;
+  double center_[3], radius_;
+  bool usable_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/edge_frame.h"
+#include "robust/filtered/numbers/pack.h"
+#include "robust/filtered/prepared.h"
+
+/// The first stage for prepared polygons: everything in the isometric frame, in doubles, with absolute bounds.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
+
+/// A ball in a frame, and what doubles can promise about distances there.
+///
+/// Let rho be the distance in the plane from the foot to an edge. The rho^2 that the walk computes is certain to be
+/// inside the ball below `sure_hit`, outside above `sure_miss`; the foot is certain to be off the edge above `near`.
+/// Holds in every rounding direction and under flush-to-zero; raises no flag but INEXACT and UNDERFLOW.
+struct FrameQuery {
+  double x, y;                        ///< the foot
+  double height, height_error;        ///< of the centre above the plane
+  double radius;
+  double edge_error;                  ///< of along and across, each
+  double sure_hit, sure_miss, near;   ///< squares; negative where there is no such distance
+
+  /// +1 the plane misses the ball, -1 it cuts it, 0 unsure.
+  [[nodiscard]] int plane_sign() const {
+    if (std::abs(height) - height_error > radius) return 1;
+    return std::abs(height) + height_error < radius ? -1 : 0;
+  }
+
+  /// Requires coordinates and a radius up to frame.reachable.
+  FrameQuery(const Ball& ball, const Frame& frame) {
+    const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
+    const Vector3<double> from{scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
+                               scaled(ball.center[2]) - frame.origin.z};
+    radius = scaled(ball.radius);
+    x = frame::coordinate(frame.x, from);
+    y = frame::coordinate(frame.y, from);
+    height = frame::coordinate(frame.normal, from) - frame.plane_height;
+
+    const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
+    const double size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+    // The plane's height is below 2 and known to a unit; subtracting it, and height_error below, is rounded.
+    height_error = (bounds::kCoordinate + 8) * bounds::kUnit * size;
+    edge_error = bounds::kEdgeFrame * bounds::kUnit * size;
+    // The distance is the length of (across, overshoot), and moves no faster than across, along and the edge's length.
+    const double error = 2 * edge_error + 8 * bounds::kUnit * size;
+
+    // Roots and products below are off by a few units each, which kWide covers.
+    constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
+    const double low = larger(std::abs(height) - height_error, 0.0), high = std::abs(height) + height_error;
+    const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
+    const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
+    sure_miss = radius < low ? -1 : outer * outer * kWide;
+    sure_hit = inner > 0 ? inner * inner * kNarrow : -1;
+    near = 9 * error * error;
+  }
+};
+
+/// Four edges of a leaf as seen from the foot.
+struct LeafView {
+  Pack along, across, length;
+  Pack squared;        ///< rho^2
+  unsigned crossed;    ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > near)
+
+  LeafView(const ChainTree::Leaf& leaf, const FrameQuery& query) {
+    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+    const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
+    const Pack end_x = load(leaf.end_x), end_y = load(leaf.end_y);
+    const Pack direction_x = load(leaf.direction_x), direction_y = load(leaf.direction_y);
+    length = load(leaf.length);
+    along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
+    across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
+    const Pack overshoot = maximum(maximum(zero - along, along - length), zero);
+    squared = across * across + overshoot * overshoot;
+
+    // An edge goes up where it ends above the ray; then the foot is to its left where the crossing lies to the right.
+    const Pack start_above = y - start_y, end_above = y - end_y;
+    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
+    const unsigned straddles = negative_lanes(start_above ^ end_above);
+    const unsigned left_of_it = negative_lanes(across ^ end_above);
+    crossed = straddles & (negative_lanes(all_right) | (left_of_it & ~negative_lanes(all_left)));
+  }
+};
+
+/// Walks to all leaves whose box is within `reach` (a square, which the visitor may shrink) of the foot and calls
+/// visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the right from the foot
+/// crosses the loops, if it was not stopped. Leaves come in the order of their edges, or the nearest child first.
+template <bool nearest_first = false, class Visit>
+bool walk(const ChainTree& tree, const FrameQuery& query, const double& reach, const Visit& visit) {
+  const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+  std::int32_t stack[ChainTree::kStackSize];
+  std::size_t open = 0;
+  stack[open++] = tree.root();
+  unsigned crossings = 0;
+  while (open > 0) {
+    const std::int32_t index = stack[--open];
+    if (index < 0) {
+      const ChainTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+      const LeafView view(leaf, query);
+      crossings ^= view.crossed;
+      if (visit(leaf, view)) return false;
+      continue;
+    }
+    const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+    const Pack right = x - load(node.min_x);
+    const Pack dx = maximum(maximum(zero - right, x - load(node.max_x)), zero);
+    const Pack dy = maximum(maximum(load(node.min_y) - y, y - load(node.max_y)), zero);
+    const Pack squared = dx * dx + dy * dy;
+    // The rounding of a distance to a box is a few units.
+    const unsigned far = negative_lanes(all_lanes(reach * (1 + 0x1p-48)) - squared);
+    const Pack straddles = (y - load(node.first_y)) ^ (y - load(node.last_y));
+    crossings ^= far & negative_lanes(straddles & right);
+    unsigned last = ChainTree::kWidth;
+    if constexpr (nearest_first) {
+      double distances[kLanes];
+      store(distances, squared);
+      for (unsigned lane = 0; lane < ChainTree::kWidth; ++lane)
+        if ((far >> lane & 1) == 0 && (last == ChainTree::kWidth || distances[lane] < distances[last])) last = lane;
+    }
+    for (unsigned lane = ChainTree::kWidth; lane-- > 0;)
+      if ((far >> lane & 1) == 0 && lane != last) stack[open++] = node.child[lane];
+    if (last != ChainTree::kWidth) stack[open++] = node.child[last];
+  }
+  return (__builtin_popcount(crossings) & 1) != 0;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "robust/filtered/exact_edges.h"
+#include "robust/filtered/frame_query.h"
+#include "robust/floating_point_state.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// One question about a ball and a prepared polygon that has a frame, from the frame's doubles to the exact signs that
+/// those leave unsure.
+template <class Counts>
+class PolygonQuestion {
+ public:
+  using Parts = PreparedPolygon::Parts;
+
+  /// Requires a frame and a ball within its reach.
+  PolygonQuestion(const Ball& ball, const Parts& parts, Counts& counts)
+      : ball_(ball), parts_(parts), counts_(counts), query_(ball, *parts.frame) {}
+
+  [[nodiscard]] bool contact() { return counted(distance_sign<true>()) <= 0; }
+
+  [[nodiscard]] Relation relation() {
+    const int sign = counted(distance_sign<false>());
+    return sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
+  }
+
+  [[nodiscard]] PlaneSide plane_side() { return counted(plane_side_uncounted()); }
+  [[nodiscard]] FootPlace foot() { return counted(foot_uncounted()); }
+  [[nodiscard]] std::vector<std::size_t> edges_hit() { return counted(edges_hit_uncounted()); }
+
+  [[nodiscard]] Answer answer();
+
+ private:
+  /// Signs beyond the first stage; the caller's floating-point state is set aside from the first of them on.
+  const ExactEdges<Counts>& exact() {
+    if (!exact_) {
+      state_.emplace();
+      exact_.emplace(ball_, parts_, counts_);
+    }
+    return *exact_;
+  }
+  template <class Result>
+  [[nodiscard]] Result counted(Result result) {
+    if (!exact_) counts_.count(Stage::Double);
+    return result;
+  }
+
+  [[nodiscard]] int plane_sign() {
+    const int sure = query_.plane_sign();
+    return sure != 0 ? sure : exact().template sign<SignKind::Plane>(0);
+  }
+
+  /// Distance against radius: > is +, = is 0, < is -; with `contact_only` any number <= 0 stands for both.
+  template <bool contact_only>
+  [[nodiscard]] int distance_sign();
+
+  [[nodiscard]] PlaneSide plane_side_uncounted();
+  [[nodiscard]] FootPlace foot_uncounted();
+  [[nodiscard]] FootPlace exact_foot();
+  [[nodiscard]] std::vector<std::size_t> edges_hit_uncounted();
+  [[nodiscard]] Feature nearest_on_boundary();
+  [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
+  [[nodiscard]] double point(const Feature& feature, int axis);
+  [[nodiscard]] double distance(const Feature& feature);
+
+  /// The lanes of a leaf that stand for edges.
+  static unsigned lanes(const ChainTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
+  /// Calls f(edge) for each set bit; stops where it returns true.
+  template <class F>
+  static bool any_edge(const ChainTree::Leaf& leaf, unsigned bits, const F& f) {
+    for (; bits != 0; bits &= bits - 1)
+      if (f(leaf.first_edge + static_cast<std::size_t>(__builtin_ctz(bits)))) return true;
+    return false;
+  }
+  static unsigned below(const Pack& squared, double limit) { return negative_lanes(squared - all_lanes(limit)); }
+  static unsigned not_above(const Pack& squared, double limit) { return ~negative_lanes(all_lanes(limit) - squared); }
+
+  const Ball& ball_;
+  const Parts& parts_;
+  Counts& counts_;
+  FrameQuery query_;
+  std::optional<FloatingPointState> state_;
+  std::optional<ExactEdges<Counts>> exact_;
+};
+
+template <class Counts>
+template <bool contact_only>
+int PolygonQuestion<Counts>::distance_sign() {
+  if (query_.plane_sign() > 0) return 1;
+  const ChainTree& tree = parts_.frame->edges;
+  const double reach = larger(query_.sure_miss, query_.near);
+  bool hit = false, near = false, unsure = false;
+  const bool inside = walk(tree, query_, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+    hit = (below(view.squared, query_.sure_hit) & lanes(leaf)) != 0;
+    near |= (not_above(view.squared, query_.near) & lanes(leaf)) != 0;
+    unsure |= (not_above(view.squared, query_.sure_miss) & lanes(leaf)) != 0;
+    return hit;
+  });
+  if (hit) return -1;
+  if (!near && !inside && !unsure) return 1;
+
+  // Only the plane matters where the foot is inside, only the unsure edges where it is outside.
+  int plane = 0;
+  if (near || inside) {
+    plane = plane_sign();
+    if (plane > 0 || (!near && inside)) return plane;
+  }
+  int nearest = 1;
+  if (unsure) {
+    const ExactEdges<Counts>& edges = exact();
+    walk(tree, query_, query_.sure_miss, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+      return any_edge(leaf, not_above(view.squared, query_.sure_miss) & lanes(leaf), [&](std::size_t edge) {
+        nearest = std::min(nearest, edges.distance_sign(edge));
+        return contact_only ? nearest <= 0 : nearest < 0;
+      });
+    });
+  }
+  if (!near || nearest < 0 || (contact_only && nearest == 0)) return nearest;
+  return exact_foot() == FootPlace::Outside ? nearest : plane;
+}
+
+template <class Counts>
+PlaneSide PolygonQuestion<Counts>::plane_side_uncounted() {
+  if (plane_sign() <= 0) return PlaneSide::Intersects;
+  const bool sure = std::abs(query_.height) > query_.height_error;
+  const bool front = sure ? query_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
+  return front ? PlaneSide::InFront : PlaneSide::Behind;
+}
+
+template <class Counts>
+FootPlace PolygonQuestion<Counts>::foot_uncounted() {
+  bool near = false;
+  const bool inside =
+      walk(parts_.frame->edges, query_, query_.near, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+        return near = (not_above(view.squared, query_.near) & lanes(leaf)) != 0;
+      });
+  if (near) return exact_foot();
+  return inside ? FootPlace::Inside : FootPlace::Outside;
+}
+
+// The ray goes along the axis that the frame shares with the projection, so that above and below can be decided there
+// exactly for each vertex that the frame cannot tell from the foot.
+template <class Counts>
+FootPlace PolygonQuestion<Counts>::exact_foot() {
+  const ChainTree& tree = parts_.frame->edges;
+  const ExactEdges<Counts>& edges = exact();
+  const int axis = (parts_.unlimited.dropped_axis() + 2) % 3;
+  const double margin = std::sqrt(query_.near) * (1 + 0x1p-48);
+  const auto above = [&](double y, std::uint32_t vertex) {
+    if (std::abs(y - query_.y) > margin) return y > query_.y;
+    return edges.template sign<SignKind::Above>(vertex, axis) < 0;
+  };
+
+  bool inside = false;
+  std::int32_t stack[ChainTree::kStackSize];
+  std::size_t open = 0;
+  stack[open++] = tree.root();
+  while (open > 0) {
+    const std::int32_t index = stack[--open];
+    if (index >= 0) {
+      const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+      for (std::size_t lane = 0; lane < ChainTree::kWidth; ++lane) {
+        if (query_.y < node.min_y[lane] - margin || query_.y > node.max_y[lane] + margin ||
+            query_.x > node.max_x[lane] + margin)
+          continue;
+        if (query_.x < node.min_x[lane] - margin) {
+          if (node.first_vertex[lane] != node.last_vertex[lane] &&
+              above(node.first_y[lane], node.first_vertex[lane]) != above(node.last_y[lane], node.last_vertex[lane]))
+            inside = !inside;
+        } else {
+          stack[open++] = node.child[lane];
+        }
+      }
+      continue;
+    }
+    const ChainTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+      const std::size_t edge = leaf.first_edge + lane, next = parts_.polygon.next(edge);
+      const bool start = above(leaf.start_y[lane], static_cast<std::uint32_t>(edge));
+      const bool end = above(leaf.end_y[lane], static_cast<std::uint32_t>(next));
+      const double left = std::min(leaf.start_x[lane], leaf.end_x[lane]);
+      const double right = std::max(leaf.start_x[lane], leaf.end_x[lane]);
+      const double low = std::min(leaf.start_y[lane], leaf.end_y[lane]);
+      const double high = std::max(leaf.start_y[lane], leaf.end_y[lane]);
+      if (query_.x > right + margin || query_.y < low - margin || query_.y > high + margin) continue;
+      if (query_.x < left - margin) {
+        if (start != end) inside = !inside;
+        continue;
+      }
+      const int side = edges.template sign<SignKind::Side>(edge);
+      if (side == 0) {
+        if (edges.template sign<SignKind::Along>(edge) >= 0 && edges.template sign<SignKind::Beyond>(edge) <= 0)
+          return FootPlace::Boundary;
+      } else if (start != end && (side > 0) == end) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside ? FootPlace::Inside : FootPlace::Outside;
+}
+
+template <class Counts>
+std::vector<std::size_t> PolygonQuestion<Counts>::edges_hit_uncounted() {
+  std::vector<std::size_t> hit;
+  if (query_.plane_sign() > 0) return hit;
+  walk(parts_.frame->edges, query_, query_.sure_miss, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+    const unsigned sure = below(view.squared, query_.sure_hit);
+    return any_edge(leaf, not_above(view.squared, query_.sure_miss) & lanes(leaf), [&](std::size_t edge) {
+      if ((sure >> (edge - leaf.first_edge) & 1) != 0 || exact().distance_sign(edge) <= 0) hit.push_back(edge);
+      return false;
+    });
+  });
+  return hit;
+}
+
+template <class Counts>
+Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
+  const ExactEdges<Counts>& edges = exact();
+  if (edges.template sign<SignKind::Along>(edge) <= 0) return {Feature::Kind::Vertex, edge};
+  if (edges.template sign<SignKind::Beyond>(edge) >= 0) return {Feature::Kind::Vertex, parts_.polygon.next(edge)};
+  return {Feature::Kind::Edge, edge};
+}
+
+template <class Counts>
+Feature PolygonQuestion<Counts>::nearest_on_boundary() {
+  const ChainTree& tree = parts_.frame->edges;
+  double least = std::numeric_limits<double>::infinity();
+  walk<true>(tree, query_, least, [&](const ChainTree::Leaf&, const LeafView& view) {
+    double squared[kLanes];
+    store(squared, view.squared);
+    for (const double s : squared) least = std::min(least, s);
+    return false;
+  });
+  // Edges that may be as near as the nearest: both distances may be off.
+  const double error = std::sqrt(query_.near);
+  const double wider = std::sqrt(least) * (1 + 0x1p-48) + error, reach = wider * wider * (1 + 0x1p-48);
+  std::optional<Feature> nearest;
+  walk(tree, query_, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+    return any_edge(leaf, not_above(view.squared, reach) & lanes(leaf), [&](std::size_t edge) {
+      const Feature feature = nearest_of_edge(edge);
+      if (!nearest) {
+        nearest = feature;
+      } else if (feature != *nearest) {
+        counts_.count(Stage::Unlimited);
+        const int order = parts_.unlimited.compare_distances(ball_, feature, *nearest);
+        const auto rank = [](const Feature& f) { return std::pair(f.kind == Feature::Kind::Vertex, f.index); };
+        if (order < 0 || (order == 0 && rank(feature) < rank(*nearest))) nearest = feature;
+      }
+      return false;
+    });
+  });
+  return *nearest;
+}
+
+template <class Counts>
+Answer PolygonQuestion<Counts>::answer() {
+  exact();
+  const FootPlace place = foot_uncounted();
+  const Feature feature = place == FootPlace::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
+  Answer answer{.plane = plane_side_uncounted(),
+                .plane_tangent = plane_sign() == 0,
+                .foot = place,
+                .edges_hit = edges_hit_uncounted(),
+                .relation = Relation::Separate,
+                .nearest = feature,
+                .point = {point(feature, 0), point(feature, 1), point(feature, 2)},
+                .distance = distance(feature),
+                .off_plane = parts_.unlimited.off_plane()};
+  const int sign = distance_sign<false>();
+  answer.relation = sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
+  return answer;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered
+
+#include "robust/filtered/closest_point.h"
