@@ -35,7 +35,7 @@ double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
   const ExactEdges<Counts>& edges = exact();
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const EdgeInQuestion q = edges.question(feature.index, 0);
+    const auto q = edges.seen(feature.index);
     // Lifted vertices are known to 2^-99.
     const bool moved = q.lifted && axis == parts_.unlimited.dropped_axis();
     const double lift_error = moved ? 0x1p-98 : 0;
@@ -45,7 +45,7 @@ double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
 
     // origin - (numerator / denominator) direction, with an error of the numerator of a few units of its maxima.
     const bool face = feature.kind == Feature::Kind::Face;
-    const Vector3<DoubleDouble>& direction = face ? q.normal : q.edge;
+    const Vector3<DoubleDouble>& direction = face ? q.polygon.normal : q.edge;
     const double maximum = face ? q.maxima.normal : q.maxima.edge;
     const DoubleDouble length_squared = dot(direction, direction);
     const DoubleDouble share = dot(direction, q.from) / length_squared;
@@ -69,17 +69,17 @@ double PolygonQuestion<Counts>::distance(const Feature& feature) {
   const ExactEdges<Counts>& edges = exact();
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const EdgeInQuestion q = edges.question(feature.index, 0);
+    const auto q = edges.seen(feature.index);
     if (feature.kind == Feature::Kind::Vertex) {
       const DoubleDouble value = sqrt(dot(q.from, q.from));
       return rounded({value, kRelative * value.high + (q.lifted ? kRelative * q.maxima.from : 0)},
                      parts_.frame->exponent);
     }
     const bool face = feature.kind == Feature::Kind::Face;
-    const Vector3<DoubleDouble>& direction = face ? q.normal : q.edge;
+    const Vector3<DoubleDouble>& direction = face ? q.polygon.normal : q.edge;
     const DoubleDouble length = sqrt(dot(direction, direction));
     const auto moment = cross(q.from, q.edge);
-    const DoubleDouble height = dot(q.normal, q.from);
+    const DoubleDouble height = dot(q.polygon.normal, q.from);
     const DoubleDouble value = (face ? DoubleDouble(height.high < 0 ? -height : height) : sqrt(dot(moment, moment))) / length;
     const double maximum = face ? q.maxima.normal : q.maxima.edge;
     const double error = kRelative * (q.maxima.from * maximum / length.high + value.high);

@@ -21,6 +21,10 @@ TOUCHSTONE_INLINE bool frame_reaches(const Ball& ball, const PreparedPolygon::Pa
 template <auto in_frame, auto otherwise, class Result, class Counts>
 Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   if (frame_reaches(ball, parts)) [[likely]] {
+    // Subnormal coordinates are scaled up before anything else, which must not meet them flushed to zero.
+    std::optional<FloatingPointState> nearest;
+    if (parts.frame->exponent < -900) [[unlikely]]
+      nearest.emplace();
     PolygonQuestion<Counts> question(ball, parts, counts);
     return (question.*in_frame)();
   }

@@ -35,7 +35,7 @@ class ExactEdges {
       counts_.count(Stage::Unlimited);
       return unlimited();
     }
-    return exact_sign<kind>(question(edge, axis), counts_, unlimited);
+    return exact_sign<kind>(seen(edge).question(axis), counts_, unlimited);
   }
 
   /// Distance to the edge against the radius: > is +, = is 0, < is -.
@@ -45,34 +45,47 @@ class ExactEdges {
     return sign<SignKind::Line>(edge);
   }
 
-  [[nodiscard]] EdgeInQuestion question(std::size_t edge, int axis) const {
+  /// An edge as seen from the ball.
+  struct Seen {
+    Vector3<DoubleDouble> from, edge;
+    const LiftedPolygon& polygon;
+    double radius;
+    Maxima maxima;
+    bool lifted;
+
+    [[nodiscard]] EdgeInQuestion question(int axis) const {
+      return {from, edge, polygon.normal, radius, axis, maxima, lifted, nullptr, polygon.exact_normal};
+    }
+  };
+
+  [[nodiscard]] Seen seen(std::size_t edge) const {
     const std::size_t next = parts_.polygon.next(edge);
     const LiftedPolygon& lifted = parts_.lifted;
-    EdgeInQuestion q{{}, {}, lifted.normal, radius_, axis, {radius_, 0, lifted.normal_maximum}, false, nullptr,
-                     lifted.exact_normal};
     double p[3], e[3];
     for (int k = 0; k < 3; ++k) {
       const auto coordinates = parts_.polygon.coordinates(k);
       p[k] = scaled(coordinates[edge]), e[k] = scaled(coordinates[next]);
     }
-    q.from = {two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])};
-    q.edge = {two_difference(e[0], p[0]), two_difference(e[1], p[1]), two_difference(e[2], p[2])};
-    q.maxima.edge = largest(q.edge);
-    if (!lifted.lifts.empty()) {
+    Seen s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
+           {two_difference(e[0], p[0]), two_difference(e[1], p[1]), two_difference(e[2], p[2])},
+           lifted,
+           radius_,
+           {radius_, 0, lifted.normal_maximum},
+           !lifted.lifts.empty()};
+    s.maxima.edge = largest(s.edge);
+    if (s.lifted) {
       // What is known to 2^-99, or to 2^-99 of the edge, is known to 2^-103 of maxima 32 times as large.
-      q.lifted = true;
-      q.maxima.from = std::max(q.maxima.from, 32.0);
-      q.maxima.edge *= 32;
+      s.maxima.from = std::max(s.maxima.from, 32.0);
+      s.maxima.edge *= 32;
       const int k = parts_.unlimited.dropped_axis();
-      DoubleDouble& from_k = k == 0 ? q.from.x : k == 1 ? q.from.y : q.from.z;
-      DoubleDouble& edge_k = k == 0 ? q.edge.x : k == 1 ? q.edge.y : q.edge.z;
+      DoubleDouble& from_k = k == 0 ? s.from.x : k == 1 ? s.from.y : s.from.z;
+      DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
       from_k = from_k - lifted.lifts[edge];
-      edge_k = edge_k - dot(lifted.normal, q.edge) / lifted.normal[k];
+      edge_k = edge_k - dot(lifted.normal, s.edge) / lifted.normal[k];
     }
-    constexpr double above_tails = 1 + 0x1p-50;  // high + low may exceed high
-    q.maxima.from = std::max(q.maxima.from, largest(q.from)) * above_tails;
-    q.maxima.edge = std::max(q.maxima.edge, largest(q.edge)) * above_tails;
-    return q;
+    s.maxima.from = std::max(s.maxima.from, largest(s.from));
+    s.maxima.edge = std::max(s.maxima.edge, largest(s.edge));
+    return s;
   }
 
  private:

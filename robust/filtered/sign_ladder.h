@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -17,10 +18,10 @@ inline namespace TOUCHSTONE_TARGET {
 
 /// An edge as seen from a ball, in double-doubles.
 ///
-/// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to 5 times
-/// that (the input that bounds.h asks for).
+/// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to
+/// bounds::kNormal times that (the input that bounds.h asks for).
 struct EdgeInQuestion {
-  Vector3<DoubleDouble> from, edge, normal;
+  const Vector3<DoubleDouble>&from, &edge, &normal;
   double radius;
   int axis;        ///< of SignKind::Above
   Maxima maxima;   ///< each at most bounds::kLargest
@@ -63,12 +64,13 @@ struct PermanentView {
 template <int Bits>
 class IntegerView {
  public:
-  /// Requires that nothing is lifted, and a normal from two edges or with all its bits.
-  explicit IntegerView(const EdgeInQuestion& question)
-      : question_(question),
-        // Then every difference is below 2^Bits.
-        scale_(std::ldexp(1.0, Bits - 1 - std::ilogb(std::max(question.maxima.from, question.maxima.edge)))),
-        fits_(whole(question.from) && whole(question.edge) && whole(question.radius * scale_) && whole_normal()) {}
+  /// Requires that nothing is lifted.
+  explicit IntegerView(const EdgeInQuestion& question) : question_(question), scale_(0), fits_(false) {
+    if (!short_enough(question.from) || !short_enough(question.edge)) return;
+    // Then every difference is below 2^Bits.
+    scale_ = power_of_two(Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge)));
+    fits_ = whole(question.from) && whole(question.edge) && whole(question.radius * scale_) && whole_normal();
+  }
 
   /// Are all of them whole numbers after the scaling?
   [[nodiscard]] bool fits() const { return fits_; }
@@ -90,19 +92,34 @@ class IntegerView {
   [[nodiscard]] int axis() const { return question_.axis; }
 
  private:
+  static int exponent(double normal) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(normal) >> 52 & 0x7ff) - 1023;
+  }
+  static double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  }
+  /// No component has more than Bits bits, and none a tail: what most numbers fail at once.
+  static bool short_enough(const Vector3<DoubleDouble>& v) {
+    if (v.x.low != 0 || v.y.low != 0 || v.z.low != 0) return false;  // exact: tails of error-free differences
+    constexpr std::uint64_t rest = Bits < 53 ? (std::uint64_t{1} << (53 - std::min(Bits, 53))) - 1 : 0;
+    const auto bits = [](const DoubleDouble& x) { return std::bit_cast<std::uint64_t>(x.high); };
+    return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
+  }
   static bool whole(double value) {
     // From 2^53 on every double is whole.
     return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
   }
   [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
-    const auto component = [this](const DoubleDouble& x) { return x.low == 0 && whole(x.high * scale_); };  // exact
-    return component(v.x) && component(v.y) && component(v.z);
+    return whole(v.x.high * scale_) && whole(v.y.high * scale_) && whole(v.z.high * scale_);
   }
   [[nodiscard]] bool whole_normal() const {
-    if (question_.normal_edges != nullptr) return whole(question_.normal_edges[0]) && whole(question_.normal_edges[1]);
+    if (question_.normal_edges != nullptr) {
+      const auto &u = question_.normal_edges[0], &v = question_.normal_edges[1];
+      return short_enough(u) && short_enough(v) && whole(u) && whole(v);
+    }
     const double scale = scale_ * scale_;
     const auto component = [scale](const DoubleDouble& x) { return whole(x.high * scale) && whole(x.low * scale); };
-    return question_.exact_normal && question_.maxima.normal * scale < std::ldexp(1.0, 2 * Bits) &&
+    return question_.exact_normal && question_.maxima.normal * scale < power_of_two(2 * Bits) &&
            component(question_.normal.x) && component(question_.normal.y) && component(question_.normal.z);
   }
   [[nodiscard]] Integer<Bits> integer(double value) const {

@@ -13,40 +13,36 @@ inline namespace TOUCHSTONE_TARGET {
 template <class Counts>
 class UnsureTriangle {
  public:
-  /// Requires coordinates for which no difference exceeds bounds::kLargest, round to nearest, no flush-to-zero.
+  /// Requires round to nearest, without flush-to-zero.
   UnsureTriangle(const TriangleQuestion& question, const TriangleSigns& sure, Counts& counts)
-      : question_(question), sure_(sure), counts_(counts) {
-    Maxima& m = maxima_;
-    m = {question.radius, 0, 0};
-    for (int i = 0; i < 3; ++i) {
-      from_[i] = difference(question.center, question.vertex[i]);
-      edge_[i] = difference(question.vertex[(i + 1) % 3], question.vertex[i]);
-      m.from = std::max(m.from, largest(from_[i]));
-      m.edge = std::max(m.edge, largest(edge_[i]));
-    }
-    m.from *= kAboveTails, m.edge *= kAboveTails;
-    m.normal = 2 * kAboveTails * m.edge * m.edge;
-    normal_ = signs::normal(edge_[0], edge_[1]);
-  }
+      : question_(question), sure_(sure), counts_(counts) {}
 
-  /// The vertices and edges decide wherever the foot is outside; the plane does where it is not.
+  /// Everything is close together: a common power of two may bring it away from underflow.
+  [[nodiscard]] bool tiny() const { return std::max(sure_.from[0], largest_edge()) < 0x1p-30; }
+
   [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
 
  private:
-  static constexpr double kAboveTails = 1 + 0x1p-50;  // high + low may exceed high
-
   static Vector3<DoubleDouble> difference(const double* a, const double* b) {
     return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
   }
-  static double largest(const Vector3<DoubleDouble>& v) {
-    return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
+  [[nodiscard]] Vector3<DoubleDouble> edge(int i) const {
+    return difference(question_.vertex[i == 2 ? 0 : i + 1], question_.vertex[i]);
   }
+  [[nodiscard]] double largest_edge() const { return std::max(std::max(sure_.edge[0], sure_.edge[1]), sure_.edge[2]); }
 
   template <SignKind kind>
   [[nodiscard]] int sign(const SureSigns& sure, int i) const {
     if (const int known = sure.of(i)) return known;
-    const EdgeInQuestion edge{from_[i], edge_[i], normal_, question_.radius, 0, maxima_, false, edge_, false};
-    return exact_sign<kind>(edge, counts_, [&] { return unlimited_sign(kind, question_, i); });
+    constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side;
+    const Vector3<DoubleDouble> from = difference(question_.center, question_.vertex[i]), along = edge(i);
+    const double longest = largest_edge();
+    const Maxima maxima{sure_.from[i], longest, 2 * longest * longest};
+    const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
+    const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
+    const EdgeInQuestion question{from,  along,        normal, question_.radius, 0, maxima,
+                                  false, normal_edges, false};
+    return exact_sign<kind>(question, counts_, [&] { return unlimited_sign(kind, question_, i); });
   }
   [[nodiscard]] int plane_sign() const {
     for (int i = 0; i < 3; ++i)
@@ -76,8 +72,6 @@ class UnsureTriangle {
   const TriangleQuestion& question_;
   const TriangleSigns& sure_;
   Counts& counts_;
-  Vector3<DoubleDouble> from_[3], edge_[3], normal_;
-  Maxima maxima_;
 };
 
 /// Contact in unlimited integers alone.
@@ -120,35 +114,50 @@ class ScaledTriangle {
   double vertex_[3][3], center_[3], radius_;
 };
 
-/// What the first stage could not tell.
-template <class Counts>
-__attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, TriangleSigns& signs, Counts& counts) {
-  const FloatingPointState nearest;
+/// The largest magnitude of a number in the question.
+inline double largest_number(const TriangleQuestion& question) {
   double largest = question.radius;
   for (int i = 0; i < 3; ++i)
     for (const double x : {question.vertex[i][0], question.vertex[i][1], question.vertex[i][2], question.center[i]})
       largest = std::max(largest, std::abs(x));
-  if (largest <= bounds::kLargest / 2 && largest >= 0x1p-30)
-    return UnsureTriangle<Counts>(question, signs, counts).contact();
+  return largest;
+}
 
+/// What numbers of ordinary size would have told at the first stage, too.
+template <class Counts>
+__attribute__((noinline)) bool scaled_contact(const TriangleQuestion& question, double largest, Counts& counts) {
   const ScaledTriangle scaled(question, largest);
   if (!scaled.exact()) {
     counts.count(Stage::Unlimited);
     return unlimited_contact(question);
   }
   const TriangleQuestion same = scaled.question();
+  TriangleSigns signs;
   const Sure sure = triangle_filter(same, signs);
   if (sure == Sure::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
   counts.count(Stage::Double);
   return sure == Sure::Yes;
 }
 
+/// What the first stage could not tell.
+template <class Counts>
+__attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, const TriangleSigns& signs, Sure sure,
+                                              Counts& counts) {
+  const FloatingPointState nearest;
+  if (sure == Sure::Beyond) return scaled_contact(question, largest_number(question), counts);
+  const UnsureTriangle<Counts> triangle(question, signs, counts);
+  if (triangle.tiny())
+    if (const double largest = largest_number(question); largest < 0x1p-30)
+      return scaled_contact(question, largest, counts);
+  return triangle.contact();
+}
+
 template <class Counts>
 TOUCHSTONE_INLINE bool contact(const TriangleQuestion& question, Counts& counts) {
   TriangleSigns signs;
   const Sure sure = triangle_filter(question, signs);
-  if (sure == Sure::Unsure) [[unlikely]]
-    return unsure_contact(question, signs, counts);
+  if (sure >= Sure::Unsure) [[unlikely]]
+    return unsure_contact(question, signs, sure, counts);
   counts.count(Stage::Double);
   return sure == Sure::Yes;
 }

@@ -25,10 +25,8 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   };
   // With coordinates of half the limit no difference is beyond it, and none overflows.
   const Pack input = maximum(maximum(largest(vertex), largest(center)), radius);
-  if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]] {
-    signs = {};
-    return Sure::Unsure;
-  }
+  if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
+    return Sure::Beyond;
 
   const auto next = [](const Vector3<Pack>& v) {
     return Vector3<Pack>{next_of_three(v.x), next_of_three(v.y), next_of_three(v.z)};
@@ -69,7 +67,11 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   if (yes | no) [[likely]]
     return yes ? Sure::Yes : Sure::No;
   const auto both = [&](const Signs& s) { return SureSigns{lanes(s.positive), lanes(s.negative)}; };
-  signs = {both(vertex_out), both(after_start), both(after_end), both(line_out), {inside, outside}, {missed, cut}};
+  signs.vertex = both(vertex_out), signs.line = both(line_out);
+  signs.along = both(after_start), signs.beyond = both(after_end);
+  signs.side = {inside, outside}, signs.plane = {missed, cut};
+  store(signs.from, m_from);
+  store(signs.edge, m_edge);
   return Sure::Unsure;
 }
 

@@ -20,11 +20,14 @@ struct SureSigns {
   }
 };
 
-/// Every sign of signs.h that bears on a contact, lane i for edge i. The plane's is one sign, seen from three edges.
+/// What the first stage has found of a triangle, lane i for edge i: every sign of signs.h that bears on a contact (the
+/// plane's is one sign, seen from three edges), and the maxima of `from`, with r, and of `edge`.
 struct TriangleSigns {
   SureSigns vertex, along, beyond, line, side, plane;
+  double from[4], edge[4];
 };
 
-enum class Sure : unsigned char { No, Yes, Unsure };
+/// Beyond: some number is too large for the stage to be used at all.
+enum class Sure : unsigned char { No, Yes, Unsure, Beyond };
 
 }  // namespace touchstone::filtered

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/edge_frame.h"
+#include "robust/filtered/signs.h"
+#include "robust/filtered/vector3.h"
+
+/// The one list of what is proved: every expression of signs.h and edge_frame.h with its inputs, its constant and the
+/// maxima that the constant is multiplied by. Records, error calculus and toy arithmetic all walk this list.
+namespace touchstone::filtered::proofs {
+
+/// Of every constant this much pays for the rounding of the bound that is computed with it.
+inline constexpr double kRoundingOfBound = 0x1p-5;
+/// What a maximum bounds may exceed it by this much, relatively: high parts serve for double-doubles, and the computed
+/// 2 m_u m_v serves for the normal.
+inline constexpr double kExcess = 0x1p-50;
+
+/// The maxima of bounds.h; One bounds axes and unit directions.
+enum class Maximum { Ball, Edge, BallOrEdge, Normal, FirstEdge, SecondEdge, One, Centre, Foot };
+inline constexpr int kMaxima = 9;
+
+/// The largest value that a maximum may have.
+constexpr double largest(Maximum maximum) {
+  if (maximum == Maximum::One) return 1;
+  return maximum == Maximum::Normal ? 2 * bounds::kLargest * bounds::kLargest : bounds::kLargest;
+}
+
+/// The smallest value from which on kTiny is not needed.
+constexpr double smallest(Maximum maximum) {
+  if (maximum == Maximum::One || maximum == Maximum::Foot) return 1;
+  return maximum == Maximum::Normal ? 2 * bounds::kSmallest * bounds::kSmallest : bounds::kSmallest;
+}
+
+/// An input whose computed value is at most its maximum and differs from the exact one by at most
+/// error unit maximum.
+struct Input {
+  std::string name;
+  Maximum maximum;
+  double error;
+};
+
+/// The inputs of all expressions; each expression takes those that it needs.
+template <class Number>
+struct Inputs {
+  Vector3<Number> from, edge;
+  Number radius;
+  Vector3<Number> first_edge, second_edge, normal;
+  Vector3<Number> axis, from_origin;
+  Number foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+};
+
+/// make(Input) is asked for each number, in the order of the members.
+template <class Number, class Make>
+Inputs<Number> make_inputs(Make make) {
+  const auto vector = [&](const std::string& name, Maximum maximum, double error) {
+    return Vector3<Number>{make(Input{name + "_x", maximum, error}), make(Input{name + "_y", maximum, error}),
+                           make(Input{name + "_z", maximum, error})};
+  };
+  const auto number = [&](const std::string& name, Maximum maximum, double error) {
+    return make(Input{name, maximum, error});
+  };
+  using enum Maximum;
+  return {vector("from", Ball, 1),
+          vector("edge", Edge, 1),
+          number("radius", Ball, 0),
+          vector("first_edge", FirstEdge, 1),
+          vector("second_edge", SecondEdge, 1),
+          vector("normal", Normal, bounds::kNormal),
+          vector("axis", One, 1),
+          vector("from_origin", Centre, 1),
+          number("foot_x", Foot, bounds::kCoordinate),
+          number("foot_y", Foot, bounds::kCoordinate),
+          number("start_x", Foot, 1),
+          number("start_y", Foot, 1),
+          number("direction_x", One, 1),
+          number("direction_y", One, 1)};
+}
+
+/// The claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
+struct Claim {
+  std::string_view constant;  ///< its name in bounds.h
+  std::string_view instance;  ///< tells claims about the same constant apart
+  double value;
+  double factor;
+  std::vector<Maximum> maxima;
+
+  /// Where a maximum bounds inputs of two groups, scaling the maxima to 1 leaves one group smaller than 1. What is
+  /// proved must then not use that both factors of a square are one number: of `edge` one factor is scaled by m_e, the
+  /// other by the larger maximum, and both are at most 1.
+  [[nodiscard]] bool squares_are_products() const {
+    return std::find(maxima.begin(), maxima.end(), Maximum::BallOrEdge) != maxima.end();
+  }
+};
+
+/// visit(Claim, expression) for each claim; expression(Inputs<Number>) is its value over any number type.
+template <class Visit>
+void for_each_claim(Visit visit) {
+  using namespace bounds;
+  using enum Maximum;
+  visit(Claim{"kVertex", "", kVertex, 1, {Ball, Ball}},
+        [](const auto& in) { return signs::vertex(in.from, in.radius); });
+  visit(Claim{"kAlong", "", kAlong, 1, {Ball, Edge}}, [](const auto& in) { return signs::along(in.from, in.edge); });
+  visit(Claim{"kBeyond", "", kBeyond, 1, {BallOrEdge, Edge}},
+        [](const auto& in) { return signs::beyond(in.from, in.edge); });
+  visit(Claim{"kLine", "", kLine, 1, {Ball, Ball, Edge, Edge}},
+        [](const auto& in) { return signs::line(in.from, in.edge, in.radius); });
+  visit(Claim{"kNormal", "x", kNormal, 2, {FirstEdge, SecondEdge}},
+        [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).x; });
+  visit(Claim{"kNormal", "y", kNormal, 2, {FirstEdge, SecondEdge}},
+        [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).y; });
+  visit(Claim{"kNormal", "z", kNormal, 2, {FirstEdge, SecondEdge}},
+        [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).z; });
+  visit(Claim{"kFront", "", kFront, 1, {Normal, Ball}},
+        [](const auto& in) { return signs::front(in.normal, in.from); });
+  visit(Claim{"kPlane", "", kPlane, 1, {Normal, Normal, Ball, Ball}},
+        [](const auto& in) { return signs::plane(in.normal, in.from, in.radius); });
+  visit(Claim{"kSide", "", kSide, 1, {Normal, Edge, Ball}},
+        [](const auto& in) { return signs::side(in.normal, in.edge, in.from); });
+  visit(Claim{"kAbove", "x", kAbove, 1, {Normal, Normal, Ball}},
+        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.x, in.from.x); });
+  visit(Claim{"kAbove", "y", kAbove, 1, {Normal, Normal, Ball}},
+        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.y, in.from.y); });
+  visit(Claim{"kAbove", "z", kAbove, 1, {Normal, Normal, Ball}},
+        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.z, in.from.z); });
+  visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}},
+        [](const auto& in) { return frame::coordinate(in.axis, in.from_origin); });
+  visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
+    return frame::along(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
+  });
+  visit(Claim{"kEdgeFrame", "across", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
+    return frame::across(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
+  });
+}
+
+}  // namespace touchstone::filtered::proofs

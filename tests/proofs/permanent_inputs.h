@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robust/filtered/numbers/permanent.h"
+#include "robust/proofs/expressions.h"
+
+namespace touchstone::filtered::proofs {
+
+template <class Number>
+inline constexpr int roundings_of = -1;
+template <int Roundings>
+inline constexpr int roundings_of<Permanent<Roundings>> = Roundings;
+
+/// The inputs of expressions.h as the filters have them: rounded, but for the radius.
+struct PermanentInputs {
+  Vector3<Permanent<1>> from, edge;
+  Permanent<0> radius;
+  Vector3<Permanent<1>> first_edge, second_edge, normal, axis, from_origin;
+  Permanent<1> foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+};
+
+}  // namespace touchstone::filtered::proofs

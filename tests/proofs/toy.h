@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+namespace touchstone::filtered::proofs {
+
+enum class Rounding { Nearest, Down, Up, TowardZero };
+
+/// The value with at most `bits` significant bits that is nearest to the integer (ties to even), or the next one in
+/// the rounding's direction. Integers stay integers, so toy arithmetic needs nothing else.
+constexpr std::int64_t rounded(std::int64_t exact, int bits, Rounding rounding) {
+  const bool negative = exact < 0;
+  const auto magnitude = static_cast<std::uint64_t>(negative ? -exact : exact);
+  const int excess = static_cast<int>(std::bit_width(magnitude)) - bits;
+  if (excess <= 0) return exact;
+  const std::uint64_t step = std::uint64_t{1} << excess, tail = magnitude & (step - 1), below = magnitude - tail;
+  const bool is_odd = (below & step) != 0;
+  bool away = false;  // from zero
+  switch (rounding) {
+    case Rounding::Nearest: away = tail > step / 2 || (tail == step / 2 && is_odd); break;
+    case Rounding::Down: away = negative && tail != 0; break;
+    case Rounding::Up: away = !negative && tail != 0; break;
+    case Rounding::TowardZero: break;
+  }
+  const auto result = static_cast<std::int64_t>(away ? below + step : below);
+  return negative ? -result : result;
+}
+
+/// A floating-point number of `Bits` significant bits without limits of the exponent, whose value is an integer.
+template <int Bits, Rounding Mode>
+struct Toy {
+  std::int64_t value;
+
+  static constexpr Toy of(std::int64_t exact) { return {rounded(exact, Bits, Mode)}; }
+  friend constexpr Toy operator+(Toy a, Toy b) { return of(a.value + b.value); }
+  friend constexpr Toy operator-(Toy a, Toy b) { return of(a.value - b.value); }
+  friend constexpr Toy operator*(Toy a, Toy b) { return of(a.value * b.value); }
+};
+
+/// visit<Rounding>() for each rounding.
+template <class Visit>
+void for_each_rounding(Visit visit) {
+  visit.template operator()<Rounding::Nearest>();
+  visit.template operator()<Rounding::Down>();
+  visit.template operator()<Rounding::Up>();
+  visit.template operator()<Rounding::TowardZero>();
+}
+
+/// visit<bits, Rounding>() for each toy.
+template <class Visit>
+void for_each_toy(Visit visit) {
+  for_each_rounding([&]<Rounding Mode>() {
+    visit.template operator()<4, Mode>();
+    visit.template operator()<5, Mode>();
+    visit.template operator()<6, Mode>();
+    visit.template operator()<7, Mode>();
+    visit.template operator()<8, Mode>();
+  });
+}
+
+/// A number with its permanent, as numbers/permanent.h, over any number type.
+template <class Number>
+struct WithPermanent {
+  Number value, permanent;
+
+  friend constexpr WithPermanent operator+(const WithPermanent& a, const WithPermanent& b) {
+    return {a.value + b.value, a.permanent + b.permanent};
+  }
+  friend constexpr WithPermanent operator-(const WithPermanent& a, const WithPermanent& b) {
+    return {a.value - b.value, a.permanent + b.permanent};
+  }
+  friend constexpr WithPermanent operator*(const WithPermanent& a, const WithPermanent& b) {
+    return {a.value * b.value, a.permanent * b.permanent};
+  }
+};
+
+}  // namespace touchstone::filtered::proofs
