@@ -30,31 +30,39 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
   return result;
 }
 
+// Below these sizes squares or steps may underflow, and what is said of errors does not hold.
+inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
+
 template <class Counts>
 double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
   const ExactEdges<Counts>& edges = exact();
+  const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
+  const bool moved = !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
+  if (vertex && !moved) return parts_.polygon.vertex(feature.index)[axis];
+
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const auto q = edges.seen(feature.index);
-    // Lifted vertices are known to 2^-99.
-    const bool moved = q.lifted && axis == parts_.unlimited.dropped_axis();
-    const double lift_error = moved ? 0x1p-98 : 0;
-    if (feature.kind == Feature::Kind::Vertex && !moved) return parts_.polygon.vertex(feature.index)[axis];
-    const DoubleDouble start = DoubleDouble(edges.center(axis)) - q.from[axis];  // exact but for a lift
-    if (feature.kind == Feature::Kind::Vertex) return rounded({start, lift_error}, parts_.frame->exponent);
+    const int exponent = parts_.frame->exponent;
+    DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
+    if (moved && !face) start = start + parts_.lifted.lifts[feature.index];
+    const double lift_error = moved ? 0x1p-98 : 0;  // lifts are known to 2^-99
+    if (vertex) return rounded({start, lift_error + 0x1p-102 * std::abs(start.high)}, exponent);
 
-    // origin - (numerator / denominator) direction, with an error of the numerator of a few units of its maxima.
-    const bool face = feature.kind == Feature::Kind::Face;
-    const Vector3<DoubleDouble>& direction = face ? q.polygon.normal : q.edge;
-    const double maximum = face ? q.maxima.normal : q.maxima.edge;
+    // The start and a share of a direction, the share a quotient with an error of a few units of its maxima.
+    const auto seen = edges.seen(feature.index);
+    const Vector3<DoubleDouble>& direction = face ? seen.polygon.normal : seen.edge;
+    const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+    if (maximum < kShortestDirection) return std::nullopt;
+    if (!moved && direction[axis].high == 0) return rounded({start, 0}, exponent);  // exact: nothing is added
     const DoubleDouble length_squared = dot(direction, direction);
-    const DoubleDouble share = dot(direction, q.from) / length_squared;
-    const DoubleDouble step = share * direction[axis];
-    const DoubleDouble value = face ? DoubleDouble(edges.center(axis)) - step : start + step;
+    const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
+    const DoubleDouble value = face ? start - step : start + step;
+    if (std::abs(value.high) < kSmallestResult) return std::nullopt;
     const double error =
-        kRelative * (q.maxima.from * maximum * std::abs(direction[axis].high) / length_squared.high) +
-        kRelative * (q.lifted ? q.maxima.edge : 0) + 0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
-    return rounded({value, error}, parts_.frame->exponent);
+        kRelative * (seen.maxima.from * maximum * std::abs(direction[axis].high) / length_squared.high) +
+        kRelative * (seen.lifted ? seen.maxima.edge : 0) +
+        0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
+    return rounded({value, error}, exponent);
   };
   if (const auto result = in_doubles()) {
     counts_.count(Stage::DoubleDouble);
@@ -69,21 +77,25 @@ double PolygonQuestion<Counts>::distance(const Feature& feature) {
   const ExactEdges<Counts>& edges = exact();
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const auto q = edges.seen(feature.index);
-    if (feature.kind == Feature::Kind::Vertex) {
-      const DoubleDouble value = sqrt(dot(q.from, q.from));
-      return rounded({value, kRelative * value.high + (q.lifted ? kRelative * q.maxima.from : 0)},
-                     parts_.frame->exponent);
-    }
-    const bool face = feature.kind == Feature::Kind::Face;
-    const Vector3<DoubleDouble>& direction = face ? q.polygon.normal : q.edge;
-    const DoubleDouble length = sqrt(dot(direction, direction));
-    const auto moment = cross(q.from, q.edge);
-    const DoubleDouble height = dot(q.polygon.normal, q.from);
-    const DoubleDouble value = (face ? DoubleDouble(height.high < 0 ? -height : height) : sqrt(dot(moment, moment))) / length;
-    const double maximum = face ? q.maxima.normal : q.maxima.edge;
-    const double error = kRelative * (q.maxima.from * maximum / length.high + value.high);
-    return rounded({value, error}, parts_.frame->exponent);
+    const auto seen = edges.seen(feature.index);
+    const auto enclosed = [&]() -> Enclosed {
+      if (feature.kind == Feature::Kind::Vertex) {
+        const DoubleDouble value = sqrt(dot(seen.from, seen.from));
+        return {value, kRelative * (value.high + (seen.lifted ? seen.maxima.from : 0))};
+      }
+      const bool face = feature.kind == Feature::Kind::Face;
+      const Vector3<DoubleDouble>& direction = face ? seen.polygon.normal : seen.edge;
+      const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+      if (maximum < kShortestDirection) return {};
+      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(seen.polygon.normal, seen.from);
+      const auto moment = cross(seen.from, seen.edge);
+      const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
+      const DoubleDouble value = product / length;
+      return {value, kRelative * (seen.maxima.from * maximum / length.high + value.high)};
+    }();
+    if (is_zero(seen.from) && !seen.lifted) return 0;
+    if (enclosed.value.high < kSmallestResult) return std::nullopt;
+    return rounded(enclosed, parts_.frame->exponent);
   };
   if (const auto result = in_doubles()) {
     counts_.count(Stage::DoubleDouble);

@@ -27,6 +27,8 @@ class ExactEdges {
   /// The centre in the frame's unit of length, exact where `scales`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }
+  /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length.
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(parts_.polygon.coordinates(axis)[i]); }
 
   template <SignKind kind>
   [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
@@ -61,13 +63,10 @@ class ExactEdges {
   [[nodiscard]] Seen seen(std::size_t edge) const {
     const std::size_t next = parts_.polygon.next(edge);
     const LiftedPolygon& lifted = parts_.lifted;
-    double p[3], e[3];
-    for (int k = 0; k < 3; ++k) {
-      const auto coordinates = parts_.polygon.coordinates(k);
-      p[k] = scaled(coordinates[edge]), e[k] = scaled(coordinates[next]);
-    }
+    const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
     Seen s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
-           {two_difference(e[0], p[0]), two_difference(e[1], p[1]), two_difference(e[2], p[2])},
+           {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
+            two_difference(vertex(next, 2), p[2])},
            lifted,
            radius_,
            {radius_, 0, lifted.normal_maximum},

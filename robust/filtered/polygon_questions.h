@@ -230,7 +230,7 @@ Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
 template <class Counts>
 Feature PolygonQuestion<Counts>::nearest_on_boundary() {
   const ChainTree& tree = parts_.frame->edges;
-  double least = std::numeric_limits<double>::infinity();
+  double least = 0x1p500;  // beyond all reach, and finite
   walk<true>(tree, query_, least, [&](const ChainTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);

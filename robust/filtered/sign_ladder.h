@@ -67,8 +67,12 @@ class IntegerView {
   /// Requires that nothing is lifted.
   explicit IntegerView(const EdgeInQuestion& question) : question_(question), scale_(0), fits_(false) {
     if (!short_enough(question.from) || !short_enough(question.edge)) return;
-    // Then every difference is below 2^Bits.
-    scale_ = power_of_two(Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge)));
+    // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
+    int shift = Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge));
+    if (question.normal_edges == nullptr)
+      shift = std::min(shift, (2 * Bits - exponent(question.maxima.normal)) >> 1);
+    if (shift > 400) return;
+    scale_ = power_of_two(shift);
     fits_ = whole(question.from) && whole(question.edge) && whole(question.radius * scale_) && whole_normal();
   }
 
@@ -119,8 +123,7 @@ class IntegerView {
     }
     const double scale = scale_ * scale_;
     const auto component = [scale](const DoubleDouble& x) { return whole(x.high * scale) && whole(x.low * scale); };
-    return question_.exact_normal && question_.maxima.normal * scale < power_of_two(2 * Bits) &&
-           component(question_.normal.x) && component(question_.normal.y) && component(question_.normal.z);
+    return question_.exact_normal && component(question_.normal.x) && component(question_.normal.y) && component(question_.normal.z);
   }
   [[nodiscard]] Integer<Bits> integer(double value) const {
     return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
@@ -144,12 +147,29 @@ int sure_sign(const EdgeInQuestion& question) {
   return (value > largest) - (value < -largest);
 }
 
+[[nodiscard]] constexpr bool is_zero(const Vector3<DoubleDouble>& v) {
+  return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
+}
+
+/// The centre is at the edge's start, and every product is with zero.
+template <SignKind kind>
+bool vanishes(const EdgeInQuestion& question) {
+  if (question.lifted || !is_zero(question.from)) return false;
+  constexpr bool linear = kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side ||
+                          kind == SignKind::Above;
+  return linear || (kind != SignKind::Beyond && question.radius == 0);
+}
+
 /// The exact sign. `unlimited()` is asked last. Requires round to nearest, without flush-to-zero.
 template <SignKind kind, class Unlimited, class Counts>
 int exact_sign(const EdgeInQuestion& question, Counts& counts, const Unlimited& unlimited) {
   if (const int sign = sure_sign(expression<kind>(PermanentView{question}), bounds::kTiny)) {
     counts.count(Stage::Permanent);
     return sign;
+  }
+  if (vanishes<kind>(question)) {
+    counts.count(Stage::DoubleDouble);
+    return 0;
   }
   if (!question.lifted) {
     if (const IntegerView<30> view(question); view.fits()) {
