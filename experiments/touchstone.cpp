@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
   touchstone::commands::add_near_edge(app, status);
   touchstone::commands::add_mesh_contact(app, status);
   touchstone::commands::add_cases(app);
+  touchstone::commands::add_bench(app, status);
+  touchstone::commands::add_soak(app, status);
   try {
     CLI11_PARSE(app, argc, argv);
   } catch (const std::exception& error) {

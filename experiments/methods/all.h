@@ -11,6 +11,7 @@ namespace touchstone::methods {
 
 void add_exact(std::vector<std::unique_ptr<Method>>& list);
 void add_fast(std::vector<std::unique_ptr<Method>>& list);
+void add_filtered(std::vector<std::unique_ptr<Method>>& list);
 void add_thesis(std::vector<std::unique_ptr<Method>>& list);
 
 }  // namespace touchstone::methods

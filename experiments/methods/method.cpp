@@ -25,6 +25,7 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
   static const std::vector<std::unique_ptr<Method>> methods = [] {
     std::vector<std::unique_ptr<Method>> list;
     add_exact(list);
+    add_filtered(list);
     add_fast(list);
     add_thesis(list);
     return list;

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "experiments/bench/families.h"
+#include "experiments/bench/output.h"
+#include "experiments/commands.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace bench;
+
+struct Options {
+  std::vector<std::string> families{"all"};
+  Settings settings;
+  unsigned repetitions = 11;
+  std::string json = "results/bench/bench.json";
+  std::string count;
+};
+
+// Throws CLI::ValidationError, which names what is unknown.
+const Family& find_family(const std::string& name) {
+  std::string known;
+  for (const Family& family : all_families()) {
+    if (family.name == name) return family;
+    known.append(known.empty() ? "" : ", ").append(family.name);
+  }
+  throw CLI::ValidationError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
+}
+
+std::vector<const Family*> select_families(const std::vector<std::string>& names) {
+  std::vector<const Family*> selected;
+  if (names == std::vector<std::string>{"all"})
+    for (const Family& family : all_families()) selected.push_back(&family);
+  else
+    for (const std::string& name : names) selected.push_back(&find_family(name));
+  return selected;
+}
+
+std::string command_line(const Options& options) {
+  std::string names;
+  for (const std::string& name : options.families) names.append(names.empty() ? "" : ",").append(name);
+  return fmt::format("touchstone bench --family {} --samples {} --repetitions {} --seed {} --json {}", names,
+                     options.settings.samples, options.repetitions, options.settings.seed,
+                     run::shell_quoted(options.json));
+}
+
+/// Refuses what cannot be written to before minutes are spent.
+std::filesystem::path make_folder_of(const std::string& file) {
+  std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (folder.empty()) folder = ".";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
+  if (std::filesystem::is_directory(file)) throw std::runtime_error(file + ": is a folder");
+  return folder;
+}
+
+/// Draws, measures and prints one contest after the other.
+class Runner {
+ public:
+  Runner(const Options& options, const std::atomic<bool>& stop) : options_(options), stop_(stop) {}
+
+  void run(const Family& family) {
+    std::vector<Result> results;
+    fmt::print("\n== {}: {}\n", family.name, family.summary);
+    for (const auto& draw : family.contests) {
+      if (stop_) return;
+      const Contest contest = draw(options_.settings);
+      run::ProgressLine line("bench: " + family.name + " " + contest.name, options_.repetitions);
+      results.push_back(measure(family.name, contest, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
+      keep(results.back());
+    }
+    if (!results.empty() && !results.front().pool.empty())
+      if (const auto together = pooled(results, results.front().pool)) keep(*together);
+  }
+  [[nodiscard]] const std::vector<Result>& results() const { return results_; }
+
+ private:
+  void keep(const Result& result) {
+    fmt::print("{}", table(result));
+    std::fflush(stdout);
+    results_.push_back(result);
+  }
+
+  const Options& options_;
+  const std::atomic<bool>& stop_;
+  std::vector<Result> results_;
+};
+
+nlohmann::ordered_json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return nlohmann::ordered_json::parse(file);
+}
+
+/// The results, and the record of the run, which also stands beside.
+void write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
+           std::uint64_t samples_done, double seconds) {
+  run::write_run_record(
+      folder, {command_line(options), options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
+  const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
+                                      {"processor_features", processor_features()},
+                                      {"samples", options.settings.samples},
+                                      {"repetitions", options.repetitions},
+                                      {"contests", json(results)}};
+  run::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+int measure_all(const Options& options) {
+  const auto families = select_families(options.families);
+  const auto folder = make_folder_of(options.json);
+  const run::Interrupt interrupt;
+  const auto& stop = interrupt.requested();
+  const auto begin = std::chrono::steady_clock::now();
+  Runner runner(options, stop);
+  for (const Family* family : families)
+    if (!stop) runner.run(*family);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write(folder, options, runner.results(), stop ? 0 : options.settings.samples, seconds);
+
+  fmt::print("{}\n{}", legend(), goals(runner.results()));
+  constexpr std::uint64_t kEnough = 100'000;
+  if (options.settings.samples < kEnough)
+    fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
+  fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
+             options.repetitions, options.settings.seed, seconds, options.json);
+  std::fflush(stdout);
+  if (!stop) return 0;
+  fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.json);
+  constexpr int kInterrupted = 130;
+  return kInterrupted;
+}
+
+/// Asks one contestant every query, `repetitions` times, and does nothing else that depends on that number.
+int count(const Options& options) {
+  const auto families = select_families(options.families);
+  if (families.size() != 1) throw CLI::ValidationError("--count", "needs one --family");
+  Settings settings = options.settings;
+  settings.checks = false;
+  std::uint64_t asked = 0, sum = 0;
+  std::vector<std::string> known;
+  for (const auto& draw : families[0]->contests) {
+    for (const Contestant& contestant : draw(settings).contestants) {
+      if (std::ranges::find(known, contestant.name) == known.end()) known.push_back(contestant.name);
+      if (contestant.name != options.count || !contestant.count_wrong) continue;
+      asked += contestant.queries;
+      if (contestant.before) contestant.before(contestant.queries);
+      for (unsigned i = 0; i < options.repetitions; ++i) sum += contestant.ask(contestant.queries);
+    }
+  }
+  if (asked == 0) {
+    std::string names;
+    for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
+    throw CLI::ValidationError(
+        "--count", "\"" + options.count + "\" is no contestant of " + families[0]->name + "; there are " + names);
+  }
+  fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
+             options.repetitions, sum);
+  return 0;
+}
+
+/// Whole numbers without a sign that fit: CLI11 would take -1 as 2^64 - 1.
+std::string check_number(const std::string& text, std::uint64_t lowest) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size() && number >= lowest;
+  return whole ? "" : fmt::format("\"{}\" is no whole number from {} to 2^64 - 1", text, lowest);
+}
+
+constexpr const char* kFooter = R"(
+Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
+  cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
+A missed goal does not change the exit status. For instructions a query: experiments/bench/instructions.py.)";
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
+  command->footer(kFooter);
+  auto options = std::make_shared<Options>();
+  command->add_option("--family", options->families, "Families of queries, separated by commas, or all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command
+      ->add_option("--samples", options->settings.samples, "Distinct queries; fewer than 100000 may be learnt by heart")
+      ->check([](const std::string& text) { return check_number(text, 1); }, "COUNT")
+      ->capture_default_str();
+  command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command->add_option("--seed", options->settings.seed, "Any number; the same gives the same queries")
+      ->check([](const std::string& text) { return check_number(text, 0); })
+      ->capture_default_str();
+  command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
+      ->capture_default_str();
+  command->add_option("--count", options->count,
+                      "Time nothing: have this contestant of one family asked all queries, for a profiler");
+  command->callback([options, &status] { status = options->count.empty() ? measure_all(*options) : count(*options); });
+}
+
+}  // namespace touchstone::commands

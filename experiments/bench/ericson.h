@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
+
+namespace touchstone::bench {
+
+/// The usual method in plain doubles, the yardstick of `fast`: the distance of the closest point of the triangle, found
+/// region by region. Source: [ericson2005, 5.1.5].
+[[nodiscard]] bool ericson_contact(const Ball& ball, const Triangle& triangle);
+
+}  // namespace touchstone::bench

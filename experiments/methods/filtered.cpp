@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robust/filtered/filtered.h"
+
+#include "experiments/methods/all.h"
+
+namespace touchstone::methods {
+namespace {
+
+class PreparedFiltered final : public PreparedMethod {
+ public:
+  explicit PreparedFiltered(const Polygon& polygon) : polygon_(polygon) {}
+
+  PartialAnswer ask(const Ball& ball, Question question) const override {
+    filtered::StageCounts counts;
+    PartialAnswer answer;
+    switch (question) {
+      case Question::Contact: answer.contact = filtered::contact(ball, polygon_, counts); break;
+      case Question::Relation: answer.relation = filtered::relation(ball, polygon_, counts); break;
+      case Question::PlaneSide: answer.plane = filtered::plane_side(ball, polygon_, counts); break;
+      case Question::Foot: answer.foot = filtered::foot(ball, polygon_, counts); break;
+      case Question::EdgesHit: answer.edges_hit = filtered::edges_hit(ball, polygon_, counts); break;
+      case Question::Answer: answer = PartialAnswer::of(filtered::answer(ball, polygon_, counts), ""); break;
+    }
+    answer.stage = word(counts.last());
+    return answer;
+  }
+
+ private:
+  filtered::PreparedPolygon polygon_;
+};
+
+class Filtered final : public Method {
+ public:
+  std::string_view name() const override { return "filtered"; }
+  std::string_view summary() const override { return "certified: the answers of exact at about the price of fast"; }
+  std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<PreparedFiltered>(polygon);
+  }
+};
+
+}  // namespace
+
+void add_filtered(std::vector<std::unique_ptr<Method>>& list) { list.push_back(std::make_unique<Filtered>()); }
+
+}  // namespace touchstone::methods

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+#include "geometry/shapes/triangle.h"
+
+namespace touchstone::soak {
+
+/// What makes a case hard. All but Outline are triangles.
+enum class Family {
+  General,    ///< coordinates with all their bits; the radius at the distance, give or take some doubles
+  Lattice,    ///< integers of few bits throughout: ties of every kind
+  Tangent,    ///< exactly tangent: Pythagorean offsets in integer frames, and coordinate planes with all bits
+  Needle,     ///< vertices nearly on a line, or nearly equal
+  FarAway,    ///< up to 2^50 sizes from the origin, so that few bits are left for the shape
+  Foot,       ///< the foot within some doubles of an edge or vertex; ample radius, or at the distance
+  Point,      ///< radius zero, or centres on the triangle, or within some doubles of that
+  Close,      ///< centres within 2^-60 to the least double of a vertex, edge or face that lies at the origin
+  Grazing,    ///< radii up to 2^60 sizes, at the distance
+  Exponents,  ///< coordinates of wildly different magnitudes, from the least double to the largest
+  Scaled,     ///< one of the above times a power of two, down to the least double and up to the largest
+  Anywhere,   ///< nothing special
+  Outline,    ///< polygons of all families of workloads: lattice or rotated, holes, off their planes, scaled
+};
+
+[[nodiscard]] std::string_view word(Family family);
+[[nodiscard]] const std::vector<Family>& all_families();
+
+/// A ball and a polygon that `exact::validate` accepts.
+struct Case {
+  Family family;
+  Ball ball;
+  Polygon polygon;
+
+  /// The polygon as a triangle, if it is one.
+  [[nodiscard]] std::optional<Triangle> triangle() const;
+};
+
+/// Case number `index`: a function of (seed, index) alone. Nine of ten are triangles, of all families alike.
+/// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.
+[[nodiscard]] Case draw_case(std::uint64_t seed, std::uint64_t index);
+
+}  // namespace touchstone::soak

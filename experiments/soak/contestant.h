@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "robust/filtered/engine.h"
+#include "robust/filtered/filtered.h"
+
+namespace touchstone::soak {
+
+/// What is held against `exact`: the questions of `filtered`, each of which a test may answer wrongly instead.
+class Contestant {
+ public:
+  using Prepared = filtered::PreparedPolygon;
+  using Counts = filtered::StageCounts;
+
+  virtual ~Contestant() = default;
+
+  [[nodiscard]] virtual bool contact(const Ball& ball, const Triangle& triangle) const {
+    return filtered::contact(ball, triangle);
+  }
+  [[nodiscard]] virtual bool contact(const Ball& ball, const Triangle& triangle, Counts& counts) const {
+    return filtered::contact(ball, triangle, counts);
+  }
+  virtual void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) const {
+    filtered::contact(ball, triangles, touches);
+  }
+  [[nodiscard]] virtual bool contact(const Ball& ball, const Prepared& polygon) const {
+    return filtered::contact(ball, polygon);
+  }
+  [[nodiscard]] virtual bool contact(const Ball& ball, const Prepared& polygon, Counts& counts) const {
+    return filtered::contact(ball, polygon, counts);
+  }
+  virtual void contact(std::span<const Ball> balls, const Prepared& polygon, std::span<bool> touches) const {
+    filtered::contact(balls, polygon, touches);
+  }
+  /// The same without vector instructions.
+  [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Triangle& triangle) const {
+    filtered::NoCounts none;
+    return filtered::baseline_engine().plain.triangle_contact(filtered::question(ball, triangle), none);
+  }
+  [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Prepared& polygon) const {
+    filtered::NoCounts none;
+    return filtered::baseline_engine().plain.contact(ball, polygon.parts(), none);
+  }
+  [[nodiscard]] virtual Answer plain_answer(const Ball& ball, const Prepared& polygon) const {
+    filtered::NoCounts none;
+    return filtered::baseline_engine().plain.answer(ball, polygon.parts(), none);
+  }
+
+  [[nodiscard]] virtual Relation relation(const Ball& ball, const Prepared& polygon) const {
+    return filtered::relation(ball, polygon);
+  }
+  [[nodiscard]] virtual PlaneSide plane_side(const Ball& ball, const Prepared& polygon) const {
+    return filtered::plane_side(ball, polygon);
+  }
+  [[nodiscard]] virtual FootPlace foot(const Ball& ball, const Prepared& polygon) const {
+    return filtered::foot(ball, polygon);
+  }
+  [[nodiscard]] virtual std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const {
+    return filtered::edges_hit(ball, polygon);
+  }
+  [[nodiscard]] virtual Answer answer(const Ball& ball, const Prepared& polygon) const {
+    return filtered::answer(ball, polygon);
+  }
+  [[nodiscard]] virtual Answer answer(const Ball& ball, const Prepared& polygon, Counts& counts) const {
+    return filtered::answer(ball, polygon, counts);
+  }
+};
+
+}  // namespace touchstone::soak

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "experiments/workloads/random.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+
+namespace touchstone::soak {
+
+using workloads::Random;
+
+struct BallAndPolygon {
+  Ball ball;
+  Polygon polygon;
+};
+
+/// Everything times one power of two: near the least doubles, near the largest, where squares or products of four
+/// lengths leave the doubles, or in between. Numbers that become subnormal may be rounded.
+/// Nothing where a number leaves the doubles. Throws Rejected where neighbouring vertices become equal.
+[[nodiscard]] std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball,
+                                                               const Polygon& polygon);
+
+/// The loops of a polygon, the outer one first; and back.
+[[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
+[[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
+
+}  // namespace touchstone::soak

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints one hash of the answers of `exact` and `filtered` to many questions, most of them near a boundary, in all four
+// rounding modes. The same for every compiler and every flag, or some answer is not.
+
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/filtered.h"
+
+namespace {
+
+using namespace touchstone;
+
+/// SplitMix64: sample after sample, a function of the seed alone.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t bits() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits() % n); }
+  double unit() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1; }  // exact
+  Eigen::Vector3d vector() {
+    const double x = unit(), y = unit();
+    return {x, y, unit()};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+class Hash {
+ public:
+  void add(std::uint64_t word) { value_ = (value_ ^ word) * 0x100000001b3; }
+  void add(double number) {
+    const double value = number + 0.0;  // one zero
+    std::uint64_t word;
+    std::memcpy(&word, &value, sizeof word);
+    add(word);
+  }
+  void add(const Answer& a) {
+    for (const auto word : {static_cast<std::uint64_t>(a.plane), static_cast<std::uint64_t>(a.plane_tangent),
+                            static_cast<std::uint64_t>(a.foot), static_cast<std::uint64_t>(a.relation),
+                            static_cast<std::uint64_t>(a.nearest.kind), std::uint64_t{a.nearest.index}})
+      add(word);
+    for (const std::size_t edge : a.edges_hit) add(std::uint64_t{edge});
+    for (int axis = 0; axis < 3; ++axis) add(a.point[axis]);
+    add(a.distance);
+    add(a.off_plane);
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+/// A star about the origin in the plane of two random vectors, its corners rounded; or a triangle.
+Loop outline(Random& random) {
+  const std::size_t corners = 3 + random.below(9);
+  if (corners == 3) return {random.vector(), random.vector(), random.vector()};
+  const Eigen::Vector3d u = random.vector(), v = random.vector();
+  Loop loop;
+  for (std::size_t i = 0; i < corners; ++i) {
+    // A rational point of the circle, by its half-angle tangent in each half of the turn.
+    const double turn = 4 * static_cast<double>(i) / static_cast<double>(corners) - 1;
+    const double t = turn < 1 ? turn : turn - 2, sign = turn < 1 ? 1 : -1;
+    const double x = sign * (1 - t * t) / (1 + t * t), y = sign * 2 * t / (1 + t * t);
+    const double radius = 0.6 + 0.3 * random.unit();
+    loop.push_back(radius * x * u + radius * y * v);
+  }
+  return loop;
+}
+
+constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 2000;
+  Hash exact_hash, filtered_hash;
+  int asked = 0;
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    Loop loop = outline(random);
+    const double scale = std::ldexp(1.0, random.below(4) == 0 ? static_cast<int>(random.below(1600)) - 800 : 0);
+    for (Eigen::Vector3d& p : loop) p *= scale;
+    const Polygon polygon(loop);
+    if (exact::validate(polygon)) continue;
+    const exact::PreparedPolygon truth(polygon);
+    const filtered::PreparedPolygon prepared(polygon);
+    Ball ball{random.vector() * scale, 0};
+    if (random.below(2) == 0) ball.center = (loop[0] + loop[1]) / 2;
+    ball.radius = exact::answer(ball, truth).distance;
+    if (random.below(2) == 0) ball.radius = std::nextafter(ball.radius, random.below(2) == 0 ? 0.0 : HUGE_VAL);
+
+    std::fesetround(kModes[i % 4]);
+    const Answer certified = filtered::answer(ball, prepared);
+    const bool contact = loop.size() == 3 ? filtered::contact(ball, Triangle{loop[0], loop[1], loop[2]})
+                                          : filtered::contact(ball, prepared);
+    const Answer exact = exact::answer(ball, truth);
+    std::fesetround(FE_TONEAREST);
+    exact_hash.add(exact);
+    exact_hash.add(std::uint64_t{exact.contact()});
+    filtered_hash.add(certified);
+    filtered_hash.add(std::uint64_t{contact});
+    ++asked;
+  }
+  std::printf("%d questions, exact %016llx, filtered %016llx\n", asked,
+              static_cast<unsigned long long>(exact_hash.value()),
+              static_cast<unsigned long long>(filtered_hash.value()));
+  return exact_hash.value() == filtered_hash.value() ? 0 : 1;
+}
