@@ -33,10 +33,10 @@ constexpr auto beyond(const Vector3<V>& from, const Vector3<E>& edge) {
   return dot(from, edge) - dot(edge, edge);
 }
 
-/// |(c - a) x (b - a)|^2 - r^2 |b - a|^2: the edge's line passes outside the ball (+), touches (0), cuts it (-).
+/// |(b - a) x (c - a)|^2 - r^2 |b - a|^2: the edge's line passes outside the ball (+), touches (0), cuts it (-).
 template <class V, class E, class R>
 constexpr auto line(const Vector3<V>& from, const Vector3<E>& edge, const R& radius) {
-  const auto moment = cross(from, edge);
+  const auto moment = cross(edge, from);
   return dot(moment, moment) - (radius * radius) * dot(edge, edge);
 }
 

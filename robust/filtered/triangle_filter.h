@@ -24,29 +24,29 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
   // With coordinates of half the limit no difference is beyond it, and none overflows.
-  const Pack input = maximum(maximum(largest(vertex), largest(center)), radius);
+  const Pack input = maximum(largest(vertex), magnitude(pack(question.center[0], question.center[1],
+                                                             question.center[2], question.radius)));
   if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
     return Sure::Beyond;
 
-  const auto next = [](const Vector3<Pack>& v) {
-    return Vector3<Pack>{next_of_three(v.x), next_of_three(v.y), next_of_three(v.z)};
-  };
+  const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
+  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
   const auto difference = [](const Vector3<Pack>& a, const Vector3<Pack>& b) {
     return Vector3<Pack>{a.x - b.x, a.y - b.y, a.z - b.z};
   };
-  const Vector3<Pack> from = difference(center, vertex), edge = difference(next(vertex), vertex);
-  const Vector3<Pack> normal = signs::normal(edge, next(edge));
+  const Vector3<Pack> from = difference(center, vertex), edge = difference(next, vertex);
+  const Vector3<Pack> normal = signs::normal(edge, difference(previous, vertex));
 
   // Maxima may be taken larger than they are: from kSmallest on every bound is above kTiny, which need not be added.
   const Pack smallest = all_lanes(bounds::kSmallest);
   const Pack m_from = maximum(largest(from), maximum(radius, smallest)), m_edge = maximum(largest(edge), smallest);
-  const Pack m_edges = m_edge * next_of_three(m_edge), m_normal = m_edges + m_edges, m_both = m_from * m_edge;
+  const Pack m_edges = m_edge * previous_of_three(m_edge), m_normal = m_edges + m_edges, m_both = m_from * m_edge;
   struct Signs {
     Pack positive, negative;  // as sign bits
   };
   const auto sure = [](const Pack& value, double constant, const Pack& maxima) {
-    const Pack bound = all_lanes(constant * bounds::kUnit) * maxima;
-    return Signs{bound - value, value + bound};
+    const Pack factor = all_lanes(constant * bounds::kUnit);
+    return Signs{multiply_subtract(factor, maxima, value), multiply_add(factor, maxima, value)};
   };
   const Signs vertex_out = sure(signs::vertex(from, radius), bounds::kVertex, m_from * m_from);
   const Signs after_start = sure(signs::along(from, edge), bounds::kAlong, m_both);

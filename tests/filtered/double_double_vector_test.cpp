@@ -22,7 +22,7 @@ constexpr std::uint64_t kVectors = 300 * TOUCHSTONE_SAMPLES;
 DoubleDouble component(Random& random) {
   double high = 2 * random.unit() - 1;
   if (random.coin()) high = std::copysign(1 - std::ldexp(random.unit(), -40), high);
-  if (random.integer(0, 3) == 0) high = std::ldexp(high, random.integer(-60, 0));
+  if (random.integer(0, 3) == 0) high = std::ldexp(high, static_cast<int>(random.integer(-60, 0)));
   if (random.integer(0, 3) == 0) return high;
   return filtered::two_sum(high, 0x1p-54 * high * (random.coin() ? 1 : 2 * random.unit() - 1));
 }

@@ -8,12 +8,15 @@
 
 #include "geometry/floating_point.h"
 #include "robust/filtered/target.h"
+#include "robust/filtered/vector3.h"
 
 /// Four doubles that are worked on at once, in the vector registers that the target has: one of AVX, two of SSE2, or
 /// plain doubles.
 ///
-/// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: what follows each corner of a triangle.
-/// + - * and `maximum` are those of each lane alone, so no lane's value depends on the target. A truth value of a lane
+/// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3, what follows each corner of a triangle;
+/// `previous_of_three` moves lanes 2, 0, 1, 2 there, what comes before it.
+/// + - * and `maximum` are those of each lane alone. Sums of products are fused where the target can: there values
+/// differ between targets, within what bounds.h allows for. A truth value of a lane
 /// is its sign bit: set in x - y where x < y; &, | and ^ combine such bits, `negative_lanes` reads them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -44,11 +47,13 @@ TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
 }
 #if defined(__AVX2__)
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) { return {_mm256_permute4x64_pd(a.lanes, 0b01'00'10'01)}; }
+TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) { return {_mm256_permute4x64_pd(a.lanes, 0b10'01'00'10)}; }
 #else
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
   const __m128d low = _mm256_castpd256_pd128(a.lanes);
   return {_mm256_set_m128d(low, _mm_shuffle_pd(low, _mm256_extractf128_pd(a.lanes, 1), 0b01))};
 }
+TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) { return next_of_three(next_of_three(a)); }
 #endif
 
 /// The coordinates of three points: lanes 0, 1, 2 of x, y, z for points 0, 1, 2, some coordinate in lane 3.
@@ -60,6 +65,15 @@ TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, P
   y = {_mm256_insertf128_pd(y_only, yz, 1)};
   z = {_mm256_permute2f128_pd(xz, _mm256_castpd128_pd256(_mm_permute_pd(yz, 0b01)), 0x21)};
 }
+
+#if defined(__FMA__)
+TOUCHSTONE_INLINE Pack multiply_add(const Pack& a, const Pack& b, const Pack& c) {
+  return {_mm256_fmadd_pd(a.lanes, b.lanes, c.lanes)};
+}
+TOUCHSTONE_INLINE Pack multiply_subtract(const Pack& a, const Pack& b, const Pack& c) {
+  return {_mm256_fmsub_pd(a.lanes, b.lanes, c.lanes)};
+}
+#endif
 
 #elif defined(__SSE2__)
 
@@ -102,6 +116,9 @@ TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
 }
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
   return {_mm_shuffle_pd(a.low, a.high, 0b01), a.low};
+}
+TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) {
+  return {_mm_shuffle_pd(a.high, a.low, 0b00), _mm_shuffle_pd(a.low, a.high, 0b01)};
 }
 
 TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, Pack& z) {
@@ -160,6 +177,9 @@ TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
   return pack(a.lanes[1], a.lanes[2], a.lanes[0], a.lanes[1]);
 }
+TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) {
+  return pack(a.lanes[2], a.lanes[0], a.lanes[1], a.lanes[2]);
+}
 TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, Pack& z) {
   x = pack(nine[0], nine[3], nine[6], nine[0]);
   y = pack(nine[1], nine[4], nine[7], nine[1]);
@@ -167,6 +187,19 @@ TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, P
 }
 
 #endif
+
+#if !defined(__FMA__)
+TOUCHSTONE_INLINE Pack multiply_add(const Pack& a, const Pack& b, const Pack& c) { return a * b + c; }
+TOUCHSTONE_INLINE Pack multiply_subtract(const Pack& a, const Pack& b, const Pack& c) { return a * b - c; }
+#endif
+
+TOUCHSTONE_INLINE Pack dot(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
+}
+TOUCHSTONE_INLINE Vector3<Pack> cross(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+  return {multiply_subtract(a.y, b.z, a.z * b.y), multiply_subtract(a.z, b.x, a.x * b.z),
+          multiply_subtract(a.x, b.y, a.y * b.x)};
+}
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered
