@@ -173,7 +173,7 @@ class NoBoundary : public Contestant {
 class FirstEdgeOnly : public Contestant {
   std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const override {
     auto edges = Contestant::edges_hit(ball, polygon);
-    if (edges.size() > 1) edges.resize(1);
+    if (edges.size() > 1) edges.erase(edges.begin() + 1, edges.end());
     return edges;
   }
 };
