@@ -8,8 +8,8 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Numerators are known to 24 units of their maxima, squared lengths to 40 units, a unit being 2^-103: in all well below
-/// 2^-94 of what the errors below multiply it with.
+/// Numerators are known to 24 units of their maxima, squared lengths to 40 units, a unit being 2^-103: in all well
+/// below 2^-94 of what the errors below multiply it with.
 inline constexpr double kRelative = 0x1p-94;
 
 /// A double-double and how far it may be from what it stands for.
@@ -23,7 +23,7 @@ struct Enclosed {
 inline std::optional<double> rounded(const Enclosed& number, int exponent) {
   const double high = number.value.high, low = number.value.low;
   if (high == 0 && low == 0 && number.error == 0) return 0.0;  // exact
-  const double wide = number.error * 2;  // the sums below are rounded, too
+  const double wide = number.error * 2;                        // the sums below are rounded, too
   if (high + (low + wide) != high || high + (low - wide) != high) return std::nullopt;  // compared as rounded
   const double result = std::ldexp(high, exponent);
   if (!(std::abs(result) >= 0x1p-1020 && std::abs(result) < 0x1p1023)) return std::nullopt;
@@ -53,15 +53,17 @@ double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
     const Vector3<DoubleDouble>& direction = face ? seen.polygon.normal : seen.edge;
     const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
     if (maximum < kShortestDirection) return std::nullopt;
-    if (!moved && direction[axis].high == 0) return rounded({start, 0}, exponent);  // exact: nothing is added
+    // Nothing is added, if the component is not one that scaling has made zero.
+    if (!moved && direction[axis].high == 0)  // exact
+      return !face || parts_.lifted.exact_normal ? rounded({start, 0}, exponent) : std::nullopt;
     const DoubleDouble length_squared = dot(direction, direction);
     const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
     const DoubleDouble value = face ? start - step : start + step;
     if (std::abs(value.high) < kSmallestResult) return std::nullopt;
     const double error =
         kRelative * (seen.maxima.from * maximum * std::abs(direction[axis].high) / length_squared.high) +
-        kRelative * (seen.lifted ? seen.maxima.edge : 0) +
-        0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
+        kRelative * (seen.lifted ? seen.maxima.edge : 0) + 0x1p-102 * (std::abs(start.high) + std::abs(value.high)) +
+        lift_error;
     return rounded({value, error}, exponent);
   };
   if (const auto result = in_doubles()) {

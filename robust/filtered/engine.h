@@ -31,7 +31,7 @@ struct Engine {
 
 /// A view of a ball and a triangle.
 [[nodiscard]] __attribute__((always_inline)) inline TriangleQuestion question(const Ball& ball,
-                                                                             const Triangle& triangle) {
+                                                                              const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
   return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball.center), ball.radius};
 }

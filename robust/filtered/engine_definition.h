@@ -45,10 +45,10 @@ inline constexpr Questions<Counts> kQuestions{
                       PlaneSide, Counts>,
     .foot = ask<&PolygonQuestion<Counts>::foot,
                 static_cast<FootPlace (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), FootPlace, Counts>,
-    .edges_hit = ask<&PolygonQuestion<Counts>::edges_hit,
-                     static_cast<std::vector<std::size_t> (*)(const Ball&, const exact::PreparedPolygon&)>(
-                         exact::edges_hit),
-                     std::vector<std::size_t>, Counts>,
+    .edges_hit =
+        ask<&PolygonQuestion<Counts>::edges_hit,
+            static_cast<std::vector<std::size_t> (*)(const Ball&, const exact::PreparedPolygon&)>(exact::edges_hit),
+            std::vector<std::size_t>, Counts>,
     .answer = ask<&PolygonQuestion<Counts>::answer,
                   static_cast<Answer (*)(const Ball&, const exact::PreparedPolygon&)>(exact::answer), Answer, Counts>,
 };

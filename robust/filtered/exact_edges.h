@@ -91,9 +91,7 @@ class ExactEdges {
   static double largest(const Vector3<DoubleDouble>& v) {
     return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
   }
-  [[nodiscard]] double scaled(double length) const {
-    return length * parts_.frame->scale[0] * parts_.frame->scale[1];
-  }
+  [[nodiscard]] double scaled(double length) const { return length * parts_.frame->scale[0] * parts_.frame->scale[1]; }
   [[nodiscard]] bool restores(double length) const {
     return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
   }

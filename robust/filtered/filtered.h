@@ -65,8 +65,7 @@ class PreparedPolygon {
 [[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
-[[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon,
-                                                 StageCounts& counts);
+[[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 
 /// The same questions on a polygon asked about once.

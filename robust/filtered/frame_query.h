@@ -14,45 +14,53 @@ inline namespace TOUCHSTONE_TARGET {
 
 TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
-/// A ball in a frame, and what doubles can promise about distances there.
+/// A ball above a frame's plane.
 ///
-/// Let rho be the distance in the plane from the foot to an edge. The rho^2 that the walk computes is certain to be
-/// inside the ball below `sure_hit`, outside above `sure_miss`; the foot is certain to be off the edge above `near`.
-/// Holds in every rounding direction and under flush-to-zero; raises no flag but INEXACT and UNDERFLOW.
-struct FrameQuery {
-  double x, y;                        ///< the foot
-  double height, height_error;        ///< of the centre above the plane
+/// Like FrameQuery it holds in every rounding direction and under flush-to-zero, and raises no flag but INEXACT and
+/// UNDERFLOW.
+struct HeightQuery {
+  Vector3<double> from;         ///< from the frame's origin to the centre
+  double size;                  ///< at least 1, and no coordinate of the centre in the frame is beyond it
+  double height, height_error;  ///< of the centre above the plane
   double radius;
-  double edge_error;                  ///< of along and across, each
-  double sure_hit, sure_miss, near;   ///< squares; negative where there is no such distance
+
+  /// Requires coordinates and a radius up to frame.reachable.
+  HeightQuery(const Ball& ball, const Frame& frame) {
+    const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
+    from = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
+            scaled(ball.center[2]) - frame.origin.z};
+    radius = scaled(ball.radius);
+    height = frame::coordinate(frame.normal, from) - frame.plane_height;
+    const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
+    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+    // The plane's height is below 2 and known to a unit; subtracting it, and height_error below, is rounded.
+    height_error = (bounds::kCoordinate + 8) * bounds::kUnit * size;
+  }
 
   /// +1 the plane misses the ball, -1 it cuts it, 0 unsure.
   [[nodiscard]] int plane_sign() const {
     if (std::abs(height) - height_error > radius) return 1;
     return std::abs(height) + height_error < radius ? -1 : 0;
   }
+};
 
-  /// Requires coordinates and a radius up to frame.reachable.
-  FrameQuery(const Ball& ball, const Frame& frame) {
-    const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
-    const Vector3<double> from{scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
-                               scaled(ball.center[2]) - frame.origin.z};
-    radius = scaled(ball.radius);
-    x = frame::coordinate(frame.x, from);
-    y = frame::coordinate(frame.y, from);
-    height = frame::coordinate(frame.normal, from) - frame.plane_height;
+/// The foot in a frame, and what doubles can promise about distances from it.
+///
+/// Let rho be the distance in the plane from the foot to an edge. The rho^2 that the walk computes is certain to be
+/// inside the ball below `sure_hit`, outside above `sure_miss`; the foot is certain to be off the edge above `near`.
+struct FrameQuery {
+  double x, y;                       ///< the foot
+  double sure_hit, sure_miss, near;  ///< squares; negative where there is no such distance
 
-    const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
-    const double size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
-    // The plane's height is below 2 and known to a unit; subtracting it, and height_error below, is rounded.
-    height_error = (bounds::kCoordinate + 8) * bounds::kUnit * size;
-    edge_error = bounds::kEdgeFrame * bounds::kUnit * size;
+  FrameQuery(const HeightQuery& ball, const Frame& frame)
+      : x(frame::coordinate(frame.x, ball.from)), y(frame::coordinate(frame.y, ball.from)) {
     // The distance is the length of (across, overshoot), and moves no faster than across, along and the edge's length.
-    const double error = 2 * edge_error + 8 * bounds::kUnit * size;
+    const double error = (2 * bounds::kEdgeFrame + 8) * bounds::kUnit * ball.size;
 
     // Roots and products below are off by a few units each, which kWide covers.
     constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
-    const double low = larger(std::abs(height) - height_error, 0.0), high = std::abs(height) + height_error;
+    const double above = std::abs(ball.height), radius = ball.radius;
+    const double low = larger(above - ball.height_error, 0.0), high = above + ball.height_error;
     const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
     const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
     sure_miss = radius < low ? -1 : outer * outer * kWide;
@@ -64,8 +72,8 @@ struct FrameQuery {
 /// Four edges of a leaf as seen from the foot.
 struct LeafView {
   Pack along, across, length;
-  Pack squared;        ///< rho^2
-  unsigned crossed;    ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > near)
+  Pack squared;      ///< rho^2
+  unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > near)
 
   LeafView(const ChainTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
@@ -87,12 +95,32 @@ struct LeafView {
   }
 };
 
-/// Walks to all leaves whose box is within `reach` (a square, which the visitor may shrink) of the foot and calls
-/// visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the right from the foot
-/// crosses the loops, if it was not stopped. Leaves come in the order of their edges, or the nearest child first.
+/// The boxes of a node as seen from the foot.
+struct NodeView {
+  Pack squared;    ///< of the distances to the boxes, short of them by less than FrameQuery's error
+  unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
+
+  NodeView(const ChainTree::Node& node, const FrameQuery& query) {
+    const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y), zero = all_lanes(0);
+    const Pack x = all_lanes(query.x) - load(node.center_x), y = all_lanes(query.y) - load(node.center_y);
+    const Pack along = x * axis_x + y * axis_y, across = y * axis_x - x * axis_y;
+    const Pack beside = magnitude(along) - load(node.half_along), above = magnitude(across) - load(node.half_across);
+    const Pack outside_along = maximum(beside, zero), outside_across = maximum(above, zero);
+    squared = outside_along * outside_along + outside_across * outside_across;
+    // Of the two sides of the box the foot is farther from one, whose outward normal n points to the foot: what lies
+    // in the box at the foot's height lies on the right exactly where n_x < 0.
+    const unsigned by_along = negative_lanes(above - beside);
+    right = (by_along & negative_lanes(along ^ axis_x)) | (~by_along & ~negative_lanes(across ^ axis_y));
+  }
+};
+
+/// Walks to all leaves whose box is within `reach` (a square, at least `near`, which the visitor may shrink) of the
+/// foot and calls visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the right
+/// from the foot crosses the loops, if it was not stopped. Leaves come in the order of their edges, or the nearest
+/// child first.
 template <bool nearest_first = false, class Visit>
 bool walk(const ChainTree& tree, const FrameQuery& query, const double& reach, const Visit& visit) {
-  const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+  const Pack y = all_lanes(query.y);
   std::int32_t stack[ChainTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = tree.root();
@@ -107,18 +135,15 @@ bool walk(const ChainTree& tree, const FrameQuery& query, const double& reach, c
       continue;
     }
     const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
-    const Pack right = x - load(node.min_x);
-    const Pack dx = maximum(maximum(zero - right, x - load(node.max_x)), zero);
-    const Pack dy = maximum(maximum(load(node.min_y) - y, y - load(node.max_y)), zero);
-    const Pack squared = dx * dx + dy * dy;
-    // The rounding of a distance to a box is a few units.
-    const unsigned far = negative_lanes(all_lanes(reach * (1 + 0x1p-48)) - squared);
+    const NodeView view(node, query);
+    // The foot and a box are rounded by less than a tenth of the error, of which `near` is 9 squares.
+    const unsigned far = negative_lanes(all_lanes(reach * 1.25) - view.squared);
     const Pack straddles = (y - load(node.first_y)) ^ (y - load(node.last_y));
-    crossings ^= far & negative_lanes(straddles & right);
+    crossings ^= far & view.right & negative_lanes(straddles);
     unsigned last = ChainTree::kWidth;
     if constexpr (nearest_first) {
       double distances[kLanes];
-      store(distances, squared);
+      store(distances, view.squared);
       for (unsigned lane = 0; lane < ChainTree::kWidth; ++lane)
         if ((far >> lane & 1) == 0 && (last == ChainTree::kWidth || distances[lane] < distances[last])) last = lane;
     }

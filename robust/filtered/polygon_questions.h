@@ -21,7 +21,7 @@ class PolygonQuestion {
 
   /// Requires a frame and a ball within its reach.
   PolygonQuestion(const Ball& ball, const Parts& parts, Counts& counts)
-      : ball_(ball), parts_(parts), counts_(counts), query_(ball, *parts.frame) {}
+      : ball_(ball), parts_(parts), counts_(counts), height_(ball, *parts.frame) {}
 
   [[nodiscard]] bool contact() { return counted(distance_sign<true>()) <= 0; }
 
@@ -37,6 +37,10 @@ class PolygonQuestion {
   [[nodiscard]] Answer answer();
 
  private:
+  [[nodiscard]] const FrameQuery& query() {
+    if (!query_) query_.emplace(height_, *parts_.frame);
+    return *query_;
+  }
   /// Signs beyond the first stage; the caller's floating-point state is set aside from the first of them on.
   const ExactEdges<Counts>& exact() {
     if (!exact_) {
@@ -52,7 +56,7 @@ class PolygonQuestion {
   }
 
   [[nodiscard]] int plane_sign() {
-    const int sure = query_.plane_sign();
+    const int sure = height_.plane_sign();
     return sure != 0 ? sure : exact().template sign<SignKind::Plane>(0);
   }
 
@@ -84,7 +88,8 @@ class PolygonQuestion {
   const Ball& ball_;
   const Parts& parts_;
   Counts& counts_;
-  FrameQuery query_;
+  HeightQuery height_;
+  std::optional<FrameQuery> query_;
   std::optional<FloatingPointState> state_;
   std::optional<ExactEdges<Counts>> exact_;
 };
@@ -92,14 +97,15 @@ class PolygonQuestion {
 template <class Counts>
 template <bool contact_only>
 int PolygonQuestion<Counts>::distance_sign() {
-  if (query_.plane_sign() > 0) return 1;
+  if (height_.plane_sign() > 0) return 1;
   const ChainTree& tree = parts_.frame->edges;
-  const double reach = larger(query_.sure_miss, query_.near);
+  const FrameQuery& query = this->query();
+  const double reach = larger(query.sure_miss, query.near);
   bool hit = false, near = false, unsure = false;
-  const bool inside = walk(tree, query_, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
-    hit = (below(view.squared, query_.sure_hit) & lanes(leaf)) != 0;
-    near |= (not_above(view.squared, query_.near) & lanes(leaf)) != 0;
-    unsure |= (not_above(view.squared, query_.sure_miss) & lanes(leaf)) != 0;
+  const bool inside = walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+    hit = (below(view.squared, query.sure_hit) & lanes(leaf)) != 0;
+    near |= (not_above(view.squared, query.near) & lanes(leaf)) != 0;
+    unsure |= (not_above(view.squared, query.sure_miss) & lanes(leaf)) != 0;
     return hit;
   });
   if (hit) return -1;
@@ -114,8 +120,8 @@ int PolygonQuestion<Counts>::distance_sign() {
   int nearest = 1;
   if (unsure) {
     const ExactEdges<Counts>& edges = exact();
-    walk(tree, query_, query_.sure_miss, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
-      return any_edge(leaf, not_above(view.squared, query_.sure_miss) & lanes(leaf), [&](std::size_t edge) {
+    walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+      return any_edge(leaf, not_above(view.squared, query.sure_miss) & lanes(leaf), [&](std::size_t edge) {
         nearest = std::min(nearest, edges.distance_sign(edge));
         return contact_only ? nearest <= 0 : nearest < 0;
       });
@@ -128,17 +134,18 @@ int PolygonQuestion<Counts>::distance_sign() {
 template <class Counts>
 PlaneSide PolygonQuestion<Counts>::plane_side_uncounted() {
   if (plane_sign() <= 0) return PlaneSide::Intersects;
-  const bool sure = std::abs(query_.height) > query_.height_error;
-  const bool front = sure ? query_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
+  const bool sure = std::abs(height_.height) > height_.height_error;
+  const bool front = sure ? height_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
   return front ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
 template <class Counts>
 FootPlace PolygonQuestion<Counts>::foot_uncounted() {
+  const FrameQuery& query = this->query();
   bool near = false;
   const bool inside =
-      walk(parts_.frame->edges, query_, query_.near, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
-        return near = (not_above(view.squared, query_.near) & lanes(leaf)) != 0;
+      walk(parts_.frame->edges, query, query.near, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+        return near = (not_above(view.squared, query.near) & lanes(leaf)) != 0;
       });
   if (near) return exact_foot();
   return inside ? FootPlace::Inside : FootPlace::Outside;
@@ -149,11 +156,12 @@ FootPlace PolygonQuestion<Counts>::foot_uncounted() {
 template <class Counts>
 FootPlace PolygonQuestion<Counts>::exact_foot() {
   const ChainTree& tree = parts_.frame->edges;
+  const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
   const int axis = (parts_.unlimited.dropped_axis() + 2) % 3;
-  const double margin = std::sqrt(query_.near) * (1 + 0x1p-48);
+  const double margin = std::sqrt(query.near) * (1 + 0x1p-48);
   const auto above = [&](double y, std::uint32_t vertex) {
-    if (std::abs(y - query_.y) > margin) return y > query_.y;
+    if (std::abs(y - query.y) > margin) return y > query.y;
     return edges.template sign<SignKind::Above>(vertex, axis) < 0;
   };
 
@@ -165,17 +173,14 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
     const std::int32_t index = stack[--open];
     if (index >= 0) {
       const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
-      for (std::size_t lane = 0; lane < ChainTree::kWidth; ++lane) {
-        if (query_.y < node.min_y[lane] - margin || query_.y > node.max_y[lane] + margin ||
-            query_.x > node.max_x[lane] + margin)
-          continue;
-        if (query_.x < node.min_x[lane] - margin) {
-          if (node.first_vertex[lane] != node.last_vertex[lane] &&
-              above(node.first_y[lane], node.first_vertex[lane]) != above(node.last_y[lane], node.last_vertex[lane]))
-            inside = !inside;
-        } else {
+      const NodeView view(node, query);
+      const unsigned far = negative_lanes(all_lanes(query.near * 1.25) - view.squared);
+      for (unsigned lane = 0; lane < ChainTree::kWidth; ++lane) {
+        if ((far >> lane & 1) == 0)
           stack[open++] = node.child[lane];
-        }
+        else if ((view.right >> lane & 1) != 0 && node.first_vertex[lane] != node.last_vertex[lane] &&
+                 above(node.first_y[lane], node.first_vertex[lane]) != above(node.last_y[lane], node.last_vertex[lane]))
+          inside = !inside;
       }
       continue;
     }
@@ -188,8 +193,8 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
       const double right = std::max(leaf.start_x[lane], leaf.end_x[lane]);
       const double low = std::min(leaf.start_y[lane], leaf.end_y[lane]);
       const double high = std::max(leaf.start_y[lane], leaf.end_y[lane]);
-      if (query_.x > right + margin || query_.y < low - margin || query_.y > high + margin) continue;
-      if (query_.x < left - margin) {
+      if (query.x > right + margin || query.y < low - margin || query.y > high + margin) continue;
+      if (query.x < left - margin) {
         if (start != end) inside = !inside;
         continue;
       }
@@ -208,14 +213,16 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
 template <class Counts>
 std::vector<std::size_t> PolygonQuestion<Counts>::edges_hit_uncounted() {
   std::vector<std::size_t> hit;
-  if (query_.plane_sign() > 0) return hit;
-  walk(parts_.frame->edges, query_, query_.sure_miss, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
-    const unsigned sure = below(view.squared, query_.sure_hit);
-    return any_edge(leaf, not_above(view.squared, query_.sure_miss) & lanes(leaf), [&](std::size_t edge) {
-      if ((sure >> (edge - leaf.first_edge) & 1) != 0 || exact().distance_sign(edge) <= 0) hit.push_back(edge);
-      return false;
-    });
-  });
+  if (height_.plane_sign() > 0) return hit;
+  const FrameQuery& query = this->query();
+  walk(parts_.frame->edges, query, larger(query.sure_miss, query.near),
+       [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+         const unsigned sure = below(view.squared, query.sure_hit);
+         return any_edge(leaf, not_above(view.squared, query.sure_miss) & lanes(leaf), [&](std::size_t edge) {
+           if ((sure >> (edge - leaf.first_edge) & 1) != 0 || exact().distance_sign(edge) <= 0) hit.push_back(edge);
+           return false;
+         });
+       });
   return hit;
 }
 
@@ -230,18 +237,21 @@ Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
 template <class Counts>
 Feature PolygonQuestion<Counts>::nearest_on_boundary() {
   const ChainTree& tree = parts_.frame->edges;
-  double least = 0x1p500;  // beyond all reach, and finite
-  walk<true>(tree, query_, least, [&](const ChainTree::Leaf&, const LeafView& view) {
+  const FrameQuery& query = this->query();
+  double least = 0x1p500, bound = least;  // beyond all reach, and finite
+  walk<true>(tree, query, bound, [&](const ChainTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
+    bound = larger(least, query.near);
     return false;
   });
   // Edges that may be as near as the nearest: both distances may be off.
-  const double error = std::sqrt(query_.near);
-  const double wider = std::sqrt(least) * (1 + 0x1p-48) + error, reach = wider * wider * (1 + 0x1p-48);
+  const double error = std::sqrt(query.near);
+  const double wider = std::sqrt(least) * (1 + 0x1p-48) + error,
+               reach = larger(wider * wider * (1 + 0x1p-48), query.near);
   std::optional<Feature> nearest;
-  walk(tree, query_, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+  walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
     return any_edge(leaf, not_above(view.squared, reach) & lanes(leaf), [&](std::size_t edge) {
       const Feature feature = nearest_of_edge(edge);
       if (!nearest) {

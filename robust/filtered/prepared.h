@@ -21,12 +21,12 @@ namespace touchstone::filtered {
 /// parallel to the plane's lines of equal coordinate (dropped axis + 2) mod 3, and y grows with that coordinate: above
 /// and below are the same in the frame and in the projection that drops an axis.
 struct Frame {
-  int exponent;               ///< frame lengths are true lengths times 2^-exponent
-  double scale[2];            ///< whose product is 2^-exponent
-  double reachable;           ///< coordinates of centres, and radii, up to which the frame may be used
-  Vector3<double> origin;     ///< vertex 0, scaled
+  int exponent;            ///< frame lengths are true lengths times 2^-exponent
+  double scale[2];         ///< whose product is 2^-exponent
+  double reachable;        ///< coordinates of centres, and radii, up to which the frame may be used
+  Vector3<double> origin;  ///< vertex 0, scaled
   Vector3<double> x, y, normal;
-  double plane_height;        ///< of the plane above the origin
+  double plane_height;  ///< of the plane above the origin
   ChainTree edges;
 };
 

@@ -23,9 +23,9 @@ inline namespace TOUCHSTONE_TARGET {
 struct EdgeInQuestion {
   const Vector3<DoubleDouble>&from, &edge, &normal;
   double radius;
-  int axis;        ///< of SignKind::Above
-  Maxima maxima;   ///< each at most bounds::kLargest
-  bool lifted;     ///< some vertex is not where its double says
+  int axis;       ///< of SignKind::Above
+  Maxima maxima;  ///< each at most bounds::kLargest
+  bool lifted;    ///< some vertex is not where its double says
   /// Where the normal comes from, if it is that of a triangle: two edges; else the normal's bits are all in `normal`
   /// or `exact_normal` is false.
   const Vector3<DoubleDouble>* normal_edges;
@@ -69,11 +69,10 @@ class IntegerView {
     if (!short_enough(question.from) || !short_enough(question.edge)) return;
     // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
     int shift = Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge));
-    if (question.normal_edges == nullptr)
-      shift = std::min(shift, (2 * Bits - exponent(question.maxima.normal)) >> 1);
+    if (question.normal_edges == nullptr) shift = std::min(shift, (2 * Bits - exponent(question.maxima.normal)) >> 1);
     if (shift > 400) return;
     scale_ = power_of_two(shift);
-    fits_ = whole(question.from) && whole(question.edge) && whole(question.radius * scale_) && whole_normal();
+    fits_ = whole(question.from) && whole(question.edge) && whole(question.radius, scale_) && whole_normal();
   }
 
   /// Are all of them whole numbers after the scaling?
@@ -113,8 +112,13 @@ class IntegerView {
     // From 2^53 on every double is whole.
     return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
   }
+  /// Whole after the scaling, which must not have made a zero of it.
+  static bool whole(double length, double scale) {
+    const double scaled = length * scale;
+    return whole(scaled) && (scaled != 0 || length == 0);  // exact
+  }
   [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
-    return whole(v.x.high * scale_) && whole(v.y.high * scale_) && whole(v.z.high * scale_);
+    return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);
   }
   [[nodiscard]] bool whole_normal() const {
     if (question_.normal_edges != nullptr) {
@@ -122,8 +126,9 @@ class IntegerView {
       return short_enough(u) && short_enough(v) && whole(u) && whole(v);
     }
     const double scale = scale_ * scale_;
-    const auto component = [scale](const DoubleDouble& x) { return whole(x.high * scale) && whole(x.low * scale); };
-    return question_.exact_normal && component(question_.normal.x) && component(question_.normal.y) && component(question_.normal.z);
+    const auto component = [scale](const DoubleDouble& x) { return whole(x.high, scale) && whole(x.low, scale); };
+    return question_.exact_normal && component(question_.normal.x) && component(question_.normal.y) &&
+           component(question_.normal.z);
   }
   [[nodiscard]] Integer<Bits> integer(double value) const {
     return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
@@ -155,8 +160,8 @@ int sure_sign(const EdgeInQuestion& question) {
 template <SignKind kind>
 bool vanishes(const EdgeInQuestion& question) {
   if (question.lifted || !is_zero(question.from)) return false;
-  constexpr bool linear = kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side ||
-                          kind == SignKind::Above;
+  constexpr bool linear =
+      kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side || kind == SignKind::Above;
   return linear || (kind != SignKind::Beyond && question.radius == 0);
 }
 

@@ -9,11 +9,11 @@ namespace touchstone::filtered {
 
 /// The stages of a decision, each slower and surer than the one before.
 enum class Stage {
-  Double,         ///< doubles with proved bounds: the whole question at once
-  Permanent,      ///< one sign in doubles, with a bound from the products that were formed
-  DoubleDouble,   ///< one sign in 106-bit arithmetic on error-free differences
-  FixedInteger,   ///< one sign in integers of fixed width
-  Unlimited,      ///< one sign, or one correctly rounded number, in integers of any size
+  Double,        ///< doubles with proved bounds: the whole question at once
+  Permanent,     ///< one sign in doubles, with a bound from the products that were formed
+  DoubleDouble,  ///< one sign in 106-bit arithmetic on error-free differences
+  FixedInteger,  ///< one sign in integers of fixed width
+  Unlimited,     ///< one sign, or one correctly rounded number, in integers of any size
 };
 inline constexpr std::size_t kStages = 5;
 

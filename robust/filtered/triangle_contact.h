@@ -40,8 +40,7 @@ class UnsureTriangle {
     const Maxima maxima{sure_.from[i], longest, 2 * longest * longest};
     const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
     const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
-    const EdgeInQuestion question{from,  along,        normal, question_.radius, 0, maxima,
-                                  false, normal_edges, false};
+    const EdgeInQuestion question{from, along, normal, question_.radius, 0, maxima, false, normal_edges, false};
     return exact_sign<kind>(question, counts_, [&] { return unlimited_sign(kind, question_, i); });
   }
   [[nodiscard]] int plane_sign() const {

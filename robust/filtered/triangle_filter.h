@@ -24,8 +24,8 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
   // With coordinates of half the limit no difference is beyond it, and none overflows.
-  const Pack input = maximum(largest(vertex), magnitude(pack(question.center[0], question.center[1],
-                                                             question.center[2], question.radius)));
+  const Pack input = maximum(
+      largest(vertex), magnitude(pack(question.center[0], question.center[1], question.center[2], question.radius)));
   if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
     return Sure::Beyond;
 

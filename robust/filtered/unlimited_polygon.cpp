@@ -60,9 +60,9 @@ struct UnlimitedPolygon::Numbers {
   Vector normal;
   int dropped_axis;
   bool planar;
-  Number vertices;         // n of the outer loop
-  Number plane;            // n N.g
-  Number scale;            // > 0
+  Number vertices;  // n of the outer loop
+  Number plane;     // n N.g
+  Number scale;     // > 0
   double off_plane;
 
   [[nodiscard]] Number height(std::size_t i) const { return vertices * dot(normal, vector(polygon.vertex(i))) - plane; }
@@ -181,17 +181,17 @@ double UnlimitedPolygon::point(const Ball& ball, const Feature& feature, int axi
   switch (feature.kind) {
     case Feature::Kind::Face: {
       const Number length_squared = dot(edge.normal(), edge.normal());
-      return rounded({length_squared * scale * Number(ball.center[axis]) -
-                          dot(edge.normal(), edge.from()) * edge.normal()[axis],
-                      length_squared * scale},
-                     exact::nearest_double);
+      return rounded(
+          {length_squared * scale * Number(ball.center[axis]) - dot(edge.normal(), edge.from()) * edge.normal()[axis],
+           length_squared * scale},
+          exact::nearest_double);
     }
     case Feature::Kind::Edge: {
       const Number length_squared = dot(edge.edge(), edge.edge());
-      return rounded({length_squared * numbers_->vertex(feature.index)[axis] +
-                          dot(edge.from(), edge.edge()) * edge.edge()[axis],
-                      length_squared * scale},
-                     exact::nearest_double);
+      return rounded(
+          {length_squared * numbers_->vertex(feature.index)[axis] + dot(edge.from(), edge.edge()) * edge.edge()[axis],
+           length_squared * scale},
+          exact::nearest_double);
     }
     case Feature::Kind::Vertex: break;
   }

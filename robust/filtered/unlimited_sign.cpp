@@ -17,9 +17,7 @@ struct View {
   int i;
 
   [[nodiscard]] Vector3<Number> from() const { return difference(question.center, question.vertex[i]); }
-  [[nodiscard]] Vector3<Number> edge() const {
-    return difference(question.vertex[(i + 1) % 3], question.vertex[i]);
-  }
+  [[nodiscard]] Vector3<Number> edge() const { return difference(question.vertex[(i + 1) % 3], question.vertex[i]); }
   [[nodiscard]] Vector3<Number> normal() const {
     return signs::normal(difference(question.vertex[1], question.vertex[0]),
                          difference(question.vertex[2], question.vertex[1]));

@@ -62,5 +62,34 @@ TEST(FilteredUnderflow, ChangesNoAnswerAtAnyExponent) {
     }
 }
 
+// A large triangle and a centre far below its last place: scaled to integers, the centre would vanish.
+TEST(FilteredUnderflow, MakesNoWholeNumberOfWhatScalingWouldLose) {
+  for (int size = 40; size <= 63; ++size)
+    for (int exponent = -1074; exponent <= -1020; ++exponent) {
+      const double s = std::ldexp(1.0, size), offset = std::ldexp(1.0, exponent);
+      const Triangle triangle{{0, 0, 0}, {s, 0, 0}, {0, s, 0}};
+      const Polygon polygon({triangle.a, triangle.b, triangle.c});
+      const exact::PreparedPolygon truth(polygon);
+      const filtered::PreparedPolygon prepared(polygon);
+      for (const Eigen::Vector3d& center :
+           {Eigen::Vector3d(s / 4, s / 4, offset), Eigen::Vector3d(s / 2, -offset, 0), Eigen::Vector3d(-offset, 0, 0)})
+        for (const double radius : {0.0, 0x1p-1074}) {
+          const Ball ball{center, radius};
+          EXPECT_EQ(filtered::contact(ball, triangle), exact::contact(ball, truth))
+              << "2^" << size << ", 2^" << exponent;
+          EXPECT_EQ(filtered::answer(ball, prepared), exact::answer(ball, truth)) << "2^" << size << ", 2^" << exponent;
+        }
+    }
+}
+
+// A component of the normal that is not zero, but is after scaling: the closest point moves along it all the same.
+TEST(FilteredUnderflow, DoesNotTakeALostComponentOfTheNormalForZero) {
+  const Polygon polygon({{-1, -1, -8e-323}, {1, -1, -8e-323}, {0, 1, 8e-323}});
+  const Ball ball{{0, 0, 1048576}, 1};
+  const Answer answer = filtered::answer(ball, filtered::PreparedPolygon(polygon));
+  EXPECT_EQ(answer, exact::answer(ball, exact::PreparedPolygon(polygon)));
+  EXPECT_NE(answer.point.y(), 0);
+}
+
 }  // namespace
 }  // namespace touchstone::filtered_tests

@@ -80,8 +80,8 @@ constexpr DoubleDouble unnormalised_product(const DoubleDouble& a, const DoubleD
 ///
 /// Error: below 64 u^2 = 8 * 2^-103 for components of magnitude at most 1, which is what 3 rounded products and 2
 /// rounded sums may be off in the model of bounds.h. For, in units of u^2: the rest of a product is off by 7, and by 1
-/// for the product of the tails (24 in all); the rests, at most 3 u each, and the errors of the two sums, at most 2 u and
-/// 3 u, are added in four steps, whose results are at most 6, 8, 11 and 14 u (39 in all).
+/// for the product of the tails (24 in all); the rests, at most 3 u each, and the errors of the two sums, at most 2 u
+/// and 3 u, are added in four steps, whose results are at most 6, 8, 11 and 14 u (39 in all).
 constexpr DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
   const DoubleDouble x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
   const DoubleDouble z = unnormalised_product(a.z, b.z);

@@ -42,9 +42,7 @@ TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) { return {_mm256_
 TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) { return {_mm256_xor_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) { return {_mm256_max_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes)}; }
-TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
-  return static_cast<unsigned>(_mm256_movemask_pd(a.lanes));
-}
+TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) { return static_cast<unsigned>(_mm256_movemask_pd(a.lanes)); }
 #if defined(__AVX2__)
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) { return {_mm256_permute4x64_pd(a.lanes, 0b01'00'10'01)}; }
 TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) { return {_mm256_permute4x64_pd(a.lanes, 0b10'01'00'10)}; }
@@ -114,9 +112,7 @@ TOUCHSTONE_INLINE Pack magnitude(const Pack& a) {
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
   return static_cast<unsigned>(_mm_movemask_pd(a.low) | _mm_movemask_pd(a.high) << 2);
 }
-TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
-  return {_mm_shuffle_pd(a.low, a.high, 0b01), a.low};
-}
+TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) { return {_mm_shuffle_pd(a.low, a.high, 0b01), a.low}; }
 TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) {
   return {_mm_shuffle_pd(a.high, a.low, 0b00), _mm_shuffle_pd(a.low, a.high, 0b01)};
 }
@@ -174,12 +170,8 @@ TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
   for (int i = 0; i < kLanes; ++i) bits |= (std::signbit(a.lanes[i]) ? 1U : 0U) << i;
   return bits;
 }
-TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
-  return pack(a.lanes[1], a.lanes[2], a.lanes[0], a.lanes[1]);
-}
-TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) {
-  return pack(a.lanes[2], a.lanes[0], a.lanes[1], a.lanes[2]);
-}
+TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) { return pack(a.lanes[1], a.lanes[2], a.lanes[0], a.lanes[1]); }
+TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) { return pack(a.lanes[2], a.lanes[0], a.lanes[1], a.lanes[2]); }
 TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, Pack& z) {
   x = pack(nine[0], nine[3], nine[6], nine[0]);
   y = pack(nine[1], nine[4], nine[7], nine[1]);
