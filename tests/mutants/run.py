@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: python3 run.py SOURCE BUILD [NAME...]
 
-A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file of the fast, the
-exact or the filtered path; the translation units that see it are compiled again and linked before the libraries into a
-program of tests, which is run: it must fail. Exit status 1 if a mutant survives, or if its text is not found exactly
-once.
+A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file of the fast,
+exact or filtered path; translation units that see it are compiled again and linked before the libraries into a program
+of tests, which is run: it must fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
 """
 
 import concurrent.futures
@@ -18,8 +17,10 @@ import sys
 
 SECONDS = 90  # a suite that does not end has noticed something
 # The suites that are run where a mutant names none. Those left out are slow, or see their own copy of the headers.
-SUITES = {"contact_tests": "*",
-          "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*"}
+SUITES = {
+    "contact_tests": "*",
+    "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*",
+}
 
 
 class Workshop:
