@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/filtered/polygon_questions.h"
+#include <cmath>
+#include <optional>
+
+#include "robust/filtered/exact_edges.h"
 
 /// The closest point and the distance, correctly rounded: double-doubles with a rounding test, unlimited integers where
 /// that is ambiguous.
@@ -33,18 +36,19 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // Below these sizes squares or steps may underflow, and what is said of errors does not hold.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
+/// A coordinate of the feature's point that is closest to the ball's centre, as the nearest double.
 template <class Counts>
-double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
-  const ExactEdges<Counts>& edges = exact();
+double closest_point(const ExactEdges<Counts>& edges, const Feature& feature, int axis) {
+  const PreparedPolygon::Parts& parts = edges.parts();
   const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
-  const bool moved = !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
-  if (vertex && !moved) return parts_.polygon.vertex(feature.index)[axis];
+  const bool moved = !parts.unlimited.planar() && axis == parts.unlimited.dropped_axis();
+  if (vertex && !moved) return parts.polygon.vertex(feature.index)[axis];
 
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const int exponent = parts_.frame->exponent;
+    const int exponent = parts.frame->exponent;
     DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
-    if (moved && !face) start = start + parts_.lifted.lifts[feature.index];
+    if (moved && !face) start = start + parts.lifted.lifts[feature.index];
     const double lift_error = moved ? 0x1p-98 : 0;  // lifts are known to 2^-99
     if (vertex) return rounded({start, lift_error + 0x1p-102 * std::abs(start.high)}, exponent);
 
@@ -55,7 +59,7 @@ double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
     if (maximum < kShortestDirection) return std::nullopt;
     // Nothing is added, if the component is not one that scaling has made zero.
     if (!moved && direction[axis].high == 0)  // exact
-      return !face || parts_.lifted.exact_normal ? rounded({start, 0}, exponent) : std::nullopt;
+      return !face || parts.lifted.exact_normal ? rounded({start, 0}, exponent) : std::nullopt;
     const DoubleDouble length_squared = dot(direction, direction);
     const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
     const DoubleDouble value = face ? start - step : start + step;
@@ -67,16 +71,17 @@ double PolygonQuestion<Counts>::point(const Feature& feature, int axis) {
     return rounded({value, error}, exponent);
   };
   if (const auto result = in_doubles()) {
-    counts_.count(Stage::DoubleDouble);
+    edges.counts().count(Stage::DoubleDouble);
     return *result;
   }
-  counts_.count(Stage::Unlimited);
-  return parts_.unlimited.point(ball_, feature, axis);
+  edges.counts().count(Stage::Unlimited);
+  return parts.unlimited.point(edges.ball(), feature, axis);
 }
 
+/// The distance of the ball's centre from the feature's plane, line or point, as the nearest double.
 template <class Counts>
-double PolygonQuestion<Counts>::distance(const Feature& feature) {
-  const ExactEdges<Counts>& edges = exact();
+double distance(const ExactEdges<Counts>& edges, const Feature& feature) {
+  const PreparedPolygon::Parts& parts = edges.parts();
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
     const auto seen = edges.seen(feature.index);
@@ -97,14 +102,14 @@ double PolygonQuestion<Counts>::distance(const Feature& feature) {
     }();
     if (is_zero(seen.from) && !seen.lifted) return 0;
     if (enclosed.value.high < kSmallestResult) return std::nullopt;
-    return rounded(enclosed, parts_.frame->exponent);
+    return rounded(enclosed, parts.frame->exponent);
   };
   if (const auto result = in_doubles()) {
-    counts_.count(Stage::DoubleDouble);
+    edges.counts().count(Stage::DoubleDouble);
     return *result;
   }
-  counts_.count(Stage::Unlimited);
-  return parts_.unlimited.distance(ball_, feature);
+  edges.counts().count(Stage::Unlimited);
+  return parts.unlimited.distance(edges.ball(), feature);
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -24,6 +24,10 @@ class ExactEdges {
     }
   }
 
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const PreparedPolygon::Parts& parts() const { return parts_; }
+  [[nodiscard]] Counts& counts() const { return counts_; }
+
   /// The centre in the frame's unit of length, exact where `scales`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }

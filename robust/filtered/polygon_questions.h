@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "robust/filtered/closest_point.h"
 #include "robust/filtered/exact_edges.h"
 #include "robust/filtered/frame_query.h"
 #include "robust/floating_point_state.h"
@@ -70,8 +71,6 @@ class PolygonQuestion {
   [[nodiscard]] std::vector<std::size_t> edges_hit_uncounted();
   [[nodiscard]] Feature nearest_on_boundary();
   [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
-  [[nodiscard]] double point(const Feature& feature, int axis);
-  [[nodiscard]] double distance(const Feature& feature);
 
   /// The lanes of a leaf that stand for edges.
   static unsigned lanes(const ChainTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
@@ -270,18 +269,19 @@ Feature PolygonQuestion<Counts>::nearest_on_boundary() {
 
 template <class Counts>
 Answer PolygonQuestion<Counts>::answer() {
-  exact();
+  const ExactEdges<Counts>& edges = exact();
   const FootPlace place = foot_uncounted();
   const Feature feature = place == FootPlace::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
-  Answer answer{.plane = plane_side_uncounted(),
-                .plane_tangent = plane_sign() == 0,
-                .foot = place,
-                .edges_hit = edges_hit_uncounted(),
-                .relation = Relation::Separate,
-                .nearest = feature,
-                .point = {point(feature, 0), point(feature, 1), point(feature, 2)},
-                .distance = distance(feature),
-                .off_plane = parts_.unlimited.off_plane()};
+  Answer answer{
+      .plane = plane_side_uncounted(),
+      .plane_tangent = plane_sign() == 0,
+      .foot = place,
+      .edges_hit = edges_hit_uncounted(),
+      .relation = Relation::Separate,
+      .nearest = feature,
+      .point = {closest_point(edges, feature, 0), closest_point(edges, feature, 1), closest_point(edges, feature, 2)},
+      .distance = filtered::distance(edges, feature),
+      .off_plane = parts_.unlimited.off_plane()};
   const int sign = distance_sign<false>();
   answer.relation = sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
   return answer;
@@ -289,5 +289,3 @@ Answer PolygonQuestion<Counts>::answer() {
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered
-
-#include "robust/filtered/closest_point.h"
