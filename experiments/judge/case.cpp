@@ -2,8 +2,7 @@
 #include "experiments/judge/case.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
 
 #include "experiments/judge/strict_json.h"
 #include "experiments/judge/verdict.h"
@@ -21,19 +20,44 @@ class Reader {
 
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
+    if (text_.too_deep) malformed("nested deeper than " + std::to_string(kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("key \"" + *text_.duplicate_key + "\" stands twice in one object");
-    if (const json& id = member(text_.value, "id", "the case"); !id.is_string() || is_number(id))
+    if (const json& id = member(text_.value, "id", "the case"); !id.is_string())
       malformed("id is not a string");
-    check_expected();
+    (void)expected();
     check_tags();
+  }
+
+  /// What the case expects; null if it says nothing of that.
+  [[nodiscard]] const json* expected() const {
+    const auto expected = text_.value.find("expected");
+    if (expected == text_.value.end()) return nullptr;
+    if (!expected->is_object()) malformed("expected is not an object");
+    if (text_.ambiguous.contains("expected")) malformed("expected has, or is, a key that stands twice");
+    if (const auto error = expected->find("error"); error != expected->end()) {
+      if (expected->size() != 1) malformed("expected has other keys beside \"error\"");
+      if (!error->is_string() && *error != json(true)) malformed("expected.error is neither a code nor true");
+    } else {
+      for (const auto& [key, value] : expected->items())
+        if (!is_answer_key(key)) malformed("expected has the unknown key \"" + key + "\"");
+    }
+    return &*expected;
+  }
+
+  void check_expected_is_finite() const {
+    const json* expected = this->expected();
+    if (expected == nullptr) return;
+    for (const auto& [key, value] : expected->items())
+      if (!is_finite(value))
+        throw Rejected({RejectionCode::NotFinite, "expected." + key + " has a number beyond the finite doubles"});
   }
 
   [[nodiscard]] Ball ball() const {
     const json& ball = member(text_.value, "ball", "the case");
     if (!ball.is_object()) malformed("ball is not an object");
     const json& radius = member(ball, "radius", "ball");
-    if (!is_number(radius)) malformed("ball.radius is not a number");
-    return {point(member(ball, "center", "ball"), "ball.center"), number(radius)};
+    if (!radius.is_number()) malformed("ball.radius is not a number");
+    return {point(member(ball, "center", "ball"), "ball.center"), radius.get<double>()};
   }
 
   [[nodiscard]] std::vector<Loop> loops() const {
@@ -53,29 +77,25 @@ class Reader {
     throw Rejected({RejectionCode::MalformedCase, message});
   }
 
+  static bool is_finite(const json& value) {
+    if (value.is_structured()) return std::all_of(value.begin(), value.end(), is_finite);
+    return !value.is_number_float() || std::isfinite(value.get<double>());
+  }
+
   static const json& member(const json& object, const char* key, const char* owner) {
     const auto found = object.find(key);
     if (found == object.end()) malformed(std::string(owner) + " has no key \"" + key + "\"");
     return *found;
   }
 
-  [[nodiscard]] bool is_number(const json& value) const {
-    return value.is_number() || (text_.has_overflow && is_overflow(value));
-  }
-
-  /// The nearest double; infinite where that is beyond the finite ones.
-  [[nodiscard]] static double number(const json& value) {
-    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
-  }
-
-  [[nodiscard]] Eigen::Vector3d point(const json& value, const std::string& where) const {
+  static Eigen::Vector3d point(const json& value, const std::string& where) {
     if (!value.is_array() || value.size() != 3 ||
-        !std::all_of(value.begin(), value.end(), [this](const json& v) { return is_number(v); }))
+        !std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_number(); }))
       malformed(where + " is not a point of three numbers");
-    return {number(value[0]), number(value[1]), number(value[2])};
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
   }
 
-  [[nodiscard]] Loop loop(const json& value, const std::string& where) const {
+  static Loop loop(const json& value, const std::string& where) {
     if (!value.is_array()) malformed(where + " is not an array of points");
     Loop points;
     points.reserve(value.size());
@@ -83,25 +103,10 @@ class Reader {
     return points;
   }
 
-  void check_expected() const {
-    const auto expected = text_.value.find("expected");
-    if (expected == text_.value.end()) return;
-    if (!expected->is_object()) malformed("expected is not an object");
-    if (const auto error = expected->find("error"); error != expected->end()) {
-      if (expected->size() != 1) malformed("expected has other keys beside \"error\"");
-      if (!error->is_string() && *error != json(true)) malformed("expected.error is neither a code nor true");
-      return;
-    }
-    for (const auto& [key, value] : expected->items())
-      if (!is_answer_key(key)) malformed("expected has the unknown key \"" + key + "\"");
-  }
-
   void check_tags() const {
     const auto tags = text_.value.find("tags");
     if (tags == text_.value.end()) return;
-    if (!tags->is_array() || !std::all_of(tags->begin(), tags->end(), [this](const json& tag) {
-          return tag.is_string() && !is_number(tag);
-        }))
+    if (!tags->is_array() || !std::all_of(tags->begin(), tags->end(), [](const json& tag) { return tag.is_string(); }))
       malformed("tags is not an array of strings");
   }
 
@@ -113,6 +118,7 @@ Shapes read_shapes(const StrictJson& text) {
   reader.check_form();
   const Ball ball = reader.ball();
   const std::vector<Loop> loops = reader.loops();
+  reader.check_expected_is_finite();
 
   const auto fault = find_fault(ball);
   if (fault && fault->code == RejectionCode::NotFinite) throw Rejected(*fault);
@@ -131,19 +137,16 @@ Shapes read_shapes(const StrictJson& text) {
 }  // namespace
 
 Case read_case(std::string_view line) {
-  StrictJson text;
-  try {
-    text = read_strict_json(line);
-  } catch (const json::exception& error) {
-    throw NotJson(error.what());
-  }
-
+  const StrictJson text = read_strict_json(line);
   Case result{.id = {}, .expected = {}, .content = Rejection{}};
   if (text.value.is_object()) {
-    if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string() && !is_overflow(*id))
+    if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())
       result.id = id->get<std::string>();
-    if (const auto expected = text.value.find("expected"); expected != text.value.end() && expected->is_object())
-      result.expected = *expected;
+    try {
+      if (const json* expected = Reader(text).expected()) result.expected = *expected;
+    } catch (const Rejected&) {
+      // Malformed: it expects nothing, least of all this rejection, which read_shapes finds again in its order.
+    }
   }
   try {
     result.content = read_shapes(text);

@@ -2,8 +2,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <charconv>
 #include <cstdio>
+#include <limits>
 #include <map>
+#include <system_error>
 
 #include "experiments/commands.h"
 #include "experiments/judge/verdict.h"
@@ -41,6 +45,19 @@ void add_word(CLI::App& command, const std::string& name, Enumerator& target, co
       ->default_str(std::string(workloads::word(target)));
 }
 
+constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
+
+/// Whole numbers without a sign: CLI11 would take -1 as 2^64 - 1.
+auto whole_number(std::uint64_t lowest, std::uint64_t highest) {
+  return [lowest, highest](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (whole && number >= lowest && number <= highest) return {};
+    return fmt::format("\"{}\" is no whole number from {} to {}", text, lowest, highest);
+  };
+}
+
 Verdict ask(const methods::Method& method, const workloads::Sample& sample) {
   return judge::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
 }
@@ -53,6 +70,10 @@ bool fails(const std::vector<const methods::Method*>& methods, const workloads::
       if (given.contains(key) && given[key] != truth[key]) return true;
   }
   return false;
+}
+
+[[noreturn]] void cannot_write() {
+  throw std::system_error(errno, std::generic_category(), "the cases cannot be written");
 }
 
 void print(const Options& options) {
@@ -70,8 +91,9 @@ void print(const Options& options) {
     ++printed;
     const std::string line = judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, sample.tags,
                                                            options.expected ? expected : Verdict(nullptr)));
-    std::fwrite(line.data(), 1, line.size(), stdout);
+    if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
   }
+  if (std::fflush(stdout) != 0) cannot_write();
   if (printed < options.count)
     fmt::print(stderr, "touchstone: only {} of {} cases found in {} samples\n", printed, options.count,
                kMostSamplesPerCase * options.count);
@@ -80,21 +102,31 @@ void print(const Options& options) {
 }  // namespace
 
 void add_cases(CLI::App& app) {
-  auto* command = app.add_subcommand("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+  auto* command = app.add_subcommand(
+      "cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
   auto options = std::make_shared<Options>();
   auto& workload = options->workload;
   add_word(*command, "--family", workload.family, workloads::all_families(), "Outline");
   add_word(*command, "--placement", workload.placement,
            {workloads::Placement::LatticeFrame, workloads::Placement::Rotated}, "How the outline comes into space");
   add_word(*command, "--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
-  command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")->capture_default_str();
-  command->add_option("--holes", workload.holes, "Holes")->capture_default_str();
+  command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")
+      ->check(whole_number(3, 1U << 17))
+      ->capture_default_str();
+  command->add_option("--holes", workload.holes, "Holes")
+      ->check(whole_number(0, kAnyNumber))
+      ->capture_default_str();
   command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
   command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  command->add_option("--seed", options->seed, "Seed")->capture_default_str();
-  command->add_option("--first", options->first, "Number of the first sample");
-  command->add_option("--count", options->count, "Cases to print")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed")
+      ->check(whole_number(0, kAnyNumber))
+      ->capture_default_str();
+  command->add_option("--first", options->first, "Number of the first sample")
+      ->check(whole_number(0, kAnyNumber));
+  command->add_option("--count", options->count, "Cases to print")
+      ->check(whole_number(0, kAnyNumber))
+      ->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
   command->add_option("--failing", options->failing, "Only cases on which one of these methods errs")
       ->delimiter(',')

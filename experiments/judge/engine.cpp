@@ -2,20 +2,21 @@
 #include "experiments/judge/engine.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <system_error>
 
 namespace touchstone::judge {
 
 // The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
 // (MSG_NOSIGNAL) and no signal for the whole process.
-Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(nullptr) {
+Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-1) {
   int input[2], output[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
@@ -28,6 +29,7 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(n
   if (process_ == 0) {
     dup2(input[1], STDIN_FILENO);
     dup2(output[1], STDOUT_FILENO);
+    std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and stop_reading relies on it
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
@@ -35,15 +37,19 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(n
   close(input[1]);
   close(output[1]);
   input_ = input[0];
-  output_ = fdopen(output[0], "r");
-  if (process_ < 0) throw std::system_error(error, std::generic_category(), "cannot start the engine");
+  output_ = output[0];
+  if (process_ < 0) {
+    close(input_);
+    close(output_);
+    throw std::system_error(error, std::generic_category(), "cannot start the engine");
+  }
 }
 
 Engine::~Engine() {
   end_input();
+  stop_reading();
   (void)wait();
   close(input_);
-  std::fclose(output_);
 }
 
 bool Engine::send(const std::string& line) {
@@ -59,16 +65,51 @@ bool Engine::send(const std::string& line) {
 void Engine::end_input() { shutdown(input_, SHUT_WR); }
 
 std::optional<std::string> Engine::receive() {
-  char* line = nullptr;
-  std::size_t capacity = 0;
-  const ssize_t length = getline(&line, &capacity, output_);
-  std::optional<std::string> result;
-  if (length >= 0) {
-    result.emplace(line, static_cast<std::size_t>(length));
-    if (result->ends_with('\n')) result->pop_back();
+  for (std::size_t searched = received_;;) {
+    const std::size_t end = unread_.find('\n', searched);
+    if (end != std::string::npos) {
+      std::string line = unread_.substr(received_, end - received_);
+      received_ = end + 1;
+      return line;
+    }
+    searched = unread_.size() - received_;  // read_some drops what was received
+    if (searched > kLongestLine) stop_reading();
+    if (!read_some()) break;
   }
-  std::free(line);
-  return result;
+  std::string rest = unread_.substr(received_);
+  received_ = unread_.size();
+  if (rest.empty() || rest.size() > kLongestLine) return std::nullopt;
+  return rest;
+}
+
+bool Engine::read_ahead(std::size_t most) {
+  const auto has_more = [this] {
+    pollfd output{.fd = output_, .events = POLLIN, .revents = 0};
+    return output_ >= 0 && poll(&output, 1, 0) > 0;
+  };
+  while (unread_.size() - received_ < most && has_more() && read_some()) {}
+  return output_ >= 0 && unread_.size() - received_ >= most;
+}
+
+void Engine::stop_reading() {
+  if (output_ >= 0) close(output_);
+  output_ = -1;
+}
+
+/// Waits for some of its output; false if there will be none.
+bool Engine::read_some() {
+  if (output_ < 0) return false;
+  std::array<char, 65536> bytes;
+  ssize_t count = 0;
+  while ((count = read(output_, bytes.data(), bytes.size())) < 0 && errno == EINTR) {}
+  if (count <= 0) {
+    stop_reading();
+    return false;
+  }
+  unread_.erase(0, received_);
+  received_ = 0;
+  unread_.append(bytes.data(), static_cast<std::size_t>(count));
+  return true;
 }
 
 std::string Engine::wait() {

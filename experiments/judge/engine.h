@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -12,26 +11,36 @@ namespace touchstone::judge {
 /// in the same order. Lines may be sent from one thread and received in another.
 class Engine {
  public:
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
+
   /// Starts `command` in a shell. Throws std::system_error if no process can be had.
   explicit Engine(const std::string& command);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
-  /// Ends the input, waits for the program.
+  /// Ends the input, stops reading, waits for the program.
   ~Engine();
 
   /// Sends a line; false if the program no longer reads.
   bool send(const std::string& line);
   /// No more lines will be sent.
   void end_input();
-  /// The next line that it prints, without its end; nothing when the program has closed its output.
+  /// The next line that it prints, without its end; nothing when the program has closed its output or prints a line
+  /// longer than kLongestLine.
   [[nodiscard]] std::optional<std::string> receive();
+  /// Takes in what it has printed, without waiting. Does that come to `most` bytes that were not received?
+  [[nodiscard]] bool read_ahead(std::size_t most);
+  /// Takes in no more. A program that goes on printing is ended by the signal SIGPIPE.
+  void stop_reading();
   /// Waits for the end of the program: how it ended, as in `exit status 3` or `signal 11`; empty if well.
   [[nodiscard]] std::string wait();
 
  private:
+  bool read_some();
+
   pid_t process_;
-  int input_;
-  std::FILE* output_;
+  int input_, output_;  ///< output_ is -1 when nothing more is read
+  std::string unread_;  ///< what was taken in; received are the bytes before received_
+  std::size_t received_ = 0;
 };
 
 }  // namespace touchstone::judge

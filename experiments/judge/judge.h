@@ -13,7 +13,7 @@ namespace touchstone::judge {
 struct Order {
   std::vector<std::string> files;                 ///< JSON Lines; none: standard input
   std::vector<const methods::Method*> methods;    ///< asked about each case, in this order
-  std::string engine;                             ///< a command that reads cases and prints verdicts; asked last, if any
+  std::string engine;                             ///< a command that reads cases and prints verdicts; asked last
   bool explain = false;
   std::FILE* verdicts = stdout;
   std::FILE* complaints = stderr;
@@ -27,6 +27,7 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 /// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
 /// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
 /// its replies back makes the cases wait in memory). Ids are not checked for being unique.
+/// Throws std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include "experiments/commands.h"
 #include "experiments/judge/judge.h"
 
@@ -14,15 +16,27 @@ struct Options {
   bool explain = false;
 };
 
+/// Verdicts name the command as their method, and JSON is UTF-8.
+std::string check_utf8(const std::string& text) {
+  try {
+    (void)nlohmann::json(text).dump();
+    return {};
+  } catch (const nlohmann::json::exception&) {
+    return "the command is not UTF-8";
+  }
+}
+
 }  // namespace
 
 void add_judge(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
+  auto* command =
+      app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
   auto options = std::make_shared<Options>();
   command->add_option("--method", options->methods, "Method names, separated by commas, or all (default: exact)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged beside the methods");
+  command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
+      ->check(check_utf8, "COMMAND");
   command->add_flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command->add_option("FILE", options->files, "Files of cases; none: standard input");
   command->callback([options, &status] {

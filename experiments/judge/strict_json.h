@@ -3,24 +3,32 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace touchstone::judge {
 
-/// A JSON value, with what the usual reading of JSON keeps silent about.
-struct StrictJson {
-  nlohmann::json value;
-  std::optional<std::string> duplicate_key;  ///< the first key that an object has twice
-  bool has_overflow = false;                 ///< some number is beyond the finite doubles; see is_overflow
+/// A text that is not JSON.
+class NotJson : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
-/// Reads one JSON text; numbers become the nearest doubles or integers.
-/// Throws nlohmann::json::parse_error if the text is not JSON.
-[[nodiscard]] StrictJson read_strict_json(std::string_view text);
+/// A JSON value, with what the usual reading of JSON keeps silent about.
+struct StrictJson {
+  nlohmann::json value;                      ///< infinite where a number is beyond the finite doubles
+  std::optional<std::string> duplicate_key;  ///< the first key that an object has twice
+  std::set<std::string> ambiguous;           ///< members of the outermost object that are, or hold, a duplicate key
+  bool too_deep = false;                     ///< nested deeper than kMostLevels: what lies below is left out of `value`
+};
 
-/// Does this value of a text with `has_overflow` stand for a number beyond the finite doubles, such as 1e400?
-[[nodiscard]] bool is_overflow(const nlohmann::json& value);
+/// Arrays and objects within each other. A bound, because values are copied, written and freed by recursion.
+inline constexpr int kMostLevels = 64;
+
+/// Reads one JSON text; numbers become the nearest doubles or integers.
+/// Throws NotJson. Takes a stack of fixed size and memory linear in the length of the text.
+[[nodiscard]] StrictJson read_strict_json(std::string_view text);
 
 }  // namespace touchstone::judge

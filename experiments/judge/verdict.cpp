@@ -16,6 +16,23 @@ Verdict number(double value) {
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
 }
 
+/// The same for every number within a value.
+Verdict plain(const nlohmann::json& value) {
+  if (value.is_number_float()) return number(value.get<double>());
+  if (!value.is_structured()) return value;
+  Verdict copy = value.is_array() ? Verdict::array() : Verdict::object();
+  for (const auto& [key, member] : value.items()) {
+    if (value.is_array())
+      copy.push_back(plain(member));
+    else
+      copy[key] = plain(member);
+  }
+  return copy;
+}
+
+constexpr std::array<std::string_view, 10> kAnswerKeys{"plane",   "plane_tangent", "foot",  "edges_hit", "relation",
+                                                       "contact", "nearest",       "point", "distance",  "off_plane"};
+
 Verdict point(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
 
 Verdict loop(const Polygon& polygon, std::size_t number) {
@@ -52,7 +69,8 @@ void write(std::string& line, const Json& value) {
     line += ']';
   } else if (value.is_number_float()) {
     std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.begin(), digits.end(), value.template get<double>()).ptr;
+    const double finite = value.template get<double>() + 0.0;  // -0 + 0 = 0
+    const auto end = std::to_chars(digits.begin(), digits.end(), finite).ptr;
     line.append(digits.begin(), end);
   } else {
     line += value.dump();
@@ -68,9 +86,7 @@ std::string text(const nlohmann::json& value) {
 }  // namespace
 
 bool is_answer_key(std::string_view key) {
-  constexpr std::array<std::string_view, 10> keys{"plane",   "plane_tangent", "foot",  "edges_hit", "relation",
-                                                  "contact", "nearest",       "point", "distance",  "off_plane"};
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
+  return std::find(kAnswerKeys.begin(), kAnswerKeys.end(), key) != kAnswerKeys.end();
 }
 
 Verdict object_of(const methods::PartialAnswer& answer) {
@@ -86,6 +102,17 @@ Verdict object_of(const methods::PartialAnswer& answer) {
   if (answer.distance) verdict["distance"] = number(*answer.distance);
   if (answer.off_plane) verdict["off_plane"] = number(*answer.off_plane);
   return verdict;
+}
+
+Verdict answer_in(const nlohmann::json& reply) {
+  Verdict answer = Verdict::object();
+  const auto copy = [&](std::string_view key) {
+    if (const auto found = reply.find(key); found != reply.end()) answer[std::string(key)] = plain(*found);
+  };
+  for (const std::string_view key : kAnswerKeys) copy(key);
+  copy("error");
+  copy("message");
+  return answer;
 }
 
 Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer) {

@@ -23,6 +23,9 @@ using Verdict = nlohmann::ordered_json;
 /// become null, -0 becomes 0.
 [[nodiscard]] Verdict object_of(const methods::PartialAnswer& answer);
 
+/// The keys of an answer or a rejection that a reply in JSON has; its numbers as object_of writes them.
+[[nodiscard]] Verdict answer_in(const nlohmann::json& reply);
+
 /// `id` and `method`, then the keys that the method computed.
 [[nodiscard]] Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer);
 

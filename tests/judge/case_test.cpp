@@ -46,6 +46,56 @@ TEST(ReadCase, SaysWhereALineIsNotJson) {
     EXPECT_THROW((void)read_case(line), NotJson) << line;
 }
 
+// Numbers beyond the doubles are no licence: what surrounds them must be JSON all the same.
+TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
+  for (const char* line : {R"({"a":1e400,1e400:1})", "[1e400-5]", "[01e999]", "[-01e999]", "[--1e400]", "[+1e400]",
+                           "[.1e400]", "[1.e400]", "[1e400e1]", "[1e400.5]", "[1e4001e400]", "[1e400 1e400]", "1e400x"})
+    EXPECT_THROW((void)read_case(line), NotJson) << line;
+  for (const char* line : {"[1e400]", "[-1.5E+400,1]", R"(["\\",1e400,"\"1e400-5"])"})
+    EXPECT_EQ(code(line), "malformed-case") << line;
+  EXPECT_EQ(code(object(R"("id":"a","more":[1,-1e400],)" + std::string(kBall) + "," + kTriangle)), "accepted");
+}
+
+TEST(ReadCase, TakesANulByteForNoEndOfTheLine) {
+  const std::string good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
+  EXPECT_THROW((void)read_case(good + std::string("\0garbage", 8)), NotJson);
+  EXPECT_THROW((void)read_case(good + std::string("\0", 1)), NotJson);
+}
+
+TEST(ReadCase, LetsIdsAndTagsBeAnyString) {
+  const std::string odd = R"("id":"\u0000beyond the finite doubles","tags":["\u0000beyond the finite doubles"],)";
+  const std::string shape = std::string(kBall) + "," + kTriangle;
+  EXPECT_EQ(code(object(odd + shape)), "accepted");
+  const Case beside_an_overflow = read_case(object(odd + R"("more":1e400,)" + shape));
+  EXPECT_TRUE(std::holds_alternative<Shapes>(beside_an_overflow.content));
+  EXPECT_EQ(beside_an_overflow.id, std::string("\0beyond the finite doubles", 26));
+}
+
+TEST(ReadCase, RejectsWhatIsNestedTooDeep) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  const std::string shape = std::string(kBall) + "," + kTriangle;
+  const auto more = [&](const std::string& value) { return object(R"("id":"a","more":)" + value + "," + shape); };
+  EXPECT_EQ(code(more(nested(kMostLevels - 1))), "accepted");
+  EXPECT_EQ(code(more(nested(kMostLevels))), "malformed-case");
+  EXPECT_EQ(code(more(nested(1'000'000))), "malformed-case");
+  EXPECT_EQ(read_case(more(nested(1'000'000))).id, "a");
+  EXPECT_EQ(code(object(R"("id":"a","expected":{"point":)" + nested(10'000) + "}," + shape)), "malformed-case");
+  EXPECT_EQ(code(nested(1'000'000)), "malformed-case");
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) objects += R"({"x":)";
+  EXPECT_EQ(code(more(objects + "1e400" + std::string(100'000, '}'))), "malformed-case");
+  EXPECT_THROW((void)read_case(std::string(1'000'000, '[')), NotJson);
+  EXPECT_EQ(code(object(R"("id":"[[[[)" + std::string(100, '[') + "\"," + shape)), "accepted");
+}
+
+TEST(ReadCase, RejectsAnExpectationBeyondTheFiniteDoubles) {
+  const std::string expecting = R"("id":"a","expected":{"point":[0,1e400,0]},)";
+  EXPECT_EQ(code(object(expecting + kBall + "," + kTriangle)), "not-finite");
+  EXPECT_EQ(code(object(expecting + kBall + R"(,"polygon":[])")), "malformed-case");
+  EXPECT_EQ(message(object(expecting + kBall + "," + kTriangle)),
+            "expected.point has a number beyond the finite doubles");
+}
+
 TEST(ReadCase, RejectsMalformedCases) {
   const std::string id = R"("id":"a",)", ball = std::string(kBall) + ",", triangle = kTriangle;
   EXPECT_EQ(code("[1]"), "malformed-case");
@@ -112,6 +162,14 @@ TEST(ReadCase, KeepsIdAndExpectationOfARejectedCase) {
   EXPECT_EQ(read.id, "a");
   EXPECT_EQ(read.expected->at("error"), "malformed-case");
   EXPECT_FALSE(read_case("{}").id.has_value());
+}
+
+TEST(ReadCase, TakesNothingFromAMalformedExpectation) {
+  for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
+                               R"({"error":true,"error":true})", R"({"error":true},"expected":{"error":true})"})
+    EXPECT_FALSE(read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value()) << expected;
+  const Case sound = read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
+  EXPECT_TRUE(sound.expected.has_value()) << "the duplicate key lies elsewhere";
 }
 
 }  // namespace

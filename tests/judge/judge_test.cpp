@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <system_error>
 
 namespace touchstone::judge {
 namespace {
@@ -113,6 +114,25 @@ TEST(Judge, ExitsByTheWorstThatItMet) {
   EXPECT_EQ(run("").status, AllMet);
 }
 
+// Whoever expects malformed things expects nothing.
+TEST(Judge, ExitsWithTwoWhereTheExpectationItselfIsMalformed) {
+  for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
+                               R"({"error":"zero-normal","error":"zero-normal"})", R"({"distance":1e400})"})
+    EXPECT_EQ(run(with(kCollinear, R"(,"expected":)" + std::string(expected))).status, InputRejected) << expected;
+}
+
+TEST(Judge, StopsWhereVerdictsCannotBeWritten) {
+  Order order;
+  order.files = {write_file("full.jsonl", with(kTouching, ""))};
+  order.methods = {methods::find_method("exact")};
+  order.verdicts = std::fopen("/dev/full", "w");
+  ASSERT_NE(order.verdicts, nullptr);
+  EXPECT_THROW((void)judge(order), std::system_error);
+  order.engine = "cat";
+  EXPECT_THROW((void)judge(order), std::system_error);
+  std::fclose(order.verdicts);
+}
+
 TEST(Judge, GivesARejectedCaseItsVerdictAndGoesOn) {
   const Result result = run(with(kCollinear, "") + "\n" + with(kTouching, ""));
   EXPECT_TRUE(result.verdicts.starts_with(R"({"id":"c","method":"exact","error":"zero-normal","message":"case c: )"));
@@ -177,6 +197,49 @@ TEST(JudgeEngine, IsReportedWhereItSaysNothingOrNonsense) {
   const Result dead = run(with(kTouching, "") + "\n" + with(kTouching, ""), engine("exit 3"));
   EXPECT_EQ(dead.status, ExpectationNotMet);
   EXPECT_NE(dead.complaints.find("ended with exit status 3; 2 case(s) without a verdict"), std::string::npos);
+}
+
+// Neither an engine that never ends nor one that fills its pipe holds the judge up.
+TEST(JudgeEngine, IsReportedWhereItPrintsMoreThanItIsAsked) {
+  std::string many;
+  for (int i = 0; i < 2000; ++i) many += with(kTouching, R"(,"tags":[")" + std::string(400, 'x') + "\"]") + "\n";
+  const std::string reply = R"(echo "{\"id\":\"t\"}"; )";
+  for (const std::string& command : {std::string("yes"), reply + "seq 1 20000", reply + "cat >/dev/null; echo one"})
+    for (const std::string& cases : {with(kTouching, ""), many}) {
+      const Result result = run(cases, engine(command));
+      EXPECT_EQ(result.status, ExpectationNotMet) << command;
+      const std::string complaint = "printed more lines than there were cases";
+      const auto found = result.complaints.find(complaint);
+      if (cases != many || command == "yes") {
+        ASSERT_NE(found, std::string::npos) << command;
+        EXPECT_EQ(result.complaints.find(complaint, found + 1), std::string::npos) << command;
+      }
+    }
+}
+
+/// An engine that says this whatever it is asked. By a file: complaints show the command, which has its limits.
+Order parrot(const std::string& reply) {
+  return engine("cat >/dev/null; cat '" + write_file("reply.jsonl", reply + "\n") + "'");
+}
+
+TEST(JudgeEngine, IsReadByTheSameRulesAsCases) {
+  const std::string deep = R"({"id":"t","point":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  for (const std::string& reply : {deep, std::string("{\"id\":\"t\"}\0garbage", 18)}) {
+    const Result result = run(with(kTouching, ""), parrot(reply));
+    EXPECT_NE(result.complaints.find("not a verdict on this case"), std::string::npos) << reply.substr(0, 40);
+  }
+}
+
+TEST(JudgeEngine, HasItsZerosWrittenWithoutASign) {
+  const Result result = run(with(kTouching, R"(,"expected":{"distance":1,"point":[-0.0,1,1]})"),
+                            parrot(R"({"id":"t","distance":-0.0,"point":[-0.0,0,1e400]})"));
+  EXPECT_NE(result.verdicts.find(R"("point":[0,0,null],"distance":0})"), std::string::npos) << result.verdicts;
+  EXPECT_NE(result.complaints.find("point: expected [0,1,1], found [0,0,null]"), std::string::npos);
+}
+
+// A name that cannot be written as JSON: an exception while the sender runs.
+TEST(JudgeEngine, IsLeftInOrderByAnException) {
+  EXPECT_ANY_THROW((void)run(with(kTouching, ""), engine("cat # \xff")));
 }
 
 }  // namespace

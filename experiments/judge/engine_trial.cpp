@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/engine_trial.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <thread>
+
+#include "experiments/judge/engine.h"
+#include "experiments/judge/proceedings.h"
+#include "experiments/judge/waiting.h"
+
+namespace touchstone::judge {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Output that nobody asked for is kept up to this size, then the engine is cut off.
+constexpr std::size_t kMostUnasked = std::size_t{1} << 20;
+
+/// The sender's side: cases go to the engine, and wait for their replies.
+void send_lines(const Order& order, Engine& engine, Waiting& waiting) {
+  bool reads = true;
+  read_lines(order.files, [&](Line&& line) {
+    const bool asked = reads && line.read && std::holds_alternative<Shapes>(line.read->content);
+    const std::string text = asked ? std::move(line.text) + '\n' : std::string();
+    line.text.clear();
+    // Before it is sent: then output of the engine while nothing waits is output that nobody asked for.
+    if (!waiting.push({std::move(line), asked})) return false;
+    if (asked && !engine.send(text)) {  // a program that has gone away is noticed where its reply is missing
+      reads = false;
+      waiting.stop_growing();
+    }
+    return true;
+  });
+}
+
+/// The receiver's side.
+class Replies {
+ public:
+  Replies(Engine& engine, Waiting& waiting) : engine_(engine), waiting_(waiting) {}
+
+  /// Waits for a line. The engine's output is read meanwhile: it might read no more before it is rid of it.
+  std::optional<Waiting::Entry> next_line() {
+    while (!waiting_.wait_for(100ms)) {
+      if (engine_.read_ahead(kMostUnasked) && !waiting_.wait_for(0ms)) cut_off();
+    }
+    return waiting_.pop();
+  }
+
+  /// The reply to the next case that was sent.
+  std::optional<std::string> next_reply() {
+    if (ended_) return std::nullopt;
+    waiting_.await_reply(true);
+    auto reply = engine_.receive();
+    waiting_.await_reply(false);
+    ended_ = !reply;
+    return reply;
+  }
+
+  /// After the last case: has the engine said more than it was asked?
+  [[nodiscard]] bool has_surplus() {
+    if (!ended_ && !surplus_ && engine_.receive()) cut_off();
+    return surplus_;
+  }
+
+ private:
+  void cut_off() {
+    engine_.stop_reading();
+    surplus_ = true;
+  }
+
+  Engine& engine_;
+  Waiting& waiting_;
+  bool ended_ = false, surplus_ = false;
+};
+
+/// Lets the sender come to its end, however the receiver came to its own.
+struct Release {
+  Waiting& waiting;
+  Engine& engine;
+  ~Release() {
+    waiting.abandon();
+    engine.end_input();
+    engine.stop_reading();
+  }
+};
+
+}  // namespace
+
+Status judge_with_engine(const Order& order) {
+  Proceedings proceedings(order);
+  Engine engine(order.engine);
+  Waiting waiting;
+  std::exception_ptr failure;
+  std::jthread sender([&] {
+    try {
+      send_lines(order, engine, waiting);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    engine.end_input();
+    waiting.close();
+  });
+  const Release release{waiting, engine};
+
+  Replies replies(engine, waiting);
+  std::size_t missing = 0;
+  while (const auto entry = replies.next_line()) {
+    const Line& line = entry->line;
+    if (!line.read) {
+      proceedings.complain(line.complaint);
+      proceedings.worsen(InputRejected);
+      continue;
+    }
+    proceedings.give_own(*line.read);
+    if (std::holds_alternative<Rejection>(line.read->content)) continue;
+    const auto reply = entry->sent ? replies.next_reply() : std::nullopt;
+    if (reply)
+      proceedings.give_reply(*line.read, *reply);
+    else
+      ++missing;
+  }
+  sender.join();
+  if (failure) std::rethrow_exception(failure);
+
+  if (replies.has_surplus()) {
+    proceedings.complain(fmt::format("engine {}: printed more lines than there were cases", order.engine));
+    proceedings.worsen(ExpectationNotMet);
+  }
+  std::string ending = engine.wait();
+  if (replies.has_surplus()) ending.clear();  // it was cut off
+  if (missing > 0 || !ending.empty()) {
+    proceedings.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
+                                     ending.empty() ? "" : "ended with " + ending + "; ", missing));
+    proceedings.worsen(ExpectationNotMet);
+  }
+  return proceedings.status();
+}
+
+}  // namespace touchstone::judge

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/input_lines.h"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <iostream>
+
+namespace touchstone::judge {
+namespace {
+
+using Take = std::function<bool(Line&&)>;
+
+bool read_stream(std::istream& stream, const std::string& name, const Take& take) {
+  std::string text;
+  for (std::size_t number = 1; std::getline(stream, text); ++number) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    Line line{.text = text, .read = {}, .complaint = {}};
+    try {
+      line.read = read_case(text);
+    } catch (const NotJson& error) {
+      line.complaint = fmt::format("{}: line {}: not JSON: {}", name, number, error.what());
+    }
+    if (!take(std::move(line))) return false;
+  }
+  if (!stream.bad()) return true;
+  return take({.text = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
+}
+
+}  // namespace
+
+void read_lines(const std::vector<std::string>& files, const Take& take) {
+  if (files.empty()) read_stream(std::cin, "standard input", take);
+  for (const std::string& file : files) {
+    std::ifstream stream(file);
+    const bool go_on = stream ? read_stream(stream, file, take)
+                              : take({.text = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
+    if (!go_on) return;
+  }
+}
+
+}  // namespace touchstone::judge

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/proceedings.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+namespace touchstone::judge {
+namespace {
+
+std::string name(const Case& question) { return question.id.value_or("without id"); }
+
+/// What an engine's reply says; nothing if it is no verdict on the case of this id.
+std::optional<Verdict> answer_of(const std::string& reply, const std::string& id) {
+  try {
+    const StrictJson read = read_strict_json(reply);
+    if (read.too_deep || !read.value.is_object()) return std::nullopt;
+    const auto found = read.value.find("id");
+    if (found == read.value.end() || *found != id) return std::nullopt;
+    return answer_in(read.value);
+  } catch (const NotJson&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void Proceedings::complain(const std::string& sentence) { fmt::print(order_.complaints, "{}\n", sentence); }
+
+void Proceedings::worsen(Status status) { status_ = std::max(status_, status); }
+
+void Proceedings::give_own(const Case& question) {
+  if (const auto* rejection = std::get_if<Rejection>(&question.content)) {
+    const bool rejection_expected = question.expected && question.expected->contains("error");
+    const auto give_rejection = [&](std::string_view method) {
+      const Verdict verdict = verdict_of(question.id, method, *rejection);
+      print(verdict);
+      if (rejection_expected) compare(question, verdict);
+    };
+    for (const auto* method : order_.methods) give_rejection(method->name());
+    if (!order_.engine.empty()) give_rejection(order_.engine);
+    if (!rejection_expected) {
+      complain(fmt::format("case {}: rejected: {}: {}", name(question), word(rejection->code), rejection->message));
+      worsen(InputRejected);
+    }
+    return;
+  }
+  const auto& [ball, polygon] = std::get<Shapes>(question.content);
+  for (const auto* method : order_.methods) {
+    const methods::PartialAnswer answer = method->prepare(polygon)->ask(ball, methods::Question::Answer);
+    Verdict verdict = verdict_of(*question.id, method->name(), answer);
+    if (order_.explain) explain(verdict, answer, ball.radius);
+    print(verdict);
+    compare(question, verdict);
+  }
+}
+
+void Proceedings::give_reply(const Case& question, const std::string& reply) {
+  Verdict verdict = Verdict::object();
+  verdict["id"] = *question.id;
+  verdict["method"] = order_.engine;
+  if (const auto answer = answer_of(reply, *question.id)) {
+    verdict.update(*answer);
+  } else {
+    complain(fmt::format("case {}: method {}: not a verdict on this case: {}", *question.id, order_.engine, reply));
+    worsen(ExpectationNotMet);
+  }
+  print(verdict);
+  compare(question, verdict);
+}
+
+void Proceedings::print(const Verdict& verdict) {
+  const std::string line = to_line(verdict);
+  const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();
+  if (!written || std::fflush(order_.verdicts) != 0)
+    throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
+}
+
+/// Holds a verdict against what the case expects.
+void Proceedings::compare(const Case& question, const Verdict& verdict) {
+  if (!question.expected) return;
+  for (const std::string& difference : differences(*question.expected, verdict)) {
+    complain(fmt::format("case {}: method {}: {}", name(question), verdict["method"].get<std::string>(), difference));
+    worsen(ExpectationNotMet);
+  }
+}
+
+}  // namespace touchstone::judge

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "experiments/judge/case.h"
+#include "experiments/judge/judge.h"
+#include "experiments/judge/verdict.h"
+
+namespace touchstone::judge {
+
+/// Prints verdicts and complaints, and remembers the worst. Throws std::system_error if verdicts cannot be written.
+class Proceedings {
+ public:
+  /// Keeps `order`, which must outlive it.
+  explicit Proceedings(const Order& order) : order_(order) {}
+
+  void complain(const std::string& sentence);
+  void worsen(Status status);
+  /// The verdicts of the order's own methods, or of a rejection.
+  void give_own(const Case& question);
+  /// The verdict of the engine on a case that is not rejected.
+  void give_reply(const Case& question, const std::string& reply);
+  [[nodiscard]] Status status() const { return status_; }
+
+ private:
+  void print(const Verdict& verdict);
+  void compare(const Case& question, const Verdict& verdict);
+
+  const Order& order_;
+  Status status_ = AllMet;
+};
+
+}  // namespace touchstone::judge
