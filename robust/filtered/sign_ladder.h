@@ -152,7 +152,7 @@ int sure_sign(const EdgeInQuestion& question) {
   return (value > largest) - (value < -largest);
 }
 
-[[nodiscard]] constexpr bool is_zero(const Vector3<DoubleDouble>& v) {
+[[nodiscard]] inline bool is_zero(const Vector3<DoubleDouble>& v) {
   return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
 }
 

@@ -29,22 +29,22 @@ struct DoubleDouble {
 inline namespace TOUCHSTONE_TARGET {
 
 /// a + b exactly. Requires |a| >= |b| or a = 0.
-constexpr DoubleDouble quick_two_sum(double a, double b) {
+inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
 /// a + b exactly.
-constexpr DoubleDouble two_sum(double a, double b) {
+inline DoubleDouble two_sum(double a, double b) {
   const double sum = a + b, b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 /// a - b exactly.
-constexpr DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
+inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
 
 /// a b exactly. Requires |a|, |b| < 2^995.
-constexpr DoubleDouble two_product(double a, double b) {
+inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
 #if defined(__FMA__)
   return {product, __builtin_fma(a, b, -product)};
@@ -56,22 +56,22 @@ constexpr DoubleDouble two_product(double a, double b) {
 #endif
 }
 
-constexpr DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
-constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble high = two_sum(a.high, b.high), low = two_sum(a.low, b.low);
   const DoubleDouble sum = quick_two_sum(high.high, high.low + low.high);
   return quick_two_sum(sum.high, low.low + sum.low);
 }
-constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+inline DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
 
-constexpr DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = two_product(a.high, b.high);
   return quick_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
 /// The high part of a b, and the rest to within 8 u^2 |a b|: what sums of products add up apart.
-constexpr DoubleDouble unnormalised_product(const DoubleDouble& a, const DoubleDouble& b) {
+inline DoubleDouble unnormalised_product(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble product = two_product(a.high, b.high);
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
@@ -82,7 +82,7 @@ constexpr DoubleDouble unnormalised_product(const DoubleDouble& a, const DoubleD
 /// rounded sums may be off in the model of bounds.h. For, in units of u^2: the rest of a product is off by 7, and by 1
 /// for the product of the tails (24 in all); the rests, at most 3 u each, and the errors of the two sums, at most 2 u
 /// and 3 u, are added in four steps, whose results are at most 6, 8, 11 and 14 u (39 in all).
-constexpr DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
+inline DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
   const DoubleDouble x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
   const DoubleDouble z = unnormalised_product(a.z, b.z);
   const DoubleDouble first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
@@ -91,20 +91,20 @@ constexpr DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleD
 
 /// a b - c d. Error: below 32 u^2 = 4 * 2^-103 for factors of magnitude at most 1 (16 for the rests, 14 for the sums),
 /// which is what 2 rounded products and a rounded difference may be off in the model of bounds.h.
-constexpr DoubleDouble product_difference(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c,
+inline DoubleDouble product_difference(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c,
                                           const DoubleDouble& d) {
   const DoubleDouble first = unnormalised_product(a, b), second = unnormalised_product(c, d);
   const DoubleDouble high = two_difference(first.high, second.high);
   return two_sum(high.high, (first.low - second.low) + high.low);
 }
 
-constexpr Vector3<DoubleDouble> cross(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
+inline Vector3<DoubleDouble> cross(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
   return {product_difference(a.y, b.z, a.z, b.y), product_difference(a.z, b.x, a.x, b.z),
           product_difference(a.x, b.y, a.y, b.x)};
 }
 
 /// a / b to within 2^-100 of its size. Requires b != 0.
-constexpr DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble after_first = a - b * DoubleDouble(first);
   const double second = after_first.high / b.high;
@@ -121,7 +121,7 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
 }
 
 /// Sign of the sum, exact: high decides, as |low| <= |high|.
-constexpr int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
+inline int sign(const DoubleDouble& value) { return (value.high > 0) - (value.high < 0); }
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered
