@@ -7,11 +7,16 @@ namespace touchstone::judge {
 
 bool Waiting::push(Entry&& entry) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return has_room(); });
+  changed_.wait(lock, [this] { return room(); });
   if (abandoned_) return false;
   entries_.push_back(std::move(entry));
   changed_.notify_all();
   return true;
+}
+
+bool Waiting::has_room() {
+  const std::lock_guard lock(mutex_);
+  return room();
 }
 
 void Waiting::close() {

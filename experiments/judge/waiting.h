@@ -25,6 +25,8 @@ class Waiting {
 
   /// Waits for room. False if nobody will take the line.
   bool push(Entry&& entry);
+  /// Would a line be pushed without waiting?
+  [[nodiscard]] bool has_room();
   /// For the sender: nothing more will come.
   void close();
   /// For the sender: the engine reads no more, so that further lines need not wait for it to answer.
@@ -41,9 +43,7 @@ class Waiting {
 
  private:
   [[nodiscard]] bool has_news() const { return closed_ || !entries_.empty(); }
-  [[nodiscard]] bool has_room() const {
-    return abandoned_ || entries_.size() < kMost || (awaiting_reply_ && may_grow_);
-  }
+  [[nodiscard]] bool room() const { return abandoned_ || entries_.size() < kMost || (awaiting_reply_ && may_grow_); }
 
   std::mutex mutex_;
   std::condition_variable changed_;

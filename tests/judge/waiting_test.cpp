@@ -3,65 +3,71 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <string>
 #include <thread>
+#include <utility>
 
 namespace touchstone::judge {
 namespace {
 
-using namespace std::chrono_literals;
+Waiting::Entry entry() { return {Line{}, true}; }
 
-constexpr std::size_t kLines = 4 * Waiting::kMost;
-
-/// Pushes kLines lines, or as many as are taken.
-std::jthread fill(Waiting& waiting, std::atomic<std::size_t>& pushed) {
-  return std::jthread([&] {
-    while (pushed < kLines && waiting.push({Line{}, true})) ++pushed;
-    waiting.close();
-  });
+/// As many lines as are held in any case, so that no push waits.
+void fill(Waiting& waiting) {
+  for (std::size_t i = 0; i < Waiting::kMost; ++i) ASSERT_TRUE(waiting.push(entry()));
 }
 
-std::size_t empty(Waiting& waiting) {
-  std::size_t popped = 0;
-  while (waiting.pop()) ++popped;
-  return popped;
-}
-
-TEST(Waiting, HoldsTheSenderBackAndLosesNothing) {
+TEST(Waiting, HasRoomForItsMostAndNoMore) {
   Waiting waiting;
-  std::atomic<std::size_t> pushed = 0;
-  const auto sender = fill(waiting, pushed);
-  std::this_thread::sleep_for(50ms);
-  EXPECT_LE(pushed, Waiting::kMost);
-  EXPECT_EQ(empty(waiting), kLines);
+  EXPECT_TRUE(waiting.has_room());
+  fill(waiting);
+  EXPECT_FALSE(waiting.has_room());
+  EXPECT_TRUE(waiting.pop());
+  EXPECT_TRUE(waiting.has_room());
 }
 
 TEST(Waiting, GrowsWhileAnEngineThatReadsIsAwaited) {
   Waiting waiting;
+  fill(waiting);
   waiting.await_reply(true);
-  std::atomic<std::size_t> pushed = 0;
-  fill(waiting, pushed).join();
-  EXPECT_EQ(pushed, kLines);
+  EXPECT_TRUE(waiting.has_room());
+  fill(waiting);
+  waiting.await_reply(false);
+  EXPECT_FALSE(waiting.has_room());
 }
 
 TEST(Waiting, DoesNotGrowForAnEngineThatReadsNoMore) {
   Waiting waiting;
+  fill(waiting);
   waiting.await_reply(true);
   waiting.stop_growing();
-  std::atomic<std::size_t> pushed = 0;
-  const auto sender = fill(waiting, pushed);
-  std::this_thread::sleep_for(50ms);
-  EXPECT_LE(pushed, Waiting::kMost);
-  EXPECT_EQ(empty(waiting), kLines);
+  EXPECT_FALSE(waiting.has_room());
+}
+
+TEST(Waiting, HandsOverEveryLineInOrder) {
+  constexpr std::size_t lines = 4 * Waiting::kMost;
+  Waiting waiting;
+  const std::jthread sender([&] {
+    for (std::size_t i = 0; i < lines; ++i) {
+      Waiting::Entry next = entry();
+      next.line.complaint = std::to_string(i);
+      waiting.push(std::move(next));
+    }
+    waiting.close();
+  });
+  std::size_t popped = 0;
+  while (const auto next = waiting.pop()) EXPECT_EQ(next->line.complaint, std::to_string(popped++));
+  EXPECT_EQ(popped, lines);
 }
 
 TEST(Waiting, LetsTheSenderGoWhenAbandoned) {
   Waiting waiting;
-  std::atomic<std::size_t> pushed = 0;
-  auto sender = fill(waiting, pushed);
+  fill(waiting);
+  bool taken = true;
+  std::jthread sender([&] { taken = waiting.push(entry()); });
   waiting.abandon();
   sender.join();
-  EXPECT_LE(pushed, Waiting::kMost);
+  EXPECT_FALSE(taken);
 }
 
 }  // namespace
