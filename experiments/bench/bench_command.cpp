@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +17,7 @@
 #include "experiments/run/interrupt.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
@@ -175,14 +175,6 @@ int count(const Options& options) {
   return 0;
 }
 
-/// Whole numbers without a sign that fit: CLI11 would take -1 as 2^64 - 1.
-std::string check_number(const std::string& text, std::uint64_t lowest) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size() && number >= lowest;
-  return whole ? "" : fmt::format("\"{}\" is no whole number from {} to 2^64 - 1", text, lowest);
-}
-
 constexpr const char* kFooter = R"(
 Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
   cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
@@ -200,13 +192,13 @@ void add_bench(CLI::App& app, int& status) {
       ->capture_default_str();
   command
       ->add_option("--samples", options->settings.samples, "Distinct queries; fewer than 100000 may be learnt by heart")
-      ->check([](const std::string& text) { return check_number(text, 1); }, "COUNT")
+      ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
   command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   command->add_option("--seed", options->settings.seed, "Any number; the same gives the same queries")
-      ->check([](const std::string& text) { return check_number(text, 0); })
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
       ->capture_default_str();

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/judge/verdict.h"
+#include "experiments/run/whole_number.h"
 #include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
@@ -43,19 +43,6 @@ void add_word(CLI::App& command, const std::string& name, Enumerator& target, co
              name, [&target, by_word](const std::string& word) { target = by_word.at(word); }, description)
       ->check(CLI::IsMember(words))
       ->default_str(std::string(workloads::word(target)));
-}
-
-constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
-
-/// Whole numbers without a sign: CLI11 would take -1 as 2^64 - 1.
-auto whole_number(std::uint64_t lowest, std::uint64_t highest) {
-  return [lowest, highest](const std::string& text) -> std::string {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (whole && number >= lowest && number <= highest) return {};
-    return fmt::format("\"{}\" is no whole number from {} to {}", text, lowest, highest);
-  };
 }
 
 Verdict ask(const methods::Method& method, const workloads::Sample& sample) {
@@ -111,21 +98,21 @@ void add_cases(CLI::App& app) {
            {workloads::Placement::LatticeFrame, workloads::Placement::Rotated}, "How the outline comes into space");
   add_word(*command, "--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")
-      ->check(whole_number(3, 1U << 17))
+      ->check(run::whole_number(3, 1U << 17))
       ->capture_default_str();
   command->add_option("--holes", workload.holes, "Holes")
-      ->check(whole_number(0, kAnyNumber))
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
   command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   command->add_option("--seed", options->seed, "Seed")
-      ->check(whole_number(0, kAnyNumber))
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--first", options->first, "Number of the first sample")
-      ->check(whole_number(0, kAnyNumber));
+      ->check(run::whole_number(0));
   command->add_option("--count", options->count, "Cases to print")
-      ->check(whole_number(0, kAnyNumber))
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
   command->add_option("--failing", options->failing, "Only cases on which one of these methods errs")

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -12,10 +11,11 @@
 #include <thread>
 
 #include "experiments/commands.h"
-#include "experiments/run/interrupt.h"
 #include "experiments/near_edge/output.h"
+#include "experiments/run/interrupt.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
 
 namespace touchstone::commands {
 namespace {
@@ -58,10 +58,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string command_line(const Options& options) {
-  return fmt::format(
-      "touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {} --output {}{}",
-      joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
-      run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+  return fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {} --output {}{}",
+                     joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
+                     run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
 }
 
 /// Draws with the first interpreter that has what it takes: Debian's own, else the one on the path.
@@ -94,14 +93,6 @@ void remove_old(const std::string& folder) {
   }
 }
 
-/// Whole numbers without a sign that fit: CLI11 would take -1 as 2^64 - 1.
-std::string check_number(const std::string& text, std::uint64_t lowest) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size() && number >= lowest;
-  return whole ? "" : fmt::format("\"{}\" is no whole number from {} to 2^64 - 1", text, lowest);
-}
-
 int run(const Options& options) {
   const Settings settings{methods::find_methods(options.methods), select_families(options.families), options.samples,
                           options.seed, options.threads};
@@ -125,7 +116,7 @@ int run(const Options& options) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run::write_run_record(options.output, {command_line(options), settings.seed, settings.samples, result.samples,
-                                    result.missing, settings.threads, seconds});
+                                         result.missing, settings.threads, seconds});
 
   fmt::print("{}", table(settings, result.counts));
   fmt::print("\n{} samples of each family, placement and threshold, in {:.0f} s; {} of all were not found.\n",
@@ -156,10 +147,10 @@ void add_near_edge(CLI::App& app, int& status) {
       ->allow_extra_args(false)
       ->capture_default_str();
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold")
-      ->check([](const std::string& text) { return check_number(text, 1); }, "COUNT")
+      ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
-      ->check([](const std::string& text) { return check_number(text, 0); })
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--threads", options->threads, "They do not change the results")
       ->check(CLI::Range(1, 1024))

@@ -16,6 +16,7 @@
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/real_input/output.h"
+#include "experiments/run/whole_number.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
@@ -147,9 +148,10 @@ void add_mesh_contact(CLI::App& app, int& status) {
       ->allow_extra_args(false)
       ->capture_default_str();
   command->add_option("--seed", options->settings.seed, "Any number; the same gives the same bytes")
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")
-      ->check(CLI::PositiveNumber);
+      ->check(run::whole_number(1));
   command->add_option("--threads", options->settings.threads, "They do not change the results")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

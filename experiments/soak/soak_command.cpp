@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "experiments/run/interrupt.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
 #include "experiments/soak/campaign.h"
 #include "experiments/soak/checkpoint.h"
 #include "experiments/soak/output.h"
@@ -44,14 +44,6 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw std::runtime_error(folder + ": cannot be made: " + (error ? error.message() : "it is no folder"));
-}
-
-/// Whole numbers without a sign that fit: CLI11 would take -1 as 2^64 - 1.
-std::string check_number(const std::string& text, std::uint64_t lowest) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size() && number >= lowest;
-  return whole ? "" : fmt::format("\"{}\" is no whole number from {} to 2^64 - 1", text, lowest);
 }
 
 /// Differences as they are found, so that an endless run tells of them at once.
@@ -143,13 +135,13 @@ void add_soak(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   Settings& settings = options->settings;
   command->add_option("--cases", settings.cases, "How many cases")
-      ->check([](const std::string& text) { return check_number(text, 1); }, "COUNT")
+      ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
   command->add_option("--seed", settings.seed, "Any number; case i depends on it and on i alone")
-      ->check([](const std::string& text) { return check_number(text, 0); })
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--from", settings.from, "The index of the first case")
-      ->check([](const std::string& text) { return check_number(text, 0); })
+      ->check(run::whole_number(0))
       ->capture_default_str();
   command->add_option("--threads", settings.threads, "They do not change the results")
       ->check(CLI::Range(1, 1024))
