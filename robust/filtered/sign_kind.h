@@ -34,6 +34,22 @@ constexpr auto expression(const View& view) {
   }
 }
 
+/// The sign of the expression over numbers that have an exact `sign`.
+template <class View>
+int expression_sign(SignKind kind, const View& view) {
+  switch (kind) {
+    case SignKind::Vertex: return sign(expression<SignKind::Vertex>(view));
+    case SignKind::Along: return sign(expression<SignKind::Along>(view));
+    case SignKind::Beyond: return sign(expression<SignKind::Beyond>(view));
+    case SignKind::Line: return sign(expression<SignKind::Line>(view));
+    case SignKind::Front: return sign(expression<SignKind::Front>(view));
+    case SignKind::Plane: return sign(expression<SignKind::Plane>(view));
+    case SignKind::Side: return sign(expression<SignKind::Side>(view));
+    case SignKind::Above: break;
+  }
+  return sign(expression<SignKind::Above>(view));
+}
+
 /// How far the expression may be off, in units of relative rounding, but for kTiny.
 template <SignKind kind>
 constexpr double bound(const Maxima& m) {

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "robust/exact/nearest_double.h"
-#include "robust/filtered/unlimited_expression.h"
 
 namespace touchstone::filtered {
 namespace {
@@ -167,7 +166,7 @@ DoubleDouble UnlimitedPolygon::plane_height(int exponent) const {
 }
 
 int UnlimitedPolygon::sign(SignKind kind, const Ball& ball, std::size_t edge, int axis) const {
-  return unlimited_expression_sign(kind, view(*numbers_, ball, edge, axis));
+  return expression_sign(kind, view(*numbers_, ball, edge, axis));
 }
 
 int UnlimitedPolygon::compare_distances(const Ball& ball, const Feature& first, const Feature& second) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/unlimited_sign.h"
 
-#include "robust/filtered/unlimited_expression.h"
+#include <CGAL/Mpzf.h>
 
 namespace touchstone::filtered {
 namespace {
@@ -29,7 +29,7 @@ struct View {
 }  // namespace
 
 int unlimited_sign(SignKind kind, const TriangleQuestion& question, int edge) {
-  return unlimited_expression_sign(kind, View{question, edge});
+  return expression_sign(kind, View{question, edge});
 }
 
 }  // namespace touchstone::filtered
