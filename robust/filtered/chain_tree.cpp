@@ -24,6 +24,8 @@ struct Chain {
   double first_y = 0, last_y = 0;
   std::uint32_t first_vertex = 0, last_vertex = 0;
   std::int32_t child = 0;
+
+  [[nodiscard]] bool is_closed() const { return first_vertex == last_vertex; }
 };
 
 /// The ends of a chain's edges: edges of one loop share theirs, those of several loops do not.
@@ -96,9 +98,10 @@ Chain chain_of(const ChainTree::Leaf& leaf, std::size_t next_vertex, std::size_t
 }
 
 Chain chain_of(std::span<const Chain> children, std::size_t index) {
-  const Chain &first = children.front(), &last = children.back();
+  // Whole loops have no ends, and nothing leads from one to the next.
+  const Chain &first = children.front(), &last = first.is_closed() ? first : children.back();
   return {.begin = first.begin,
-          .end = last.end,
+          .end = children.back().end,
           .first_y = first.first_y,
           .last_y = last.last_y,
           .first_vertex = first.first_vertex,
@@ -149,29 +152,13 @@ ChainTree::ChainTree(std::span<const Edge> edges, std::span<const std::size_t> l
       leaves_.push_back(leaf(edges, i, stop));
       chains.push_back(chain_of(leaves_.back(), stop == end ? begin : stop, leaves_.size() - 1));
     }
-    Chain loop = joined(edges, std::move(chains), nodes_);
-    // A closed chain has no ends: whatever is said of them, they are one point.
-    loop.last_y = loop.first_y;
-    loop.last_vertex = loop.first_vertex;
-    loops.push_back(loop);
+    loops.push_back(joined(edges, std::move(chains), nodes_));
     begin = end;
   }
-  // Above the loops a node's first and last children may be different loops; nothing is crossed between them.
-  while (loops.size() > 1) {
-    std::vector<Chain> above;
-    for (std::size_t i = 0; i < loops.size(); i += kWidth) {
-      const std::span children(&loops[i], std::min(kWidth, loops.size() - i));
-      nodes_.push_back(node(edges, children));
-      Chain group = chain_of(children, nodes_.size() - 1);
-      group.last_y = group.first_y;
-      group.last_vertex = group.first_vertex;
-      above.push_back(group);
-    }
-    loops = std::move(above);
-  }
-  root_ = loops.front().child;
+  const Chain all = joined(edges, std::move(loops), nodes_);
+  root_ = all.child;
   if (root_ >= 0) return;
-  nodes_.push_back(node(edges, loops));
+  nodes_.push_back(node(edges, std::span(&all, 1)));
   root_ = static_cast<std::int32_t>(nodes_.size() - 1);
 }
 
