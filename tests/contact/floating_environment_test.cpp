@@ -5,13 +5,11 @@
 #include <cfenv>
 #include <string>
 #include <vector>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 #include "robust/exact/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/contact/environment.h"
 #include "tests/contact/hand_cases.h"
 #include "tests/contact/printing.h"
 #include "tests/contact/rearranged.h"
@@ -19,47 +17,17 @@
 namespace touchstone::contact_tests {
 namespace {
 
-constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-constexpr int kFlags = FE_INVALID | FE_OVERFLOW | FE_DIVBYZERO;
-
-/// A rounding mode, and subnormals taken and given as 0 if `flush`, while it lives.
-class Environment {
- public:
-  Environment(int mode, bool flush) {
-    std::fegetenv(&found_);
-    std::fesetround(mode);
-#if defined(__SSE2__)
-    if (flush) _mm_setcsr(_mm_getcsr() | kFlush);
-#else
-    (void)flush;
-#endif
-  }
-  ~Environment() { std::fesetenv(&found_); }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
-  /// The rounding mode and flush bits that hold now.
-  static unsigned modes() {
-    auto now = static_cast<unsigned>(std::fegetround());
-#if defined(__SSE2__)
-    now |= (_mm_getcsr() & kFlush) << 16;
-#endif
-    return now;
-  }
-
- private:
-  static constexpr unsigned kFlush = 0x8040;  // FTZ and DAZ
-  std::fenv_t found_;
-};
-
 /// Samples, off their planes too; hand cases as normal and as subnormal numbers, and near the largest.
 std::vector<Case> cases() {
   std::vector<Case> result;
   for (const HandCase& c : hand_cases())
     for (const int exponent : {0, -1074, 1020}) result.push_back(scaled(c.given, exponent));
   for (const auto family : workloads::all_families()) {
-    const workloads::Workload workload{.family = family, .placement = workloads::Placement::Rotated,
-                                       .ball = workloads::BallPlace::NearEdge, .vertices = 12, .holes = 1};
+    const workloads::Workload workload{.family = family,
+                                       .placement = workloads::Placement::Rotated,
+                                       .ball = workloads::BallPlace::NearEdge,
+                                       .vertices = 12,
+                                       .holes = 1};
     const workloads::Sample sample = workloads::sample(workload, 2008, 0);
     result.push_back({sample.id, sample.ball, sample.polygon});
   }
@@ -71,12 +39,12 @@ TEST(FloatingEnvironment, ChangesNoExactAnswer) {
   for (const Case& c : cases()) {
     const Answer expected = exact::answer(c.ball, c.polygon);
     for (const int mode : kModes)
-      for (const bool flush : {false, true}) {
+      for (const unsigned flush : kFlushes) {
         const Answer answer = [&] {
           const Environment changed(mode, flush);
           return exact::answer(c.ball, c.polygon);
         }();
-        EXPECT_EQ(answer, expected) << c.id << ", rounding mode " << mode << (flush ? ", flushing" : "");
+        EXPECT_EQ(answer, expected) << c.id << ", rounding mode " << mode << ", flush bits " << flush;
       }
   }
 }
@@ -85,7 +53,7 @@ TEST(FloatingEnvironment, ChangesNoSingleExactAnswer) {
   for (const Case& c : cases()) {
     const Answer expected = exact::answer(c.ball, c.polygon);
     for (const int mode : kModes) {
-      const Environment changed(mode, true);
+      const Environment changed(mode, Environment::kBoth);
       const exact::PreparedPolygon polygon(c.polygon);
       const bool same = exact::contact(c.ball, polygon) == expected.contact() &&
                         exact::relation(c.ball, polygon) == expected.relation &&
@@ -111,15 +79,15 @@ TEST(FloatingEnvironment, ChangesNoValidation) {
     const auto add = [&](const Loop& outer, const std::vector<Loop>& holes = {}) {
       polygons.push_back(scaled({"", {{0, 0, 0}, 0}, Polygon(outer, holes)}, exponent).polygon);
     };
-    add({{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 3, 0}});                          // crosses itself
-    add({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}});                          // touches itself
-    add({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}});                                     // on a line
+    add({{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 3, 0}});                            // crosses itself
+    add({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}});                            // touches itself
+    add({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}});                                       // on a line
     add({{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {{{1, 1, 0}, {4, 4, 0}, {1, 3, 0}}});  // loops touch
   }
   for (const Polygon& polygon : polygons) {
     const std::string expected = verdict(polygon);
     for (const int mode : kModes) {
-      const Environment changed(mode, true);
+      const Environment changed(mode, Environment::kBoth);
       EXPECT_EQ(verdict(polygon), expected) << "rounding mode " << mode;
     }
   }
@@ -130,7 +98,7 @@ TEST(FloatingEnvironment, IsLeftAsFound) {
   for (const Case& c : cases())
     for (const int mode : kModes)
       for (const int flags : {0, FE_DIVBYZERO, kFlags}) {
-        const Environment changed(mode, true);
+        const Environment changed(mode, Environment::kBoth);
         const unsigned modes = Environment::modes();
         std::feclearexcept(FE_ALL_EXCEPT);
         std::feraiseexcept(flags);
