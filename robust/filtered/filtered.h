@@ -32,7 +32,8 @@ namespace touchstone::filtered {
 ///
 /// Throws Rejected with `zero-normal` where there is no supporting plane; that the loops are simple and do not meet is
 /// required (`exact::validate` decides it). Cost: O(n log n), about 1 us a vertex; then a query about a small ball
-/// costs O(log n) on outlines without pathological overlap.
+/// costs O(log n) where consecutive edges lie close together, and up to O(n) where they do not, as on spirals of many
+/// turns.
 class PreparedPolygon {
  public:
   explicit PreparedPolygon(const Polygon& polygon);
@@ -76,7 +77,7 @@ class PreparedPolygon {
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
 
-/// Does the ball touch the triangle? Nothing is prepared; about 20 ns.
+/// Does the ball touch the triangle? Nothing is prepared. Constant cost, a little more than that of `fast::contact`.
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle);
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts);
 
