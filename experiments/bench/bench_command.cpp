@@ -64,10 +64,7 @@ std::string command_line(const Options& options) {
 std::filesystem::path make_folder_of(const std::string& file) {
   std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (folder.empty()) folder = ".";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
+  run::make_folder(folder);
   if (std::filesystem::is_directory(file)) throw std::runtime_error(file + ": is a folder");
   return folder;
 }

@@ -3,19 +3,18 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
-#include <system_error>
 #include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/pictures.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
 namespace {
@@ -63,27 +62,6 @@ std::string command_line(const Options& options) {
                      run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
 }
 
-/// Draws with the first interpreter that has what it takes: Debian's own, else the one on the path.
-void draw_pictures(const std::string& folder) {
-  const std::string script = run::shell_quoted((run::source_folder() / "experiments/report/near_edge.py").string());
-  for (const char* python : {"/usr/bin/python3", "python3"}) {
-    const std::string interpreter(python);
-    if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) != 0) continue;
-    if (std::system((interpreter + " " + script + " " + run::shell_quoted(folder)).c_str()) != 0)
-      fmt::print(stderr, "touchstone: the pictures could not be drawn; the data are in {}\n", folder);
-    return;
-  }
-  fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy; the data are in {}\n", folder);
-}
-
-/// Refuses what cannot be written to before an hour is spent.
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw std::runtime_error(folder + ": cannot be made: " + (error ? error.message() : "it is no folder"));
-}
-
 /// Maps and pictures of an earlier run would belong to other tables.
 void remove_old(const std::string& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -96,7 +74,7 @@ void remove_old(const std::string& folder) {
 int run(const Options& options) {
   const Settings settings{methods::find_methods(options.methods), select_families(options.families), options.samples,
                           options.seed, options.threads};
-  make_folder(options.output);
+  run::make_folder(options.output);
   const run::Interrupt interrupt;
   const auto& stop = interrupt.requested();
   const auto begin = std::chrono::steady_clock::now();
@@ -128,7 +106,7 @@ int run(const Options& options) {
     constexpr int kInterrupted = 130;
     return kInterrupted;
   }
-  if (!options.no_pictures) draw_pictures(options.output);
+  if (!options.no_pictures) run::draw_pictures("near_edge.py", options.output);
   return 0;
 }
 

@@ -17,6 +17,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/real_input/output.h"
 #include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
@@ -95,7 +96,7 @@ int run(Options& options) {
   Settings& settings = options.settings;
   settings.methods = methods::find_methods(options.methods);
   const std::filesystem::path folder = options.output;
-  std::filesystem::create_directories(folder);  // before time is spent
+  run::make_folder(folder);
   const auto begin = std::chrono::steady_clock::now();
   const Meshes meshes = read(options);
   constexpr int kBadInput = 2, kInterrupted = 130;

@@ -7,19 +7,12 @@ import math
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+import matplotlib.colors
 import numpy as np
 from matplotlib.patches import Patch
 
-plt.rcParams.update({"svg.hashsalt": "touchstone", "font.size": 9, "axes.titlesize": 9, "axes.spines.top": False,
-                     "axes.spines.right": False})
+from style import STYLES, plt, save
 
-# Okabe and Ito's colours, told apart by all eyes; line and marker tell them apart without colour.
-STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), ("#000000", ":", "v"),
-          ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
 THRESHOLDS = ["face", "edge", "vertex", "tangent", "foot-edge", "foot-vertex"]
 OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "plane", "foot-edge": "foot",
             "foot-vertex": "foot"}
@@ -33,13 +26,6 @@ def place(offset):
     """Where an offset stands on the axis: evenly up to 8 doubles, by powers of two beyond."""
     size = abs(offset)
     return math.copysign(size if size <= 8 else 8 + 0.7 * math.log2(size / 8), offset)
-
-
-def save(figure, folder, name, kinds):
-    for kind in kinds:
-        metadata = {"Date": None} if kind == "svg" else {"Software": None}
-        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=metadata)
-    plt.close(figure)
 
 
 class Rates:
@@ -102,7 +88,7 @@ def draw_rates(rates, folder, placement):
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n",
                     x=0.01, ha="left")
     rates.legend(figure)
-    save(figure, folder, f"rates-{placement}", ("png", "svg"))
+    save(figure, folder, f"rates-{placement}")
 
 
 def draw_families(rates, folder, placement):
@@ -121,7 +107,7 @@ def draw_families(rates, folder, placement):
     figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles", fontsize=9)
     figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n", x=0.01, ha="left")
     rates.legend(figure)
-    save(figure, folder, f"rates-{placement}-families", ("png", "svg"))
+    save(figure, folder, f"rates-{placement}-families")
 
 
 # What a pixel can be: letter of the verdict, colour, words. Right pixels keep the shade of the truth.

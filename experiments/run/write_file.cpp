@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace touchstone::run {
 
@@ -11,6 +12,13 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   file << text;
   file.close();
   if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
 }
 
 }  // namespace touchstone::run

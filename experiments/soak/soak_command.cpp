@@ -15,6 +15,7 @@
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
 #include "experiments/soak/campaign.h"
 #include "experiments/soak/checkpoint.h"
 #include "experiments/soak/output.h"
@@ -36,14 +37,6 @@ std::string command_line(const Options& options) {
   return fmt::format("touchstone soak --cases {} --seed {} --from {} --threads {} --output {}{}", settings.cases,
                      settings.seed, settings.from, settings.threads, run::shell_quoted(options.output),
                      options.resume ? " --resume" : "");
-}
-
-/// Refuses what cannot be written to before an hour is spent.
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
-    throw std::runtime_error(folder + ": cannot be made: " + (error ? error.message() : "it is no folder"));
 }
 
 /// Differences as they are found, so that an endless run tells of them at once.
@@ -83,7 +76,7 @@ int run(const Options& options) {
   const Settings& settings = options.settings;
   if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
     throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
-  make_folder(options.output);
+  run::make_folder(options.output);
   const std::filesystem::path folder = options.output;
   const Checkpoint checkpoint(folder / "checkpoint.json");
   Tally tally = options.resume ? checkpoint.read(settings) : Tally();

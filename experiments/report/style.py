@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How all pictures look. Same data, same bytes: nothing here depends on the time or on chance."""
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+plt.rcParams.update({"svg.hashsalt": "touchstone", "font.size": 9, "axes.titlesize": 9, "axes.spines.top": False,
+                     "axes.spines.right": False})
+
+# Okabe and Ito's colours, told apart by all eyes; line and marker tell them apart without colour.
+STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), ("#000000", ":", "v"),
+          ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
+
+
+def save(figure, folder, name, kinds=("png", "svg")):
+    """FOLDER/name.png and .svg, without dates and versions."""
+    for kind in kinds:
+        metadata = {"Date": None} if kind == "svg" else {"Software": None}
+        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=metadata)
+    plt.close(figure)

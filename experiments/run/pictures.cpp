@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/pictures.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "experiments/run/run_record.h"
+
+namespace touchstone::run {
+
+void draw_pictures(const std::string& script, const std::filesystem::path& folder) {
+  const std::string path = shell_quoted((source_folder() / "experiments/report" / script).string());
+  for (const char* python : {"/usr/bin/python3", "python3"}) {
+    const std::string interpreter(python);
+    if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) != 0) continue;
+    if (std::system((interpreter + " -B " + path + " " + shell_quoted(folder.string())).c_str()) != 0)
+      fmt::print(stderr, "touchstone: the pictures could not be drawn; the data are in {}\n", folder.string());
+    return;
+  }
+  fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy; the data are in {}\n",
+             folder.string());
+}
+
+}  // namespace touchstone::run

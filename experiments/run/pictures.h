@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace touchstone::run {
+
+/// Draws what lies in a folder with experiments/report/<script>, by the first interpreter that has what that takes:
+/// Debian's own, else the one on the path. Says on standard error why there are no pictures where there are none.
+void draw_pictures(const std::string& script, const std::filesystem::path& folder);
+
+}  // namespace touchstone::run
