@@ -31,9 +31,9 @@ namespace touchstone::filtered {
 /// bounds, edges as structure of arrays, and a hierarchy of boxes over them.
 ///
 /// Throws Rejected with `zero-normal` where there is no supporting plane; that the loops are simple and do not meet is
-/// required (`exact::validate` decides it). Cost: O(n log n), about 1 us a vertex; then a query about a small ball
-/// costs O(log n) where consecutive edges lie close together, and up to O(n) where they do not, as on spirals of many
-/// turns.
+/// required (`exact::validate` decides it). Cost: O(n log n), 1 to 3 us a vertex; then a query about a small ball
+/// costs about O(log n) where a small disc meets few edges; memory: O(n), or O(n log n) for loops that wind through
+/// every part of the plane.
 class PreparedPolygon {
  public:
   explicit PreparedPolygon(const Polygon& polygon);

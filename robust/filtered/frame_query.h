@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "robust/filtered/bounds.h"
 #include "robust/filtered/edge_frame.h"
@@ -75,7 +77,7 @@ struct LeafView {
   Pack squared;      ///< rho^2
   unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > near)
 
-  LeafView(const ChainTree::Leaf& leaf, const FrameQuery& query) {
+  LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
     const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
     const Pack end_x = load(leaf.end_x), end_y = load(leaf.end_y);
@@ -100,7 +102,7 @@ struct NodeView {
   Pack squared;    ///< of the distances to the boxes, short of them by less than FrameQuery's error
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
-  NodeView(const ChainTree::Node& node, const FrameQuery& query) {
+  NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
     const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y), zero = all_lanes(0);
     const Pack x = all_lanes(query.x) - load(node.center_x), y = all_lanes(query.y) - load(node.center_y);
     const Pack along = x * axis_x + y * axis_y, across = y * axis_x - x * axis_y;
@@ -114,42 +116,53 @@ struct NodeView {
   }
 };
 
+/// Is the number of these ends odd that lie above the ray to the right from the foot? `ends` is ordered by y.
+inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
+  const auto above = std::partition_point(ends.begin(), ends.end(),
+                                          [y](const EdgeTree::End& end) { return !std::signbit(y - end.y); });
+  return ((ends.end() - above) & 1) != 0;
+}
+
 /// Walks to all leaves whose box is within `reach` (a square, at least `near`, which the visitor may shrink) of the
 /// foot and calls visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the right
-/// from the foot crosses the loops, if it was not stopped. Leaves come in the order of their edges, or the nearest
-/// child first.
+/// from the foot crosses the loops, if it was not stopped. Leaves come in no order, or the nearest child first.
 template <bool nearest_first = false, class Visit>
-bool walk(const ChainTree& tree, const FrameQuery& query, const double& reach, const Visit& visit) {
+bool walk(const EdgeTree& tree, const FrameQuery& query, const double& reach, const Visit& visit) {
   const Pack y = all_lanes(query.y);
-  std::int32_t stack[ChainTree::kStackSize];
+  std::int32_t stack[EdgeTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = tree.root();
   unsigned crossings = 0;
   while (open > 0) {
     const std::int32_t index = stack[--open];
     if (index < 0) {
-      const ChainTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
       const LeafView view(leaf, query);
       crossings ^= view.crossed;
       if (visit(leaf, view)) return false;
       continue;
     }
-    const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
     const NodeView view(node, query);
     // The foot and a box are rounded by less than a tenth of the error, of which `near` is 9 squares.
     const unsigned far = negative_lanes(all_lanes(reach * 1.25) - view.squared);
-    const Pack straddles = (y - load(node.first_y)) ^ (y - load(node.last_y));
-    crossings ^= far & view.right & negative_lanes(straddles);
-    unsigned last = ChainTree::kWidth;
+    // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
+    const Pack parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
+    const unsigned met = far & view.right & negative_lanes(parted);
+    crossings ^= met & ~node.with_more_ends;
+    for (unsigned more = met & node.with_more_ends; more != 0; more &= more - 1)
+      if (odd_ends_above(tree.ends_of(node, static_cast<unsigned>(__builtin_ctz(more))), query.y))
+        crossings ^= more & -more;
+    unsigned last = EdgeTree::kWidth;
     if constexpr (nearest_first) {
       double distances[kLanes];
       store(distances, view.squared);
-      for (unsigned lane = 0; lane < ChainTree::kWidth; ++lane)
-        if ((far >> lane & 1) == 0 && (last == ChainTree::kWidth || distances[lane] < distances[last])) last = lane;
+      for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane)
+        if ((far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
     }
-    for (unsigned lane = ChainTree::kWidth; lane-- > 0;)
+    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;)
       if ((far >> lane & 1) == 0 && lane != last) stack[open++] = node.child[lane];
-    if (last != ChainTree::kWidth) stack[open++] = node.child[last];
+    if (last != EdgeTree::kWidth) stack[open++] = node.child[last];
   }
   return (__builtin_popcount(crossings) & 1) != 0;
 }

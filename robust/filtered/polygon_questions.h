@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "robust/filtered/closest_point.h"
@@ -73,12 +75,12 @@ class PolygonQuestion {
   [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
 
   /// The lanes of a leaf that stand for edges.
-  static unsigned lanes(const ChainTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
+  static unsigned lanes(const EdgeTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
   /// Calls f(edge) for each set bit; stops where it returns true.
   template <class F>
-  static bool any_edge(const ChainTree::Leaf& leaf, unsigned bits, const F& f) {
+  static bool any_edge(const EdgeTree::Leaf& leaf, unsigned bits, const F& f) {
     for (; bits != 0; bits &= bits - 1)
-      if (f(leaf.first_edge + static_cast<std::size_t>(__builtin_ctz(bits)))) return true;
+      if (f(std::size_t{leaf.edge[__builtin_ctz(bits)]})) return true;
     return false;
   }
   static unsigned below(const Pack& squared, double limit) { return negative_lanes(squared - all_lanes(limit)); }
@@ -97,11 +99,11 @@ template <class Counts>
 template <bool contact_only>
 int PolygonQuestion<Counts>::distance_sign() {
   if (height_.plane_sign() > 0) return 1;
-  const ChainTree& tree = parts_.frame->edges;
+  const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
   const double reach = larger(query.sure_miss, query.near);
   bool hit = false, near = false, unsure = false;
-  const bool inside = walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+  const bool inside = walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     hit = (below(view.squared, query.sure_hit) & lanes(leaf)) != 0;
     near |= (not_above(view.squared, query.near) & lanes(leaf)) != 0;
     unsure |= (not_above(view.squared, query.sure_miss) & lanes(leaf)) != 0;
@@ -119,7 +121,7 @@ int PolygonQuestion<Counts>::distance_sign() {
   int nearest = 1;
   if (unsure) {
     const ExactEdges<Counts>& edges = exact();
-    walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+    walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
       return any_edge(leaf, not_above(view.squared, query.sure_miss) & lanes(leaf), [&](std::size_t edge) {
         nearest = std::min(nearest, edges.distance_sign(edge));
         return contact_only ? nearest <= 0 : nearest < 0;
@@ -143,7 +145,7 @@ FootPlace PolygonQuestion<Counts>::foot_uncounted() {
   const FrameQuery& query = this->query();
   bool near = false;
   const bool inside =
-      walk(parts_.frame->edges, query, query.near, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+      walk(parts_.frame->edges, query, query.near, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
         return near = (not_above(view.squared, query.near) & lanes(leaf)) != 0;
       });
   if (near) return exact_foot();
@@ -154,7 +156,7 @@ FootPlace PolygonQuestion<Counts>::foot_uncounted() {
 // exactly for each vertex that the frame cannot tell from the foot.
 template <class Counts>
 FootPlace PolygonQuestion<Counts>::exact_foot() {
-  const ChainTree& tree = parts_.frame->edges;
+  const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
   const int axis = (parts_.unlimited.dropped_axis() + 2) % 3;
@@ -163,29 +165,35 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
     if (std::abs(y - query.y) > margin) return y > query.y;
     return edges.template sign<SignKind::Above>(vertex, axis) < 0;
   };
+  const auto odd_ends_above = [&](std::span<const EdgeTree::End> ends) {
+    const auto unsure = std::ranges::partition_point(ends, [&](const auto& end) { return end.y < query.y - margin; });
+    const auto sure =
+        std::partition_point(unsure, ends.end(), [&](const auto& end) { return end.y <= query.y + margin; });
+    const auto found = std::count_if(unsure, sure, [&](const auto& end) { return above(end.y, end.vertex); });
+    return ((found + (ends.end() - sure)) & 1) != 0;
+  };
 
   bool inside = false;
-  std::int32_t stack[ChainTree::kStackSize];
+  std::int32_t stack[EdgeTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = tree.root();
   while (open > 0) {
     const std::int32_t index = stack[--open];
     if (index >= 0) {
-      const ChainTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+      const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
       const NodeView view(node, query);
       const unsigned far = negative_lanes(all_lanes(query.near * 1.25) - view.squared);
-      for (unsigned lane = 0; lane < ChainTree::kWidth; ++lane) {
+      for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
         if ((far >> lane & 1) == 0)
           stack[open++] = node.child[lane];
-        else if ((view.right >> lane & 1) != 0 && node.first_vertex[lane] != node.last_vertex[lane] &&
-                 above(node.first_y[lane], node.first_vertex[lane]) != above(node.last_y[lane], node.last_vertex[lane]))
+        else if ((view.right >> lane & 1) != 0 && odd_ends_above(tree.ends_of(node, lane)))
           inside = !inside;
       }
       continue;
     }
-    const ChainTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+    const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-      const std::size_t edge = leaf.first_edge + lane, next = parts_.polygon.next(edge);
+      const std::size_t edge = leaf.edge[lane], next = parts_.polygon.next(edge);
       const bool start = above(leaf.start_y[lane], static_cast<std::uint32_t>(edge));
       const bool end = above(leaf.end_y[lane], static_cast<std::uint32_t>(next));
       const double left = std::min(leaf.start_x[lane], leaf.end_x[lane]);
@@ -215,13 +223,16 @@ std::vector<std::size_t> PolygonQuestion<Counts>::edges_hit_uncounted() {
   if (height_.plane_sign() > 0) return hit;
   const FrameQuery& query = this->query();
   walk(parts_.frame->edges, query, larger(query.sure_miss, query.near),
-       [&](const ChainTree::Leaf& leaf, const LeafView& view) {
-         const unsigned sure = below(view.squared, query.sure_hit);
-         return any_edge(leaf, not_above(view.squared, query.sure_miss) & lanes(leaf), [&](std::size_t edge) {
-           if ((sure >> (edge - leaf.first_edge) & 1) != 0 || exact().distance_sign(edge) <= 0) hit.push_back(edge);
+       [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+         const unsigned sure = below(view.squared, query.sure_hit) & lanes(leaf);
+         any_edge(leaf, sure, [&](std::size_t edge) { return hit.push_back(edge), false; });
+         return any_edge(leaf, not_above(view.squared, query.sure_miss) & ~sure & lanes(leaf), [&](std::size_t edge) {
+           if (exact().distance_sign(edge) <= 0) hit.push_back(edge);
            return false;
          });
        });
+  // By a function of this target, so that no other target's code is sorted by it.
+  std::sort(hit.begin(), hit.end(), [](std::size_t a, std::size_t b) { return a < b; });
   return hit;
 }
 
@@ -235,10 +246,10 @@ Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
 
 template <class Counts>
 Feature PolygonQuestion<Counts>::nearest_on_boundary() {
-  const ChainTree& tree = parts_.frame->edges;
+  const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
   double least = 0x1p500, bound = least;  // beyond all reach, and finite
-  walk<true>(tree, query, bound, [&](const ChainTree::Leaf&, const LeafView& view) {
+  walk<true>(tree, query, bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
@@ -250,7 +261,7 @@ Feature PolygonQuestion<Counts>::nearest_on_boundary() {
   const double wider = std::sqrt(least) * (1 + 0x1p-48) + error,
                reach = larger(wider * wider * (1 + 0x1p-48), query.near);
   std::optional<Feature> nearest;
-  walk(tree, query, reach, [&](const ChainTree::Leaf& leaf, const LeafView& view) {
+  walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     return any_edge(leaf, not_above(view.squared, reach) & lanes(leaf), [&](std::size_t edge) {
       const Feature feature = nearest_of_edge(edge);
       if (!nearest) {

@@ -74,7 +74,7 @@ std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vect
     ys.push_back(dot(y, p).high);
   }
 
-  std::vector<ChainTree::Edge> edges;
+  std::vector<EdgeTree::Edge> edges;
   std::vector<std::size_t> loop_ends;
   for (std::size_t loop = 0; loop < polygon.loop_count(); ++loop) loop_ends.push_back(polygon.loop_end(loop));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -100,13 +100,14 @@ std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vect
                .y = rounded(y),
                .normal = rounded(normal),
                .plane_height = (normal[dropped] * lift(0)).high,
-               .edges = ChainTree(edges, loop_ends)};
+               .edges = EdgeTree(edges, loop_ends)};
 }
 
 }  // namespace
 
 PreparedPolygon::Parts::Parts(const Polygon& loops) : polygon(loops), unlimited(polygon) {
   const int exponent = frame_exponent(polygon), dropped = unlimited.dropped_axis();
+  if (polygon.vertex_count() > EdgeTree::kMostEdges) return;
   const auto points = scaled(polygon, exponent);
   if (!points) return;
   lifted.normal = {unlimited.normal(0, -2 * exponent), unlimited.normal(1, -2 * exponent),

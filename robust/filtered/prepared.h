@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/chain_tree.h"
+#include "robust/filtered/edge_tree.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/numbers/double_double.h"
 #include "robust/filtered/unlimited_polygon.h"
@@ -27,7 +27,7 @@ struct Frame {
   Vector3<double> origin;  ///< vertex 0, scaled
   Vector3<double> x, y, normal;
   double plane_height;  ///< of the plane above the origin
-  ChainTree edges;
+  EdgeTree edges;
 };
 
 /// What the polygon is in double-doubles, in the frame's unit of length but with its own axes.
@@ -44,7 +44,7 @@ struct PreparedPolygon::Parts {
   Polygon polygon;
   UnlimitedPolygon unlimited;
   LiftedPolygon lifted;
-  std::optional<Frame> frame;  ///< none where scaling would lose bits: then `exact` answers
+  std::optional<Frame> frame;  ///< none where scaling would lose bits, or beyond kMostEdges: `exact` answers
 
   /// The polygon for `exact`, made when it is first asked for.
   [[nodiscard]] const exact::PreparedPolygon& exact() const;
