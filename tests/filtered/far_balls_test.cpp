@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Balls many sizes away from the polygon: what doubles may be off grows with the distance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/workloads/doubles.h"
+#include "experiments/workloads/placement.h"
+#include "robust/exact/exact.h"
+#include "robust/filtered/filtered.h"
+#include "tests/contact/printing.h"
+
+namespace touchstone::filtered_tests {
+namespace {
+
+using workloads::Family;
+using workloads::Placement;
+using workloads::Random;
+
+/// A direction in space, in the polygon's plane or along its normal, each with some noise.
+Eigen::Vector3d draw_direction(Random& random, const workloads::Frame& frame) {
+  const auto coordinate = [&] { return 2 * random.unit() - 1; };
+  const double in_plane = random.coin() ? 1 : 0x1p-20, off_plane = random.coin() ? 1 : 0x1p-20;
+  const Eigen::Vector3d direction =
+      in_plane * (coordinate() * frame.u + coordinate() * frame.v) + off_plane * coordinate() * frame.w;
+  return direction.normalized();
+}
+
+// The radius crosses the exact distance double by double, where a bound for near balls would be sure and wrong.
+TEST(FilteredFarBalls, AreAnsweredAsByExactAcrossTheDistance) {
+  std::uint64_t sample = 0;
+  for (const Family family : {Family::Star, Family::Comb, Family::Triangle})
+    for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated})
+      for (int exponent = 1; exponent <= 58; exponent += 3) {
+        const workloads::Workload workload{.family = family, .placement = placement, .vertices = 12};
+        const auto placed = workloads::draw_placed_outline(workload, 2026, sample);
+        const exact::PreparedPolygon truth(placed.polygon);
+        const filtered::PreparedPolygon prepared(placed.polygon);
+        Random random(2026, sample, 98);
+        const double size =
+            placed.frame.unit * static_cast<double>(workloads::bounding_box(placed.outline.outer).size());
+        const Eigen::Vector3d center =
+            placed.frame.origin + std::ldexp(size, exponent) * draw_direction(random, placed.frame);
+        const double distance = exact::answer({center, 0}, truth).distance;
+        for (std::int64_t steps = -4; steps <= 4; ++steps) {
+          const Ball ball{center, workloads::move_by_doubles(distance, steps)};
+          EXPECT_EQ(filtered::answer(ball, prepared), exact::answer(ball, truth))
+              << "sample " << sample << ", 2^" << exponent << " sizes away, " << steps << " doubles";
+          EXPECT_EQ(filtered::contact(ball, prepared), exact::contact(ball, truth))
+              << "sample " << sample << ", 2^" << exponent << " sizes away, " << steps << " doubles";
+        }
+        ++sample;
+      }
+}
+
+}  // namespace
+}  // namespace touchstone::filtered_tests
