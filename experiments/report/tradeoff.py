@@ -117,13 +117,15 @@ def name_front(axes, spots, looks):
                       textcoords="offset points", va="center", fontsize=8, color=looks.looks[spot.method][0])
 
 
-def explanation(measure, rows):
+def explanation(measure, rows, whiskers):
     if measure == "not-right":
-        return ("Filled: share of wrong answers, or \"don't know\", with 95 % limits (Hoeffding). Open, with a caret below: none "
-                "seen; drawn at the upper limit.\n"
+        limits = ", with 95 % limits (Hoeffding)" if whiskers else ""
+        return (f"Filled: share of answers that are wrong, or \"don't know\"{limits}. Open, with a caret below: none seen; drawn at the "
+                "upper 95 % limit.\n"
                 "Grey step: the front, by what was seen: no other method is at least as fast and as right.")
-    text = ("Filled: 99 % of the errors are at most this, the line ends at the worst. At 0.5: correctly rounded in 99 %; open, with a "
-            "caret below: in all questions.\n"
+    worst = ", the line ends at the worst" if whiskers else ""
+    text = (f"Filled: 99 % of the errors are at most this{worst}. At 0.5: correctly rounded in 99 %; open, with a caret below: in "
+            "all questions.\n"
             "Grey step: the front. Not here: methods that give no such number, or mostly don't know it.")
     if any(math.isinf(float(row["error"])) for row in rows):
         text += f" At $10^{{{round(math.log10(BEYOND))}}}$: not finite."
@@ -157,7 +159,7 @@ def draw_pooled(rows, folder, measure, looks):
     set_limits(grid[0][0], rows)
     grid[0][0].set_ylabel(MEASURES[measure][0])
     figure.suptitle("Run time against error: all families of polygons together", x=0.01, ha="left")
-    figure.text(0.01, 0.02, explanation(measure, rows), fontsize=8)
+    figure.text(0.01, 0.02, explanation(measure, rows, True), fontsize=8)
     figure.legend(handles=looks.handles({row["method"] for row in rows}), loc="center right", frameon=False, fontsize=8)
     figure.canvas.draw()
     for axes, spots in drawn:
@@ -185,7 +187,7 @@ def draw_families(rows, folder, measure, looks):
     set_limits(grid[0][0], rows)
     figure.supylabel(MEASURES[measure][0], fontsize=9, x=0.008)
     figure.text(0.5, 0.6 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
-    figure.text(0.01, 0.12 / size[1], explanation(measure, rows), fontsize=7.5)
+    figure.text(0.01, 0.12 / size[1], explanation(measure, rows, False), fontsize=7.5)
     figure.suptitle("Run time against error, by family", x=0.01, y=1 - 0.12 / size[1], ha="left", va="top")
     figure.legend(handles=looks.handles({row["method"] for row in rows}), loc="upper left", ncol=7, frameon=False,
                   fontsize=7.5, bbox_to_anchor=(0, 1 - 0.3 / size[1]))
