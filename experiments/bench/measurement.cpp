@@ -22,18 +22,18 @@ double seconds(const Contestant& contestant, std::size_t count) {
 }
 
 /// How many queries fit into a repetition; also warms up. The best of three: others may be using the machine.
-std::size_t affordable(const Contestant& contestant) {
-  constexpr double kLongEnough = kSecondsOfRepetition / 10;
+std::size_t affordable(const Contestant& contestant, double most_seconds) {
+  const double long_enough = most_seconds / 10;
   std::size_t count = 1;
   double spent = seconds(contestant, count);
-  while (spent < kLongEnough && count < contestant.queries) {
+  while (spent < long_enough && count < contestant.queries) {
     count = std::min(2 * count, contestant.queries);
     spent = seconds(contestant, count);
   }
   for (int again = 0; again < 2; ++again) spent = std::min(spent, seconds(contestant, count));
   const double all = spent * static_cast<double>(contestant.queries) / static_cast<double>(count);
-  if (all <= kSecondsOfRepetition) return contestant.queries;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(kSecondsOfRepetition / spent * static_cast<double>(count)));
+  if (all <= most_seconds) return contestant.queries;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(most_seconds / spent * static_cast<double>(count)));
 }
 
 const Measured& find(const std::vector<Measured>& measured, const std::string& name) {
@@ -64,12 +64,12 @@ Quartiles quartiles(std::vector<double> values) {
 }
 
 Result measure(const std::string& family, const Contest& contest, unsigned repetitions, const std::atomic<bool>& stop,
-               const run::Progress& progress) {
+               const run::Progress& progress, double most_seconds) {
   const auto& contestants = contest.contestants;
   Result result{family, contest.name, contest.note, contest.unit, contest.pool, {}};
   for (const Contestant& c : contestants) {
     if (stop) break;
-    result.contestants.push_back({c.name, affordable(c), {}, {}, c.comparison, {}});
+    result.contestants.push_back({c.name, affordable(c, most_seconds), {}, {}, c.comparison, {}});
   }
   for (unsigned repetition = 0; repetition < repetitions && !stop; ++repetition) {
     for (std::size_t k = 0; k < contestants.size(); ++k) {

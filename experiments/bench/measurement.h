@@ -38,14 +38,16 @@ struct Result {
   std::vector<Measured> contestants;
 };
 
-/// How long one contestant may take in one repetition: then it is asked fewer queries, the first ones.
+/// How long one contestant may take in one repetition of `bench`.
 inline constexpr double kSecondsOfRepetition = 0.05;
 
 /// Times every contestant in each repetition, in turn, each beginning once in so many repetitions; so drifts of the
 /// machine's speed meet all alike, and a ratio is one of times that lie close together. (Google Benchmark would run one
-/// contestant after the other.) Fewer repetitions where stopped. Then counts wrong answers.
+/// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries, the
+/// first ones. Fewer repetitions where stopped. Then counts wrong answers.
 [[nodiscard]] Result measure(const std::string& family, const Contest& contest, unsigned repetitions,
-                             const std::atomic<bool>& stop, const run::Progress& progress);
+                             const std::atomic<bool>& stop, const run::Progress& progress,
+                             double most_seconds = kSecondsOfRepetition);
 
 /// The results of one pool together: the mean of the times of each contestant, repetition by repetition. Nothing where
 /// there are fewer than two of the same contestants.

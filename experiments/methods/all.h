@@ -9,9 +9,15 @@
 // The files of this folder, each of which adds its methods.
 namespace touchstone::methods {
 
+void add_cgal_epeck(std::vector<std::unique_ptr<Method>>& list);
+void add_cgal_inexact(std::vector<std::unique_ptr<Method>>& list);
 void add_exact(std::vector<std::unique_ptr<Method>>& list);
 void add_fast(std::vector<std::unique_ptr<Method>>& list);
+void add_fast_double_double(std::vector<std::unique_ptr<Method>>& list);
+void add_fast_mpfr(std::vector<std::unique_ptr<Method>>& list);
 void add_filtered(std::vector<std::unique_ptr<Method>>& list);
+void add_interval(std::vector<std::unique_ptr<Method>>& list);
+void add_rational(std::vector<std::unique_ptr<Method>>& list);
 void add_thesis(std::vector<std::unique_ptr<Method>>& list);
 
 }  // namespace touchstone::methods

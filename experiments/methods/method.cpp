@@ -18,6 +18,7 @@ PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
           .point = answer.point,
           .distance = answer.distance,
           .off_plane = answer.off_plane,
+          .unsure = false,
           .stage = stage};
 }
 
@@ -27,6 +28,12 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_exact(list);
     add_filtered(list);
     add_fast(list);
+    add_fast_double_double(list);
+    add_fast_mpfr(list);
+    add_interval(list);
+    add_rational(list);
+    add_cgal_inexact(list);
+    add_cgal_epeck(list);
     add_thesis(list);
     return list;
   }();

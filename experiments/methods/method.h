@@ -16,7 +16,7 @@ namespace touchstone::methods {
 /// What can be asked of a method: one of the contract's tests alone, or all of its keys.
 enum class Question { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 
-/// The keys of the contract, each present where the method computes it.
+/// The keys of the contract, each present where the method computes it and knows it.
 struct PartialAnswer {
   std::optional<PlaneSide> plane;
   std::optional<bool> plane_tangent;
@@ -28,6 +28,7 @@ struct PartialAnswer {
   std::optional<Eigen::Vector3d> point;
   std::optional<double> distance;
   std::optional<double> off_plane;
+  bool unsure = false;     ///< a key that was asked for, and that the method computes, is absent: it could not decide
   std::string_view stage;  ///< which stage decided, for --explain
 
   /// All keys of a whole answer.
@@ -50,6 +51,8 @@ class Method {
   virtual ~Method() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual std::string_view summary() const = 0;  ///< one line
+  /// Does a question take tens of microseconds? Studies may ask such a method less than others.
+  [[nodiscard]] virtual bool slow() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const = 0;
 };
 

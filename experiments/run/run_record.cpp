@@ -76,7 +76,7 @@ std::string shell_quoted(const std::string& word) {
 void write_run_record(const std::filesystem::path& folder, const Run& run) {
   utsname machine{};
   uname(&machine);
-  const nlohmann::ordered_json record = {
+  nlohmann::ordered_json record = {
       {"command", run.command},
       {"seed", run.seed},
       {"samples_asked", run.samples_asked},
@@ -92,6 +92,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"cores", std::thread::hardware_concurrency()},
       {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
   };
+  if (run.interrupted) record["interrupted"] = *run.interrupted;
   const auto path = folder / "run.json";
   write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

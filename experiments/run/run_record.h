@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace touchstone::run {
@@ -14,6 +15,7 @@ struct Run {
   std::uint64_t samples_asked, samples_done, samples_missing;
   unsigned threads;
   double seconds;
+  std::optional<bool> interrupted{};  ///< where a study says so
 };
 
 /// Writes run.json. Throws std::runtime_error where it cannot be written.

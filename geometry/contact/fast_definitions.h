@@ -2,7 +2,8 @@
 #pragma once
 
 // The definitions behind fast.h, for scalars other than float, double and long double (those are compiled once, in
-// fast.cpp).
+// fast.cpp). A scalar needs what Eigen needs, abs and sqrt in its namespace, and a conversion to double or, in its
+// namespace, to_double.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,6 +23,16 @@ Vector<Scalar> vertex(const Polygon& polygon, std::size_t i) {
   return polygon.vertex(i).template cast<Scalar>();
 }
 
+template <class Scalar>
+double to_double(const Scalar& x) {
+  return static_cast<double>(x);
+}
+
+template <class Scalar>
+Eigen::Vector3d to_doubles(const Vector<Scalar>& v) {
+  return {to_double(v.x()), to_double(v.y()), to_double(v.z())};
+}
+
 /// The ball in the scalar of the computation.
 template <class Scalar>
 struct Sphere {
@@ -38,6 +49,12 @@ struct Squared {
   bool operator<(const Squared& other) const { return numerator * other.denominator < other.numerator * denominator; }
   [[nodiscard]] bool within(Scalar radius_squared) const { return numerator <= radius_squared * denominator; }
 };
+
+template <class Scalar>
+double root(const Squared<Scalar>& squared) {
+  using std::sqrt;
+  return to_double(sqrt(squared.numerator / squared.denominator));
+}
 
 /// N.(c - g): how far the centre is in front of the plane, in units of |N|.
 template <class Scalar>
@@ -118,8 +135,8 @@ struct Nearest {
 /// Edges before vertices, so that on a tie the earlier candidate stays.
 template <class Scalar>
 Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
-  constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
-  Nearest<Scalar> edge{{Feature::Kind::Edge, 0}, {infinity, 1}}, vertex{{Feature::Kind::Vertex, 0}, {infinity, 1}};
+  // Infinity as the quotient 1 / 0: products with an infinite scalar are not numbers in every arithmetic.
+  Nearest<Scalar> edge{{Feature::Kind::Edge, 0}, {1, 0}}, vertex{{Feature::Kind::Vertex, 0}, {1, 0}};
   for (std::size_t i = 0; i < polygon.edges().size(); ++i) {
     const EdgeView<Scalar> view(sphere, polygon.edges()[i]);
     if (view.start_distance() < vertex.distance) vertex = {{Feature::Kind::Vertex, i}, view.start_distance()};
@@ -175,19 +192,20 @@ PreparedPolygon<Scalar>::PreparedPolygon(const Polygon& polygon) {
   Scalar mean = 0;
   for (std::size_t i = 0; i < count; ++i) heights[i] = plane_.normal.dot(relative[i]);
   for (std::size_t i = 0; i < outer; ++i) mean += heights[i];
-  mean /= Scalar(outer);
+  mean /= Scalar(static_cast<double>(outer));
 
+  using std::abs;
   // A height below its own rounding error is taken as 0: lifting by noise would move vertices of planar loops.
   Scalar extent = 0;
   for (const Vector& r : relative) extent = std::max(extent, r.cwiseAbs().maxCoeff());
   const Scalar noise = 8 * std::numeric_limits<Scalar>::epsilon() * products * extent;
-  const bool planar = std::all_of(heights.begin(), heights.end(), [&](Scalar h) { return std::abs(h) <= noise; });
-  off_plane_ = 0;
+  const bool planar = std::all_of(heights.begin(), heights.end(), [&](Scalar h) { return abs(h) <= noise; });
+  off_plane_ = Scalar(0);
   if (!planar) {
     for (std::size_t i = 0; i < count; ++i) {
       const Scalar displacement = (mean - heights[i]) / plane_.normal[dropped_axis_];
       relative[i][dropped_axis_] += displacement;
-      off_plane_ = std::max(off_plane_, std::abs(displacement));
+      off_plane_ = std::max<Scalar>(off_plane_, abs(displacement));
     }
     plane_.point = origin + relative[0];
   }
@@ -248,6 +266,7 @@ Relation relation(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
 
 template <class Scalar>
 Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
+  using detail::to_double;
   const detail::Sphere<Scalar> sphere(ball);
   const Scalar height = detail::height(sphere, polygon);
   const FootPlace place = detail::foot(height, sphere, polygon);
@@ -259,9 +278,9 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
           .edges_hit = edges_hit(ball, polygon),
           .relation = detail::relation(nearest.distance, sphere.radius_squared),
           .nearest = nearest.feature,
-          .point = detail::closest_point(height, nearest.feature, sphere, polygon).template cast<double>(),
-          .distance = static_cast<double>(std::sqrt(nearest.distance.numerator / nearest.distance.denominator)),
-          .off_plane = static_cast<double>(polygon.off_plane())};
+          .point = detail::to_doubles(detail::closest_point(height, nearest.feature, sphere, polygon)),
+          .distance = detail::root(nearest.distance),
+          .off_plane = to_double(polygon.off_plane())};
 }
 
 }  // namespace touchstone::fast
