@@ -120,6 +120,12 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
   run::write_file(folder / "bands.csv", text);
 }
 
+void write_disagreements(const std::filesystem::path& folder, const Result& result) {
+  std::string text;
+  for (const Disagreement& disagreement : result.disagreements.kept()) text += disagreement.line;
+  run::write_file(folder / "disagreements.jsonl", text);
+}
+
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
   for (const Map& map : maps) {
     std::string text = "row,column,truth";
@@ -130,7 +136,8 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
       for (const std::string& verdicts : map.verdicts) text.append(",").append(1, verdicts[pixel]);
       text += "\n";
     }
-    run::write_file(folder / fmt::format("map-{}-{:.0f}.csv", word(map.test), map.origin_distance), text);
+    const auto name = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
+    run::write_file(folder / name, text);
   }
 }
 
