@@ -317,7 +317,8 @@ TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
   const Settings settings{.cases = 256, .seed = 3};
   Checkpoint(path, settings).write(whole(settings));
   const auto text = text_of(path);
-  EXPECT_EQ(text.rfind("{\"version\":1,\"seed\":3,\"from\":0,\"cases\":256,\"differing\":0,\"outcomes\":[[", 0), 0U) << text;
+  EXPECT_EQ(text.rfind("{\"version\":1,\"seed\":3,\"from\":0,\"cases\":256,\"differing\":0,\"outcomes\":[[", 0), 0U)
+      << text;
   EXPECT_NE(text.find("]],\"kept\":[]}\n"), std::string::npos) << text;
 }
 
