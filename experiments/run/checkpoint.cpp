@@ -32,7 +32,7 @@ nlohmann::json Checkpoint::parsed() const {
   if (!file) return nullptr;
   try {
     const auto whole = nlohmann::json::parse(file);
-    if (whole.at("version") != settings_.at("version")) refuse("is of another version of this program");
+    if (whole.at("version") != nlohmann::json(settings_.at("version"))) refuse("is of another version of this program");
     std::string found, wanted;
     for (const auto& [name, value] : settings_.items()) {
       if (whole.at(name) == nlohmann::json(value)) continue;

@@ -18,7 +18,7 @@ import time
 
 STUDIES = {
     "near-edge": ["near-edge", "--method", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
-                  "--truth", "filtered", "--no-pictures", "--threads", "1", "--samples", "200"],
+                  "--truth", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
     "soak": ["soak", "--seed", "5", "--threads", "1", "--cases", "20000"],
 }
 DONE = {"near-edge": "samples", "soak": "cases"}  # the key of the checkpoint that says how much

@@ -109,6 +109,22 @@ TEST(Sweep, TakesEveryItemOnce) {
     }
 }
 
+// Three threads wait for each other within the first leg, so that each has a part.
+TEST(Sweep, AddsWhatEveryThreadFound) {
+  constexpr unsigned kThreads = 3;
+  std::atomic<unsigned> here = 0;
+  Items items;
+  run_sweep(
+      {kThreads, 1, kThreads, kAlone, kNeverStop, [](std::uint64_t) {}},
+      [&](std::uint64_t item, Items& part) {
+        part.all.insert(item);
+        ++here;
+        while (here < kThreads) std::this_thread::yield();
+      },
+      [](std::uint64_t, const Items&) {}, Items(), 0, items);
+  EXPECT_EQ(items.all, first_items(kThreads).all);
+}
+
 // Whatever is saved is the sum over the first items, and so is what a stopped sweep holds.
 TEST(Sweep, AlwaysHoldsTheFirstItems) {
   std::atomic<bool> stop = false;
