@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 #include "experiments/judge/case.h"
 #include "experiments/judge/verdict.h"
@@ -139,6 +139,18 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
     EXPECT_EQ(same.share, reach.share) << "a climb is a function of its arguments";
   }
   EXPECT_GT(further, 0);
+}
+
+// Far from the origin moves by bits are large: many would bring the foot over the face, or another feature nearest.
+TEST(Climb, KeepsTheKindOfTheNearestFeature) {
+  for (std::uint64_t n = 0; n < 6; ++n)
+    for (const auto& [threshold, kind] :
+         {std::pair{Threshold::Edge, Feature::Kind::Edge}, std::pair{Threshold::Vertex, Feature::Kind::Vertex}}) {
+      const auto start = draw_at_threshold({stratum(Family::Star, threshold), {.origin_distance = 1e6}, 5, n});
+      ASSERT_TRUE(start);
+      const Climbed climbed = climb(*start, method("thesis-signed"), workloads::Random(1, n));
+      EXPECT_EQ(exact::answer(climbed.at.ball, climbed.at.polygon).nearest.kind, kind) << n;
+    }
 }
 
 // Each case reads as the judge reads it; `exact` meets what is expected, the method that it names does not.
