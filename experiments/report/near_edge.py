@@ -213,7 +213,7 @@ def draw_onset(folder):
             if row == 0:
                 axes.set_title(words)
             if row == len(thresholds) - 1:
-                axes.set_xlabel("offset, as a share of the polygon's size")
+                axes.set_xlabel("offset to either side, share of the size")
         test = "foot test" if threshold.startswith("foot") else "final answer"
         grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{test} wrong, %", fontsize=8)
     samples = max(int(row["samples"]) for row in rates)
