@@ -166,9 +166,9 @@ TEST(Search, ReportsCasesThatAreWrong) {
     EXPECT_GE(share, onsets.all[i].furthest.front().share);
     const judge::Case read = judge::read_case(line);
     ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << line;
-    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+    const auto& shapes = std::get<judge::Shapes>(read.content);
     const auto meets = [&](const methods::Method& asked) {
-      const auto answer = asked.prepare(polygon)->ask(ball, methods::Question::Answer);
+      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, methods::Question::Answer);
       return judge::differences(*read.expected, judge::object_of(answer)).empty();
     };
     EXPECT_TRUE(meets(method("exact"))) << line;
