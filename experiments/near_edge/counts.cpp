@@ -53,4 +53,20 @@ Summary Counts::summary(const std::vector<std::size_t>& strata, Test test, std::
   return summary;
 }
 
+void to_json(nlohmann::ordered_json& json, const Counts& counts) {
+  std::vector<std::uint64_t> failures, trials;
+  for (const Tally& tally : counts.tallies_) {
+    failures.push_back(tally.failures);
+    trials.push_back(tally.trials);
+  }
+  json = {{"methods", counts.methods_}, {"failures", failures}, {"trials", trials}};
+}
+
+void from_json(const nlohmann::json& json, Counts& counts) {
+  counts = Counts(json.at("methods").get<std::size_t>());
+  const auto &failures = json.at("failures"), &trials = json.at("trials");
+  for (std::size_t i = 0; i < counts.tallies_.size(); ++i)
+    counts.tallies_[i] = {failures.at(i).get<std::uint64_t>(), trials.at(i).get<std::uint64_t>()};
+}
+
 }  // namespace touchstone::near_edge

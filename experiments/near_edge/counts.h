@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Tally {
   std::uint64_t failures = 0, trials = 0;
 
   Tally& operator+=(const Tally& other);
+  friend bool operator==(const Tally&, const Tally&) = default;
 };
 
 /// What one test of one method did in some strata.
@@ -34,11 +36,12 @@ struct Summary {
 /// Failures and trials by stratum, test, method (by its place in the list) and offset.
 class Counts {
  public:
+  Counts() = default;
   explicit Counts(std::size_t methods);
 
   /// Adds one sample: `failed`, for each offset.
   void add(std::size_t stratum, Test test, std::size_t method, const std::vector<bool>& failed);
-  /// Sums do not depend on their order.
+  /// Sums do not depend on their order. Requires the same methods.
   Counts& operator+=(const Counts& other);
 
   [[nodiscard]] std::size_t methods() const { return methods_; }
@@ -46,10 +49,15 @@ class Counts {
   /// Over these strata together.
   [[nodiscard]] Summary summary(const std::vector<std::size_t>& strata, Test test, std::size_t method) const;
 
+  friend bool operator==(const Counts&, const Counts&) = default;
+  // Throws nlohmann::json::exception where something is missing.
+  friend void to_json(nlohmann::ordered_json& json, const Counts& counts);
+  friend void from_json(const nlohmann::json& json, Counts& counts);
+
  private:
   [[nodiscard]] std::size_t first(std::size_t stratum, Test test, std::size_t method) const;
 
-  std::size_t methods_;
+  std::size_t methods_ = 0;
   std::vector<Tally> tallies_;  ///< one an offset, then one of the samples
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/near_edge/map.h"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <memory>
@@ -16,13 +17,34 @@ namespace {
 
 using workloads::PlacedOutline;
 
-constexpr std::size_t kDistances = std::size(kOriginDistances);
+constexpr std::array kSpots{Spot::Face, Spot::Edge, Spot::Vertex, Spot::ReflexVertex};
+constexpr std::size_t kScenes = kSpots.size() * std::size(kOriginDistances);
 constexpr auto kSide = static_cast<std::size_t>(Map::kSize);
+constexpr char kNotDrawn = ' ';
 
-std::size_t reflex_vertex(const workloads::Outline& outline) {
-  std::size_t i = 0;
-  while (workloads::corner(outline, i).convex()) ++i;
-  return i;
+/// A point of the lattice's plane.
+struct Position {
+  double x, y;
+};
+
+Position middle(workloads::LatticePoint a, workloads::LatticePoint b) {
+  return {(static_cast<double>(a.x) + static_cast<double>(b.x)) / 2,
+          (static_cast<double>(a.y) + static_cast<double>(b.y)) / 2};
+}
+
+/// An L has one reflex vertex; vertex 3 counted from there is the opposite corner of the same part of the L.
+Position place_of(Spot spot, const workloads::Outline& outline) {
+  const std::size_t n = outline.outer.size();
+  std::size_t reflex = 0;
+  while (workloads::corner(outline, reflex).convex()) ++reflex;
+  const auto vertex = [&](std::size_t i) { return outline.outer[(reflex + i) % n]; };
+  switch (spot) {
+    case Spot::Face: return middle(vertex(0), vertex(3));
+    case Spot::Edge: return middle(vertex(2), vertex(3));
+    case Spot::Vertex: return middle(vertex(3), vertex(3));
+    case Spot::ReflexVertex: break;
+  }
+  return middle(vertex(0), vertex(0));
 }
 
 /// The axis across which a polygon spreads least; here, that of its normal's largest component, but for near ties.
@@ -42,10 +64,16 @@ bool same_binade(double a, double b) {
   return std::ilogb(a) == std::ilogb(b) && inner(a) && inner(b);
 }
 
+/// What is mapped, prepared for all threads.
 struct Scene {
-  Polygon polygon;
-  Ball middle;
-  int first_axis, second_axis;
+  Scene(Polygon drawn, Ball ball, int flat, const std::vector<const methods::Method*>& methods)
+      : polygon(std::move(drawn)),
+        middle(std::move(ball)),
+        first_axis((flat + 1) % 3),
+        second_axis((flat + 2) % 3),
+        exact(polygon) {
+    for (const auto* method : methods) asked.push_back(method->prepare(polygon));
+  }
 
   [[nodiscard]] Ball ball(std::size_t row, std::size_t column) const {
     Ball ball = middle;
@@ -54,9 +82,16 @@ struct Scene {
     ball.center[second_axis] = workloads::move_by_doubles(ball.center[second_axis], -from_middle(row));
     return ball;
   }
+
+  Polygon polygon;
+  Ball middle;
+  int first_axis, second_axis;
+  exact::PreparedPolygon exact;
+  std::vector<std::unique_ptr<methods::PreparedMethod>> asked;
 };
 
-Scene draw_scene(double origin_distance, std::uint64_t seed) {
+Scene draw_scene(Spot spot, double origin_distance, std::uint64_t seed,
+                 const std::vector<const methods::Method*>& methods) {
   workloads::Workload workload;
   workload.family = workloads::Family::L;
   workload.placement = workloads::Placement::Rotated;
@@ -64,26 +99,49 @@ Scene draw_scene(double origin_distance, std::uint64_t seed) {
   constexpr std::uint64_t kAttempts = 10000;
   for (std::uint64_t index = 0; index < kAttempts; ++index) {
     const PlacedOutline placed = workloads::draw_placed_outline(workload, seed, index);
-    const auto vertex = workloads::corner(placed.outline, reflex_vertex(placed.outline)).here;
+    const Position place = place_of(spot, placed.outline);
     const auto height = static_cast<double>(workloads::bounding_box(placed.outline.outer).size()) / 4;
-    const Eigen::Vector3d center =
-        placed.frame.at(static_cast<double>(vertex.x), static_cast<double>(vertex.y), height);
-    const int flat = flat_axis(placed.frame), first = (flat + 1) % 3, second = (flat + 2) % 3;
-    if (!same_binade(center[first], center[second])) continue;
+    const Eigen::Vector3d center = placed.frame.at(place.x, place.y, height);
+    const int flat = flat_axis(placed.frame);
+    if (!same_binade(center[(flat + 1) % 3], center[(flat + 2) % 3])) continue;
     const double distance = exact::answer({center, 0}, placed.polygon).distance;
-    return {placed.polygon, {center, distance}, first, second};
+    return {placed.polygon, {center, distance}, flat, methods};
   }
   throw std::runtime_error("no L was found whose coordinates lie in one binade");
 }
 
-/// What one thread has prepared of one scene.
-struct Prepared {
-  Prepared(const Scene& scene, const std::vector<const methods::Method*>& methods) : exact(scene.polygon) {
-    for (const auto* method : methods) asked.push_back(method->prepare(scene.polygon));
+/// The maps, drawn in part; the rest is kNotDrawn.
+struct Sheet {
+  std::vector<Map> maps;
+
+  Sheet& operator+=(const Sheet& other) {
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+      add(maps[m].truth, other.maps[m].truth);
+      for (std::size_t i = 0; i < maps[m].verdicts.size(); ++i) add(maps[m].verdicts[i], other.maps[m].verdicts[i]);
+    }
+    return *this;
   }
-  exact::PreparedPolygon exact;
-  std::vector<std::unique_ptr<methods::PreparedMethod>> asked;
+
+ private:
+  static void add(std::string& letters, const std::string& others) {
+    for (std::size_t pixel = 0; pixel < letters.size(); ++pixel)
+      if (others[pixel] != kNotDrawn) letters[pixel] = others[pixel];
+  }
 };
+
+// Between processes: the letters alone; every process knows the rest.
+void to_json(nlohmann::ordered_json& json, const Sheet& sheet) {
+  json = nlohmann::ordered_json::array();
+  for (const Map& map : sheet.maps) json.push_back({map.truth, map.verdicts});
+}
+
+void from_json(const nlohmann::json& json, Sheet& sheet) {
+  for (const auto& map : json) {
+    sheet.maps.emplace_back();
+    sheet.maps.back().truth = map.at(0).get<std::string>();
+    sheet.maps.back().verdicts = map.at(1).get<std::vector<std::string>>();
+  }
+}
 
 char letter(Test test, const methods::PartialAnswer& truth) {
   if (test == Test::Contact) return *truth.contact ? 'c' : 'n';
@@ -101,52 +159,74 @@ char letter(const std::optional<Outcome>& verdict) {
   return 'b';
 }
 
-void draw_row(const Scene& scene, const Prepared& prepared, const std::vector<bool>& knows_boundary, std::size_t row,
-              Map* foot_and_contact) {
-  for (std::size_t column = 0; column < kSide; ++column) {
-    const Ball ball = scene.ball(row, column);
-    methods::PartialAnswer truth;
-    truth.foot = exact::foot(ball, prepared.exact);
-    truth.contact = exact::contact(ball, prepared.exact);
-    const std::size_t pixel = row * kSide + column;
-    for (Map* map = foot_and_contact; map != foot_and_contact + 2; ++map) {
-      map->truth[pixel] = letter(map->test, truth);
-      for (std::size_t m = 0; m < prepared.asked.size(); ++m) {
-        const auto answer = prepared.asked[m]->ask(ball, question(map->test));
-        map->verdicts[m][pixel] = letter(compare(map->test, answer, truth, knows_boundary[m]));
+class Cartographer {
+ public:
+  Cartographer(const std::vector<const methods::Method*>& methods, std::uint64_t seed) {
+    for (const auto* method : methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+    const std::string empty(kSide * kSide, kNotDrawn);
+    for (const Spot spot : kSpots)
+      for (const double distance : kOriginDistances) {
+        scenes_.push_back(draw_scene(spot, distance, seed, methods));
+        for (const Test test : {Test::Foot, Test::Contact})
+          blank_.maps.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
+      }
+  }
+
+  /// Two maps a scene, of the foot and of the contact.
+  [[nodiscard]] const Sheet& blank() const { return blank_; }
+
+  void draw_row(std::uint64_t number, Sheet& sheet) const {
+    const std::size_t row = static_cast<std::size_t>(number) % kSide, s = static_cast<std::size_t>(number) / kSide;
+    const Scene& scene = scenes_[s];
+    for (std::size_t column = 0; column < kSide; ++column) {
+      const Ball ball = scene.ball(row, column);
+      methods::PartialAnswer truth;
+      truth.foot = exact::foot(ball, scene.exact);
+      truth.contact = exact::contact(ball, scene.exact);
+      const std::size_t pixel = row * kSide + column;
+      for (Map* map : {&sheet.maps[2 * s], &sheet.maps[2 * s + 1]}) {
+        map->truth[pixel] = letter(map->test, truth);
+        for (std::size_t m = 0; m < scene.asked.size(); ++m) {
+          const auto answer = scene.asked[m]->ask(ball, question(map->test));
+          map->verdicts[m][pixel] = letter(compare(map->test, answer, truth, knows_boundary_[m]));
+        }
       }
     }
   }
-}
+
+ private:
+  std::vector<bool> knows_boundary_;
+  std::vector<Scene> scenes_;
+  Sheet blank_;
+};
 
 }  // namespace
 
-std::uint64_t map_blocks() { return kDistances * kSide; }
+std::string_view word(Spot spot) {
+  switch (spot) {
+    case Spot::Face: return "face";
+    case Spot::Edge: return "edge";
+    case Spot::Vertex: return "vertex";
+    case Spot::ReflexVertex: break;
+  }
+  return "reflex-vertex";
+}
+
+std::uint64_t map_rows() { return kScenes * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const methods::Method*>& methods, std::uint64_t seed, unsigned threads,
-                           const std::atomic<bool>& stop, const run::Progress& progress) {
-  std::vector<bool> knows_boundary;
-  for (const auto* method : methods) knows_boundary.push_back(judge::knows_boundary(*method));
-  std::vector<Scene> scenes;
-  std::vector<Map> maps;
-  for (const double distance : kOriginDistances) {
-    scenes.push_back(draw_scene(distance, seed));
-    for (const Test test : {Test::Foot, Test::Contact}) {
-      const std::string empty(kSide * kSide, '?');
-      maps.push_back({distance, test, empty, std::vector<std::string>(methods.size(), empty)});
-    }
-  }
-  std::vector<std::vector<std::unique_ptr<Prepared>>> prepared(threads);  // [thread][scene]
-  for (auto& list : prepared)
-    for (const Scene& scene : scenes) list.push_back(std::make_unique<Prepared>(scene, methods));
-
-  const std::uint64_t done =
-      run::run_blocks(map_blocks(), threads, stop, progress, [&](unsigned thread, std::uint64_t block) {
-        const auto scene = static_cast<std::size_t>(block) / kSide, row = static_cast<std::size_t>(block) % kSide;
-        draw_row(scenes[scene], *prepared[thread][scene], knows_boundary, row, &maps[2 * scene]);
-      });
-  maps.resize(2 * (static_cast<std::size_t>(done) / kSide), {0, Test::Foot, {}, {}});
-  return maps;
+                           const run::Processes& processes, const std::atomic<bool>& stop,
+                           const run::Progress& progress) {
+  const Cartographer cartographer(methods, seed);
+  Sheet sheet = cartographer.blank();
+  const std::uint64_t done = run::run_sweep(
+      {map_rows(), 1, threads, processes, stop, progress},
+      [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
+      cartographer.blank(), 0, sheet);
+  if (!processes.first()) return {};
+  sheet.maps.resize(2 * (static_cast<std::size_t>(done) / kSide));
+  std::erase_if(sheet.maps, [](const Map& map) { return map.spot == Spot::Face && map.test == Test::Foot; });
+  return sheet.maps;
 }
 
 }  // namespace touchstone::near_edge

@@ -80,7 +80,8 @@ std::string_view movement(Threshold threshold) {
 }
 
 constexpr std::string_view kLegend =
-    "A sample is a polygon and a centre; it fails if the test is wrong at any offset. Limits: Clopper-Pearson, 95 %.\n"
+    "A sample is a polygon and a centre; it fails if the test is wrong, or left undecided, at any offset.\n"
+    "Limits: Clopper-Pearson, 95 %.\n"
     "Offset: of the radius (or of one coordinate of the centre), in doubles from the exact threshold; positive is\n"
     "larger (or: the foot is outside). Band: the lowest and the highest offset at which a failure was seen.\n"
     "plane: intersects or not (front and behind count alike). foot: inside, boundary or outside; for a method without\n"
@@ -120,6 +121,12 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
   run::write_file(folder / "bands.csv", text);
 }
 
+void write_disagreements(const std::filesystem::path& folder, const Result& result) {
+  std::string text;
+  for (const Disagreement& disagreement : result.disagreements.kept()) text += disagreement.line;
+  run::write_file(folder / "disagreements.jsonl", text);
+}
+
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
   for (const Map& map : maps) {
     std::string text = "row,column,truth";
@@ -130,7 +137,8 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
       for (const std::string& verdicts : map.verdicts) text.append(",").append(1, verdicts[pixel]);
       text += "\n";
     }
-    run::write_file(folder / fmt::format("map-{}-{:.0f}.csv", word(map.test), map.origin_distance), text);
+    const auto name = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
+    run::write_file(folder / name, text);
   }
 }
 

@@ -135,18 +135,24 @@ def colours(truth, verdicts):
     return picture
 
 
-def draw_maps(folder):
-    distances = [(0, "at the origin"), (1000, "1e3 sizes away"), (1000000, "1e6 sizes away")]
-    columns = [(test, distance, words) for test in ("foot", "contact") for distance, words in distances
-               if (folder / f"map-{test}-{distance}.csv").exists()]
+SPOTS = {"face": "a point inside an L", "edge": "the middle of an edge of an L", "vertex": "a vertex of an L",
+         "reflex-vertex": "the reflex vertex of an L"}
+DISTANCES = [(0, "at the origin"), (1000, "$10^3$ sizes away"), (1000000, "$10^6$ sizes away")]
+TESTS = {"foot": "foot", "contact": "final answer"}
+
+
+def draw_maps(folder, spot):
+    columns = [(test, distance, words) for test in TESTS for distance, words in DISTANCES
+               if (folder / f"map-{spot}-{test}-{distance}.csv").exists()]
     if not columns:
         return
-    maps = [read_map(folder / f"map-{test}-{distance}.csv") for test, distance, _ in columns]
+    maps = [read_map(folder / f"map-{spot}-{test}-{distance}.csv") for test, distance, _ in columns]
     names = list(maps[0])
     dpi, pixels_a_double = 150, 3
-    side = maps[0]["truth"].shape[0] * pixels_a_double / dpi
-    gap, left, top, bottom = 0.12, 1.1, 0.85, 0.75
-    width = left + len(columns) * (side + gap)
+    size = maps[0]["truth"].shape[0]
+    side = size * pixels_a_double / dpi
+    gap, left, top, bottom = 0.12, 1.1, 1.05, 0.85
+    width = left + max(len(columns), 4) * (side + gap)  # the title and the legend need so much
     height = top + len(names) * (side + gap) + bottom
     figure = plt.figure(figsize=(width, height))
     for column, ((test, _, words), letters) in enumerate(zip(columns, maps)):
@@ -160,15 +166,62 @@ def draw_maps(folder):
             for spine in axes.spines.values():
                 spine.set(visible=True, color="#888888", linewidth=0.5)
             if row == 0:
-                axes.set_title(f"{'foot' if test == 'foot' else 'final answer'},\n{words}")
+                axes.set_title(f"{TESTS[test]},\n{words}")
             if column == 0:
                 axes.set_ylabel(name, fontsize=10)
-    size = maps[0]["truth"].shape[0]
-    figure.text(0.01, 1 - 0.12 / height, "The plane above the reflex vertex of an L, one pixel a double "
-                f"({size} x {size} doubles; the vertex in the middle)", va="top", fontsize=11)
+    figure.text(0.1 / width, 1 - 0.12 / height, f"The plane above {SPOTS[spot]}, which lies below the middle:\n"
+                f"{size} x {size} doubles, one pixel a double of either coordinate of the centre", va="top", fontsize=11)
     legend = [Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in [*TRUTH.values(), *WRONG.values()] if words]
-    figure.legend(handles=legend, loc="lower center", ncol=3, frameon=False)
-    save(figure, folder, "maps", ("png",))
+    figure.legend(handles=legend, loc="lower center", ncol=3 if len(columns) > 4 else 2, frameon=False)
+    save(figure, folder, f"maps-{spot}", ("png",))
+
+
+def read_table(path):
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def draw_onset(folder):
+    """Where errors begin: of random samples, and the furthest that a search found."""
+    rates = [row for row in read_table(folder / "onset.csv") if row["family"] == "all"]
+    if not rates:
+        return
+    worst = read_table(folder / "worst.csv")
+    methods = list(dict.fromkeys(row["method"] for row in rates))
+    thresholds = [t for t in THRESHOLDS if any(row["threshold"] == t for row in rates)]
+    figure, grid = plt.subplots(len(thresholds), len(DISTANCES), figsize=(10.5, 1.75 * len(thresholds) + 1.3), sharex=True,
+                                sharey=True, squeeze=False, layout="constrained")
+    for row, threshold in enumerate(thresholds):
+        for column, (distance, words) in enumerate(DISTANCES):
+            axes = grid[row][column]
+            for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
+                here = {"threshold": threshold, "origin_distance": str(distance), "method": method}
+                curve = [r for r in rates if here.items() <= r.items()]
+                x = [-int(r["exponent"]) for r in curve]
+                rate, lower, upper = ([100 * float(r[name]) for r in curve] for name in ("rate", "lower", "upper"))
+                axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
+                axes.plot(x, rate, color=colour, linestyle=line, linewidth=1.2, label=method)
+                furthest = [float(r["climbed_share"]) for r in worst if here.items() <= r.items() and r["climbed_share"]]
+                if furthest:
+                    axes.plot(math.log2(max(furthest)), 0, marker=marker, markersize=5, color=colour, clip_on=False,
+                              linestyle="none", zorder=5)
+            axes.set_xticks([-60, -50, -40, -30, -20, -10, 0], [f"$2^{{{k}}}$" if k else "1" for k in (-60, -50, -40, -30, -20, -10, 0)])
+            axes.set_ylim(-3, 103)
+            axes.grid(color="#dddddd", linewidth=0.5)
+            if row == 0:
+                axes.set_title(words)
+            if row == len(thresholds) - 1:
+                axes.set_xlabel("offset to either side, share of the size")
+        test = "foot test" if threshold.startswith("foot") else "final answer"
+        grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{test} wrong, %", fontsize=8)
+    samples = max(int(row["samples"]) for row in rates)
+    figure.suptitle(f"How far from a threshold methods are wrong: {samples} random samples a panel and method, bands: 95 % limits;\n"
+                    "marks: the furthest wrong answer that a search by moving coordinates found\n\n", x=0.01, ha="left")
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper right", ncol=min(4, len(labels)), frameon=False, bbox_to_anchor=(1, 1 - 0.42 / figure.get_figheight()))
+    save(figure, folder, "onset")
 
 
 def main():
@@ -180,7 +233,9 @@ def main():
         if rates.thresholds(placement):
             draw_rates(rates, folder, placement)
             draw_families(rates, folder, placement)
-    draw_maps(folder)
+    for spot in SPOTS:
+        draw_maps(folder, spot)
+    draw_onset(folder)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def study(touchstone):
     counts = collections.defaultdict(lambda: [0, 0])
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([touchstone, "near-edge", "--method", ",".join(METHODS), "--samples", str(SAMPLES), "--seed", "1",
-                        "--no-pictures", "--output", folder],
+                        "--search", "0", "--no-pictures", "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:
             for row in csv.DictReader(rates):

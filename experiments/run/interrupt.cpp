@@ -9,19 +9,23 @@ namespace {
 std::atomic<bool> requested_once = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "set within a signal handler");
 
+constexpr int kSignals[] = {SIGINT, SIGTERM};
+
 extern "C" void request(int) {
   requested_once = true;
-  std::signal(SIGINT, SIG_DFL);
+  for (const int signal : kSignals) std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 Interrupt::Interrupt() {
   requested_once = false;
-  std::signal(SIGINT, request);
+  for (const int signal : kSignals) std::signal(signal, request);
 }
 
-Interrupt::~Interrupt() { std::signal(SIGINT, SIG_DFL); }
+Interrupt::~Interrupt() {
+  for (const int signal : kSignals) std::signal(signal, SIG_DFL);
+}
 
 const std::atomic<bool>& Interrupt::requested() const { return requested_once; }
 

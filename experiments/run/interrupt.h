@@ -5,7 +5,8 @@
 
 namespace touchstone::run {
 
-/// While one exists, the first SIGINT only sets `requested`; a second one ends the process as ever. One at a time.
+/// While one exists, the first SIGINT or SIGTERM (with which `mpirun` ends its processes) only sets `requested`; a
+/// second one ends the process as ever. One at a time.
 class Interrupt {
  public:
   Interrupt();
@@ -15,5 +16,8 @@ class Interrupt {
 
   [[nodiscard]] const std::atomic<bool>& requested() const;
 };
+
+/// The exit status of an interrupted run.
+inline constexpr int kInterrupted = 130;
 
 }  // namespace touchstone::run

@@ -8,9 +8,35 @@
 #include <utility>
 
 namespace touchstone::run {
+namespace {
 
-ProgressLine::ProgressLine(std::string what, std::uint64_t total)
-    : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
+/// `40 s`, `12 min`, `3.5 h`.
+std::string duration_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+std::string progress_text(const std::string& what, std::uint64_t before, std::uint64_t done, std::uint64_t total,
+                          double seconds) {
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  std::string text = fmt::format("{}: {:.0f} %", what, 100 * share);
+  if (done > before) {
+    const double pace = seconds / static_cast<double>(done - before);
+    text += fmt::format(", {} left", duration_text(pace * static_cast<double>(total - done)));
+  }
+  return text;
+}
+
+ProgressLine::ProgressLine(std::string what, std::uint64_t total, std::uint64_t before)
+    : what_(std::move(what)),
+      total_(total),
+      before_(before),
+      shown_(isatty(STDERR_FILENO) == 1),
+      begin_(Clock::now()),
+      last_(begin_) {}
 
 ProgressLine::~ProgressLine() {
   if (shown_) std::fputs("\r\033[K", stderr);
@@ -21,9 +47,8 @@ void ProgressLine::operator()(std::uint64_t done) {
   const auto now = Clock::now();
   if (!shown_ || now - last_ < kInterval) return;
   last_ = now;
-  const double share = static_cast<double>(done) / static_cast<double>(total_);
-  const double spent = std::chrono::duration<double>(now - begin_).count();
-  fmt::print(stderr, "\r{}: {:.0f} %, {:.0f} s left \033[K", what_, 100 * share, spent / share - spent);
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  fmt::print(stderr, "\r{} \033[K", progress_text(what_, before_, done, total_, seconds));
   std::fflush(stderr);
 }
 

@@ -82,6 +82,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"samples_asked", run.samples_asked},
       {"samples_done", run.samples_done},
       {"samples_missing", run.samples_missing},
+      {"processes", run.processes},
       {"threads", run.threads},
       {"seconds", run.seconds},
       {"date", now()},

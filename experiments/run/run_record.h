@@ -11,10 +11,11 @@ namespace touchstone::run {
 /// What a sidecar says of a run besides the compiler, the flags, the commit, the machine and the date.
 struct Run {
   std::string command;
-  std::uint64_t seed;
-  std::uint64_t samples_asked, samples_done, samples_missing;
-  unsigned threads;
-  double seconds;
+  std::uint64_t seed = 0;
+  std::uint64_t samples_asked = 0, samples_done = 0, samples_missing = 0;
+  unsigned threads = 1;  ///< of each process
+  double seconds = 0;
+  unsigned processes = 1;
   std::optional<bool> interrupted{};  ///< where a study says so
 };
 

@@ -31,16 +31,6 @@ int extreme_exponent(Random& random) {
 
 }  // namespace
 
-std::vector<Loop> loops_of(const Polygon& polygon) {
-  std::vector<Loop> loops(polygon.loop_count());
-  for (std::size_t loop = 0; loop < loops.size(); ++loop)
-    for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
-      loops[loop].push_back(polygon.vertex(i));
-  return loops;
-}
-
-Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops[0], {loops.begin() + 1, loops.end()}); }
-
 std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball, const Polygon& polygon) {
   const double largest = largest_number(ball, polygon);
   const int shift = largest == 0 ? 0 : extreme_exponent(random) - std::ilogb(largest);

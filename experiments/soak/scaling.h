@@ -3,12 +3,15 @@
 
 #include <optional>
 
+#include "experiments/workloads/loops.h"
 #include "experiments/workloads/random.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::soak {
 
+using workloads::loops_of;
+using workloads::polygon_of;
 using workloads::Random;
 
 struct BallAndPolygon {
@@ -21,9 +24,5 @@ struct BallAndPolygon {
 /// Nothing where a number leaves the doubles. Throws Rejected where neighbouring vertices become equal.
 [[nodiscard]] std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball,
                                                                const Polygon& polygon);
-
-/// The loops of a polygon, the outer one first; and back.
-[[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
-[[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
 
 }  // namespace touchstone::soak

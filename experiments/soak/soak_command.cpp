@@ -7,11 +7,11 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
@@ -53,71 +53,66 @@ class Announcer {
   std::size_t announced_;
 };
 
-/// The checkpoint, at most every few seconds.
-class Saver {
- public:
-  Saver(const Checkpoint& checkpoint, const Settings& settings) : checkpoint_(checkpoint), settings_(settings) {}
-
-  void operator()(const Tally& tally) {
-    constexpr std::chrono::seconds kInterval(3);
-    if (Clock::now() - last_ < kInterval) return;
-    checkpoint_.write(settings_, tally);
-    last_ = Clock::now();
-  }
-
- private:
-  const Checkpoint& checkpoint_;
-  const Settings& settings_;
-  Clock::time_point last_ = Clock::now();
-};
-
-int run(const Options& options) {
-  constexpr int kInterrupted = 130;
+int run(const Options& options, const run::Processes& processes) {
   const Settings& settings = options.settings;
-  if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
-    throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
-  run::make_folder(options.output);
+  const bool first = processes.first();
   const std::filesystem::path folder = options.output;
-  const Checkpoint checkpoint(folder / "checkpoint.json");
-  Tally tally = options.resume ? checkpoint.read(settings) : Tally();
-  const std::uint64_t before = tally.cases();
-  checkpoint.write(settings, tally);
+  const Checkpoint checkpoint(folder / "checkpoint.json", settings);
+  Tally tally;
+  if (first) {
+    run::make_folder(folder);
+    if (options.resume) tally = checkpoint.read();
+    checkpoint.write(tally);
+  }
 
   const run::Interrupt interrupt;
+  const std::uint64_t before = tally.cases();
   const auto begin = Clock::now();
+  std::uint64_t done = 0;
   {
-    run::ProgressLine line("soak: cases", settings.cases - before);
+    run::ProgressLine line("soak: cases", settings.cases, before);
     Announcer announce(tally.kept().size());
-    Saver save(checkpoint, settings);
-    const auto told = [&](const Tally& now) {
+    const auto save = [&](const Tally& now) {
+      checkpoint.write(now);
       announce(now);
-      save(now);
     };
-    run_campaign(
-        settings, Contestant(), interrupt.requested(), told, [&](std::uint64_t done) { line(done); }, tally);
+    done = run_campaign(
+        settings, Contestant(), processes, interrupt.requested(), save, [&](std::uint64_t cases) { line(cases); },
+        tally);
   }
+  if (!first) return 0;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  checkpoint.write(settings, tally);
   write_counts(folder, tally);
   write_differences(folder, tally);
-  run::write_run_record(
-      folder, {command_line(options), settings.seed, settings.cases, tally.cases(), 0, settings.threads, seconds});
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .seed = settings.seed,
+                                 .samples_asked = settings.cases,
+                                 .samples_done = done,
+                                 .threads = settings.threads,
+                                 .seconds = seconds,
+                                 .processes = processes.count()});
 
   fmt::print("{}", table(tally));
-  fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", tally.cases() - before, seconds,
-             static_cast<double>(tally.cases() - before) / seconds);
+  fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,
+             static_cast<double>(done - before) / seconds);
   std::fflush(stdout);
   if (tally.differing() > 0)
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --method filtered` takes it, and "
                "`touchstone soak --seed {} --from INDEX --cases 1` asks again\n",
                (folder / "differences.jsonl").string(), settings.seed);
-  if (tally.cases() < settings.cases) {
-    fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume goes on\n", tally.cases(),
-               settings.cases);
-    return kInterrupted;
+  if (done < settings.cases) {
+    fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume goes on\n", done, settings.cases);
+    return run::kInterrupted;
   }
   return tally.differing() > 0 ? 1 : 0;
+}
+
+int run_soak(const Options& options) {
+  const Settings& settings = options.settings;
+  if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
+    throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
+  return run::run_together([&](const run::Processes& processes) { return run(options, processes); });
 }
 
 }  // namespace
@@ -136,13 +131,13 @@ void add_soak(CLI::App& app, int& status) {
   command->add_option("--from", settings.from, "The index of the first case")
       ->check(run::whole_number(0))
       ->capture_default_str();
-  command->add_option("--threads", settings.threads, "They do not change the results")
+  command->add_option("--threads", settings.threads, "Of each process; they do not change the results")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
       ->capture_default_str();
   command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
-  command->callback([options, &status] { status = run(*options); });
+  command->callback([options, &status] { status = run_soak(*options); });
 }
 
 }  // namespace touchstone::commands

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,8 +61,11 @@ class Tally {
 
   friend bool operator==(const Tally&, const Tally&) = default;
 
+  // Throws nlohmann::json::exception where something is missing.
+  friend void to_json(nlohmann::ordered_json& json, const Tally& tally);
+  friend void from_json(const nlohmann::json& json, Tally& tally);
+
  private:
-  friend class Checkpoint;
   static std::size_t place(Family family, Way way) {
     return static_cast<std::size_t>(family) * kWays.size() + static_cast<std::size_t>(way);
   }

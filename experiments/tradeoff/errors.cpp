@@ -31,7 +31,7 @@ MethodErrors nothing() {
 class Part {
  public:
   Part(const Settings& settings, const std::vector<bool>& knows_boundary)
-      : settings_(settings), knows_boundary_(knows_boundary) {
+      : settings_(settings), knows_boundary_(knows_boundary), exact_(*methods::find_method("exact")) {
     errors_.at.assign(near_edge::all_strata().size(), std::vector(settings.methods.size(), nothing()));
   }
 
@@ -40,7 +40,7 @@ class Part {
     for (std::size_t stratum = 0; stratum < errors_.at.size(); ++stratum) {
       const auto& families = settings_.families;
       if (std::ranges::find(families, near_edge::all_strata()[stratum].family) == families.end()) continue;
-      if (const auto crossing = near_edge::draw_crossing(stratum, settings_.seed, n))
+      if (const auto crossing = near_edge::draw_crossing({stratum, {}, settings_.seed, n}, exact_))
         ask(stratum, n, *crossing);
       else
         ++errors_.missing;
@@ -90,6 +90,7 @@ class Part {
 
   const Settings& settings_;
   const std::vector<bool>& knows_boundary_;
+  const methods::Method& exact_;
   Errors errors_;
 };
 

@@ -62,7 +62,7 @@ std::string_view name(const Settings& settings, std::size_t method) { return set
 
 /// Draws the sample again and states what is expected of it.
 std::string worst_case(const Settings& settings, std::size_t method, Quantity quantity, const Worst& worst) {
-  const auto crossing = near_edge::draw_crossing(worst.stratum, settings.seed, worst.n);
+  const auto crossing = near_edge::draw_crossing({worst.stratum, {}, settings.seed, worst.n}, *methods::find_method("exact"));
   const Ball& ball = crossing->balls[crossing->balls.size() / 2];
   const Answer truth = exact::answer(ball, crossing->polygon);
   methods::PartialAnswer expected;

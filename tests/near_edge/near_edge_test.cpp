@@ -13,6 +13,8 @@
 #include <sstream>
 
 #include "experiments/commands.h"
+#include "experiments/judge/case.h"
+#include "experiments/judge/verdict.h"
 #include "experiments/near_edge/map.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/near_edge/study.h"
@@ -28,6 +30,8 @@ using Tested = judge::Test;  // within TEST, Test is GoogleTest's
 
 const std::atomic<bool> kNeverStop = false;
 const run::Progress kSilent = [](std::uint64_t) {};
+const run::Processes kAlone;
+const methods::Method& kExact = *methods::find_method("exact");
 
 std::vector<const methods::Method*> select(const std::vector<std::string>& names) {
   std::vector<const methods::Method*> selected;
@@ -37,6 +41,13 @@ std::vector<const methods::Method*> select(const std::vector<std::string>& names
 
 Settings settings(const std::vector<std::string>& methods, std::uint64_t samples, unsigned threads = 1) {
   return {select(methods), {Family::Star, Family::L}, samples, 7, threads};
+}
+
+/// What a whole run gives.
+Result whole(const Settings& settings) {
+  Result result = no_result(settings);
+  run_study(settings, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  return result;
 }
 
 std::vector<std::size_t> strata(Placement placement, Threshold threshold) {
@@ -110,7 +121,7 @@ TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
 // Radii: none below the distance, contact above it. Feet: not outside at offset 0, outside at offset 1.
 TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
   for (std::size_t s = 0; s < all_strata().size(); ++s) {
-    const auto crossing = draw_crossing(s, 3, 0);
+    const auto crossing = draw_crossing({s, {}, 3, 0}, kExact);
     ASSERT_TRUE(crossing) << s;
     const auto& truths = crossing->truths;
     if (moves_radius(all_strata()[s].threshold)) {
@@ -129,7 +140,7 @@ TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
 // What is filled in between by monotony is what `exact` says; and `exact`, as a method, never fails.
 TEST(NearEdgeStudy, ExactNeverFails) {
   const auto setting = settings({"exact"}, 3);
-  const Result result = run_study(setting, kNeverStop, kSilent);
+  const Result result = whole(setting);
   EXPECT_EQ(result.missing, 0U);
   for (const Tested test : kTests)
     for (const Threshold threshold : all_thresholds()) {
@@ -144,7 +155,7 @@ TEST(NearEdgeStudy, ExactNeverFails) {
 // In rotated planes rounding is felt at once; the sweep reaches to where it is no longer.
 TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
   const auto setting = settings({"fast"}, 30);
-  const Result result = run_study(setting, kNeverStop, kSilent);
+  const Result result = whole(setting);
   std::uint64_t near = 0, far = 0;
   for (const std::size_t s : strata(Placement::Rotated, Threshold::Face)) {
     for (std::int64_t k = -4; k <= 4; ++k) near += result.counts.at(s, Tested::Plane, 0, place_of(k)).failures;
@@ -159,7 +170,7 @@ TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
 // or rounding saw it.
 TEST(NearEdgeStudy, ThesisMissesTangentBalls) {
   const auto setting = settings({"thesis-signed", "thesis-closed"}, 30);
-  const Result result = run_study(setting, kNeverStop, kSilent);
+  const Result result = whole(setting);
   for (const std::size_t s : strata(Placement::LatticeFrame, Threshold::Tangent)) {
     const Tally& tally = result.counts.at(s, Tested::Contact, 0, place_of(0));
     EXPECT_GE(2 * tally.failures, tally.trials);
@@ -173,27 +184,133 @@ TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
     const auto setting = settings(names, 4, threads);
     const auto folder = scratch.path / std::to_string(threads);
     fs::create_directories(folder);
-    const Result result = run_study(setting, kNeverStop, kSilent);
+    const Result result = whole(setting);
     write_rates(folder, setting, result.counts);
     write_bands(folder, setting, result.counts);
-    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kNeverStop, kSilent));
+    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kAlone, kNeverStop, kSilent));
   }
   int files = 0;
   for (const auto& file : fs::directory_iterator(scratch.path / "1")) {
     EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
     ++files;
   }
-  EXPECT_EQ(files, 8);
+  EXPECT_EQ(files, 23);
 }
 
 // Stopped after two samples: the same as a run of two.
 TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
   std::atomic<bool> stop = false;
   const auto longer = settings({"fast"}, 50), shorter = settings({"fast"}, 2);
-  const Result stopped = run_study(longer, stop, [&](std::uint64_t done) { stop = done == 2; });
-  const Result whole = run_study(shorter, kNeverStop, kSilent);
+  Result stopped = no_result(longer);
+  const std::uint64_t done = run_study(
+      longer, {.processes = kAlone, .stop = stop, .progress = [&](std::uint64_t samples) { stop = samples == 2; }},
+      stopped);
+  EXPECT_EQ(done, 2U);
+  const Result two = whole(shorter);
   EXPECT_EQ(stopped.samples, 2U);
-  EXPECT_EQ(table(longer, stopped.counts), table(shorter, whole.counts));
+  EXPECT_EQ(stopped, two);
+  EXPECT_EQ(table(longer, stopped.counts), table(shorter, two.counts));
+}
+
+// Killed after its first checkpoint: the work since then is lost, and done again.
+TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
+  const auto setting = settings({"fast", "thesis"}, 12, 2);
+  std::atomic<bool> stop = false;
+  nlohmann::ordered_json saved;
+  Result lost = no_result(setting);
+  run_study(setting,
+            {.processes = kAlone,
+             .stop = stop,
+             .progress = kSilent,
+             .save =
+                 [&](const Result& now) {
+                   if (saved.is_null()) saved = now;
+                   stop = now.samples >= 4;
+                 }},
+            lost);
+  EXPECT_GE(lost.samples, 4U);
+  auto result = nlohmann::json::parse(saved.dump()).get<Result>();
+  EXPECT_GT(result.samples, 0U);
+  EXPECT_LT(result.samples, 4U);
+  run_study(setting, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  EXPECT_EQ(result, whole(setting));
+}
+
+TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
+  auto setting = settings({"fast", "thesis"}, 3);
+  setting.shape.holes = 1;
+  const Result exact = whole(setting);
+  setting.truth = methods::find_method("filtered");
+  const Result filtered = whole(setting);
+  EXPECT_EQ(exact.counts, filtered.counts);
+  EXPECT_EQ(exact.checked, 0U);
+  EXPECT_GT(filtered.checked, 100U);
+  EXPECT_EQ(filtered.disagreements.count(), 0U);
+}
+
+/// `exact`, but that touching does not count and that no foot is on a boundary.
+class WrongTruth : public methods::Method {
+  class Prepared : public methods::PreparedMethod {
+   public:
+    explicit Prepared(const Polygon& polygon) : exact_(kExact.prepare(polygon)) {}
+    PartialAnswer ask(const Ball& ball, methods::Question question) const override {
+      PartialAnswer answer = exact_->ask(ball, question);
+      if (answer.contact)
+        answer.contact = exact_->ask(ball, methods::Question::Relation).relation == Relation::Overlapping;
+      if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+      return answer;
+    }
+
+   private:
+    std::unique_ptr<methods::PreparedMethod> exact_;
+  };
+
+  std::string_view name() const override { return "wrong"; }
+  std::string_view summary() const override { return ""; }
+  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<Prepared>(polygon);
+  }
+};
+
+// Asked about failures, a method that is right shows every error of the truth; the case is told as the judge reads it.
+TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
+  const WrongTruth wrong;
+  auto setting = settings({"filtered"}, 4);
+  setting.truth = &wrong;
+  const Result result = whole(setting);
+  std::uint64_t failures = 0;
+  for (std::size_t s = 0; s < all_strata().size(); ++s)
+    for (const Tested test : kTests) failures += result.counts.summary({s}, test, 0).all.failures;
+  EXPECT_GT(failures, 0U);
+  EXPECT_EQ(result.disagreements.count(), failures);
+  for (const Disagreement& found : result.disagreements.kept()) {
+    const judge::Case read = judge::read_case(found.line);
+    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << found.line;
+    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+    const auto truth = judge::object_of(kExact.prepare(polygon)->ask(ball, methods::Question::Answer));
+    EXPECT_TRUE(judge::differences(*read.expected, truth).empty()) << found.line;
+  }
+}
+
+// Where a method makes the same mistake, only the samples chosen by their index show it.
+TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
+  const WrongTruth wrong;
+  auto setting = settings({}, 120);
+  setting.families = {Family::L};
+  setting.methods = {&wrong};
+  setting.truth = &wrong;
+  const Result result = whole(setting);
+  EXPECT_GT(result.disagreements.count(), 0U);
+  const std::uint64_t asked = 120 * 11 * kTests.size() * all_offsets().size();
+  EXPECT_GT(result.checked, asked / 200);
+  EXPECT_LT(result.checked, asked / 50);
+}
+
+// Sums of the largest sweep that the options allow stay below 2^64.
+TEST(NearEdgeCounts, DoNotOverflow) {
+  const std::uint64_t most = kMostSamples * all_strata().size() * all_offsets().size() * kTests.size();
+  EXPECT_EQ(most / all_strata().size() / all_offsets().size() / kTests.size(), kMostSamples);
+  EXPECT_LT(kMostSamples * all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
 }
 
 // The counts of a family do not depend on which others are asked for.
@@ -201,7 +318,7 @@ TEST(NearEdgeStudy, FamiliesStandAlone) {
   auto alone = settings({"fast"}, 3);
   const auto both = alone;
   alone.families = {Family::L};
-  const Result one = run_study(alone, kNeverStop, kSilent), two = run_study(both, kNeverStop, kSilent);
+  const Result one = whole(alone), two = whole(both);
   for (std::size_t s = 0; s < all_strata().size(); ++s) {
     if (all_strata()[s].family != Family::L) continue;
     const Summary first = one.counts.summary({s}, Tested::Contact, 0),
@@ -212,15 +329,31 @@ TEST(NearEdgeStudy, FamiliesStandAlone) {
 }
 
 TEST(NearEdgeMap, HoldsAllThatItShows) {
-  const auto maps = draw_maps(select({"exact", "thesis"}), 1, 1, kNeverStop, kSilent);
-  ASSERT_EQ(maps.size(), 6U);
+  const auto maps = draw_maps(select({"exact", "thesis"}), 1, 1, kAlone, kNeverStop, kSilent);
+  ASSERT_EQ(maps.size(), 21U);
   for (const Map& map : maps) {
     const std::string both = map.test == Tested::Foot ? "io" : "cn";
-    for (const char letter : both) EXPECT_NE(map.truth.find(letter), std::string::npos);
+    for (const char letter : both)
+      EXPECT_NE(map.truth.find(letter), std::string::npos) << word(map.spot) << " " << map.origin_distance;
     EXPECT_EQ(map.verdicts[0], std::string(map.truth.size(), '='));
+    // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
+    if (map.spot == Spot::ReflexVertex && map.test == Tested::Foot) {
+      EXPECT_NE(map.verdicts[1].find('+'), std::string::npos);
+    }
   }
-  // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
-  EXPECT_NE(maps[0].verdicts[1].find('+'), std::string::npos);
+}
+
+// Three quarters of the plane about a reflex vertex lie inside in the sum of all directions, one quarter about a
+// vertex of an L, half about an edge; the map shows it from straight above but for a projection along an axis.
+TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
+  for (const Map& map : draw_maps(select({"exact"}), 2, 2, kAlone, kNeverStop, kSilent)) {
+    if (map.test != Tested::Foot || map.origin_distance > 0) continue;
+    const double inside = static_cast<double>(std::count(map.truth.begin(), map.truth.end(), 'i')) /
+                          static_cast<double>(map.truth.size());
+    const bool edge = map.spot == Spot::Edge, vertex = map.spot == Spot::Vertex;
+    EXPECT_GT(inside, edge ? 0.4 : vertex ? 0.05 : 0.55) << word(map.spot);
+    EXPECT_LT(inside, edge ? 0.6 : vertex ? 0.45 : 0.95) << word(map.spot);
+  }
 }
 
 int run_command(std::vector<std::string> arguments) {
@@ -236,8 +369,8 @@ int run_command(std::vector<std::string> arguments) {
 TEST(NearEdgeCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new" / "too";
-  ASSERT_EQ(run_command({"--method", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--no-pictures",
-                         "--output", folder.string()}),
+  ASSERT_EQ(run_command({"--method", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
+                         "--no-pictures", "--output", folder.string()}),
             0);
   const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
   for (const char* key : {"command", "seed", "samples_asked", "samples_done", "samples_missing", "threads", "seconds",
@@ -247,7 +380,46 @@ TEST(NearEdgeCommand, WritesResultsAndASidecar) {
   EXPECT_EQ(record["samples_done"], 1);
   EXPECT_TRUE(fs::exists(folder / "rates.csv"));
   EXPECT_TRUE(fs::exists(folder / "bands.csv"));
-  EXPECT_TRUE(fs::exists(folder / "map-contact-1000000.csv"));
+  EXPECT_TRUE(fs::exists(folder / "map-edge-contact-1000000.csv"));
+}
+
+std::string error_of(const std::vector<std::string>& arguments) {
+  try {
+    run_command(arguments);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// In two parts, the second with more samples, as in one; and not with other settings, which the error names.
+TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
+  const Scratch scratch;
+  const auto run = [&](const char* folder, std::vector<std::string> more) {
+    more.insert(more.end(),
+                {"--method", "fast", "--families", "l", "--no-pictures", "--output", (scratch.path / folder).string()});
+    return more;
+  };
+  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--truth", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--truth", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--truth", "filtered", "--resume"})), 0);
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(scratch.path / "one")) {
+    if (file.path().filename() == "run.json") continue;
+    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "parts" / file.path().filename())) << file.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 29);
+
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--truth", "filtered", "--resume", "--seed", "2"}))
+                .find("is of --seed 1, not of --seed 2"),
+            std::string::npos);
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--holes", "1", "--resume"}))
+                .find("is of --holes 0 --truth filtered, not of --holes 1 --truth exact"),
+            std::string::npos);
+  EXPECT_NE(error_of(run("one", {"--samples", "4", "--truth", "filtered", "--resume"}))
+                .find("holds 5 samples already, more than the 4 asked for"),
+            std::string::npos);
 }
 
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
@@ -257,6 +429,11 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--samples", "many"}), CLI::ParseError);
   EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
   EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "1099511627777"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--truth", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--holes", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--vertices", "2"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--origin-distance", "-1"}), CLI::ParseError);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 

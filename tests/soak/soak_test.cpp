@@ -29,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::atomic<bool> kNeverStop = false;
+const run::Processes kAlone;
 
 std::string text_of(const fs::path& path) {
   std::ostringstream text;
@@ -49,7 +50,7 @@ struct Scratch {
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {
   Tally tally;
   run_campaign(
-      settings, contestant, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+      settings, contestant, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
   return tally;
 }
 
@@ -236,29 +237,54 @@ TEST(Soak, TheNumberOfThreadsChangesNothing) {
 // Stopped within a leg and read back from its checkpoint, again and again.
 TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
   const Scratch scratch;
-  const Checkpoint checkpoint(scratch.path / "checkpoint.json");
   const StrictTriangle wrong;
   const Settings settings{.cases = 3000, .seed = 8, .from = 1'000'000, .threads = 2};
+  const Checkpoint checkpoint(scratch.path / "checkpoint.json", settings);
   Tally tally;
   int stops = 0;
   while (tally.cases() < settings.cases) {
     std::atomic<bool> stop = false;
-    tally = checkpoint.read(settings);
+    tally = checkpoint.read();
     const std::uint64_t before = tally.cases();
-    run_campaign(
-        settings, wrong, stop, [](const Tally&) {}, [&](std::uint64_t) { stop = true; }, tally);
+    const std::uint64_t done = run_campaign(
+        settings, wrong, kAlone, stop, [](const Tally&) {}, [&](std::uint64_t) { stop = true; }, tally);
     EXPECT_GT(tally.cases(), before);
-    checkpoint.write(settings, tally);
+    EXPECT_EQ(tally.cases(), done);
+    checkpoint.write(tally);
     ++stops;
   }
   EXPECT_GT(stops, 2);
   EXPECT_EQ(tally, whole(settings, wrong));
-  EXPECT_EQ(checkpoint.read(settings), tally);
+  EXPECT_EQ(checkpoint.read(), tally);
 }
 
-void expect_refused(const Checkpoint& checkpoint, const Settings& settings, const std::string& why) {
+// Killed after a checkpoint was written: the work since then is lost, and done again.
+TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
+  const Scratch scratch;
+  const StrictTriangle wrong;
+  const Settings settings{.cases = 3000, .seed = 8, .threads = 2};
+  const Checkpoint checkpoint(scratch.path / "checkpoint.json", settings);
+  std::atomic<bool> stop = false, saved = false;
+  Tally lost;
+  run_campaign(
+      settings, wrong, kAlone, stop,
+      [&](const Tally& now) {
+        if (!saved.exchange(true)) checkpoint.write(now);
+        stop = now.cases() >= 1500;
+      },
+      [](std::uint64_t) {}, lost);
+  EXPECT_GE(lost.cases(), 1500U);
+  Tally tally = checkpoint.read();
+  EXPECT_GT(tally.cases(), 0U);
+  EXPECT_LT(tally.cases(), 1500U);
+  run_campaign(
+      settings, wrong, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+  EXPECT_EQ(tally, whole(settings, wrong));
+}
+
+void expect_refused(const fs::path& path, const Settings& settings, const std::string& why) {
   try {
-    (void)checkpoint.read(settings);
+    (void)Checkpoint(path, settings).read();
     FAIL() << "taken in spite of: " << why;
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
@@ -268,20 +294,32 @@ void expect_refused(const Checkpoint& checkpoint, const Settings& settings, cons
 TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
   const Scratch scratch;
   const fs::path path = scratch.path / "checkpoint.json";
-  const Checkpoint checkpoint(path);
   const Settings settings{.cases = 500, .seed = 3};
-  EXPECT_EQ(checkpoint.read(settings), Tally());
-  checkpoint.write(settings, whole(settings));
-  expect_refused(checkpoint, {.cases = 500, .seed = 4}, "--seed 3");
-  expect_refused(checkpoint, {.cases = 500, .seed = 3, .from = 7}, "--from 0");
-  expect_refused(checkpoint, {.cases = 499, .seed = 3}, "holds 500 cases already");
-  EXPECT_EQ(checkpoint.read({.cases = 501, .seed = 3}).cases(), 500U);
+  const Checkpoint checkpoint(path, settings);
+  EXPECT_EQ(checkpoint.read(), Tally());
+  checkpoint.write(whole(settings));
+  expect_refused(path, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
+  expect_refused(path, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
+  expect_refused(path, {.cases = 499, .seed = 3}, "holds 500 cases already");
+  EXPECT_EQ(Checkpoint(path, {.cases = 501, .seed = 3}).read().cases(), 500U);
 
   const std::string text = text_of(path);
   for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
     run::write_file(path, damaged);
-    expect_refused(checkpoint, settings, "is no checkpoint");
+    expect_refused(path, settings, "is no checkpoint");
   }
+}
+
+// What an earlier version of the program wrote is gone on with.
+TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
+  const Scratch scratch;
+  const fs::path path = scratch.path / "checkpoint.json";
+  const Settings settings{.cases = 256, .seed = 3};
+  Checkpoint(path, settings).write(whole(settings));
+  const auto text = text_of(path);
+  EXPECT_EQ(text.rfind("{\"version\":1,\"seed\":3,\"from\":0,\"cases\":256,\"differing\":0,\"outcomes\":[[", 0), 0U)
+      << text;
+  EXPECT_NE(text.find("]],\"kept\":[]}\n"), std::string::npos) << text;
 }
 
 int run_command(std::vector<std::string> arguments) {

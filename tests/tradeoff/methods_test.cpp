@@ -134,7 +134,7 @@ TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
   const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
   for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
     if (!near_edge::moves_radius(near_edge::all_strata()[s].threshold)) continue;
-    const auto crossing = near_edge::draw_crossing(s, 9, 0);
+    const auto crossing = near_edge::draw_crossing({s, {}, 9, 0}, *methods::find_method("exact"));
     ASSERT_TRUE(crossing);
     const auto by_wide = wide->prepare(crossing->polygon), by_narrow = narrow->prepare(crossing->polygon);
     for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
@@ -157,7 +157,7 @@ TEST(FastScalars, ErrLessTheWiderTheyAre) {
     wrong.push_back(0);
     for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
       if (near_edge::all_strata()[s].threshold != near_edge::Threshold::Face) continue;
-      const auto crossing = near_edge::draw_crossing(s, 2, 0);
+      const auto crossing = near_edge::draw_crossing({s, {}, 2, 0}, *methods::find_method("exact"));
       ASSERT_TRUE(crossing);
       const auto prepared = find_method(name)->prepare(crossing->polygon);
       for (std::size_t i = 0; i < crossing->balls.size(); ++i)

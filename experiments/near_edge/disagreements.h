@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace touchstone::near_edge {
+
+/// A ball about which the truth that a study used differs from `exact`: a defect of this program, not of a method.
+struct Disagreement {
+  std::uint64_t n;  ///< of the sample
+  std::uint64_t stratum;
+  std::string line;  ///< one line of JSON: the case in the contract's form, with what `exact` says expected
+
+  friend bool operator==(const Disagreement&, const Disagreement&) = default;
+};
+
+/// All are counted, the first are kept; sums do not depend on their order.
+class Disagreements {
+ public:
+  static constexpr std::size_t kMostKept = 1000;
+
+  /// All that were found about one sample, in their order.
+  void add(std::vector<Disagreement> found);
+  Disagreements& operator+=(const Disagreements& other);
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// The first ones by n, then by stratum.
+  [[nodiscard]] const std::vector<Disagreement>& kept() const { return kept_; }
+
+  friend bool operator==(const Disagreements&, const Disagreements&) = default;
+  // Throws nlohmann::json::exception where something is missing.
+  friend void to_json(nlohmann::ordered_json& json, const Disagreements& disagreements);
+  friend void from_json(const nlohmann::json& json, Disagreements& disagreements);
+
+ private:
+  void keep_first();
+
+  std::uint64_t count_ = 0;
+  std::vector<Disagreement> kept_;
+};
+
+}  // namespace touchstone::near_edge

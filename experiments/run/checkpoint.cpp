@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/run/checkpoint.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "experiments/run/write_file.h"
+
+namespace touchstone::run {
+namespace {
+
+/// As on the command line: ` --seed 3 --method fast,thesis`.
+std::string option(const std::string& name, const nlohmann::ordered_json& value) {
+  return " --" + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+}  // namespace
+
+void Checkpoint::write(const nlohmann::ordered_json& state) const {
+  nlohmann::ordered_json whole = settings_;
+  whole.update(state);
+  std::filesystem::path beside = path_;
+  beside += ".new";
+  write_file(beside, whole.dump() + "\n");
+  std::error_code error;
+  std::filesystem::rename(beside, path_, error);
+  if (error) throw std::runtime_error(path_.string() + ": cannot be written: " + error.message());
+}
+
+nlohmann::json Checkpoint::parsed() const {
+  std::ifstream file(path_, std::ios::binary);
+  if (!file) return nullptr;
+  try {
+    const auto whole = nlohmann::json::parse(file);
+    if (whole.at("version") != nlohmann::json(settings_.at("version"))) refuse("is of another version of this program");
+    std::string found, wanted;
+    for (const auto& [name, value] : settings_.items()) {
+      if (whole.at(name) == nlohmann::json(value)) continue;
+      found += option(name, whole.at(name));
+      wanted += option(name, value);
+    }
+    if (!found.empty()) refuse("is of" + found + ", not of" + wanted);
+    return whole;
+  } catch (const nlohmann::json::exception& error) {
+    refuse(std::string("is no checkpoint of this program: ") + error.what());
+  }
+}
+
+void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
+
+}  // namespace touchstone::run

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace touchstone::run {
+
+/// What has been done of a long run, in a file that always holds one whole state: it is written beside and renamed.
+class Checkpoint {
+ public:
+  /// `settings`: an object of all that the results depend on, by the names of the options (without dashes), and
+  /// `version`, which is raised where the state's form or meaning changes.
+  Checkpoint(std::filesystem::path path, nlohmann::ordered_json settings)
+      : path_(std::move(path)), settings_(std::move(settings)) {}
+
+  /// `state`: an object; its keys differ from those of the settings. Throws std::runtime_error, which names the file,
+  /// where it cannot be written.
+  void write(const nlohmann::ordered_json& state) const;
+
+  /// The state to go on with (by its from_json); nothing where there is no file yet. Throws std::runtime_error for a
+  /// file that is damaged, of another version, or of other settings: it names those that differ.
+  template <class State>
+  [[nodiscard]] std::optional<State> read() const {
+    const nlohmann::json whole = parsed();
+    if (whole.is_null()) return std::nullopt;
+    try {
+      return whole.get<State>();
+    } catch (const nlohmann::json::exception& error) {
+      refuse(std::string("is no checkpoint of this program: ") + error.what());
+    }
+  }
+
+  /// Throws std::runtime_error, which names the file and says why.
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  /// Null where there is no file.
+  [[nodiscard]] nlohmann::json parsed() const;
+
+  std::filesystem::path path_;
+  nlohmann::ordered_json settings_;
+};
+
+}  // namespace touchstone::run

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/shapes/polygon.h"
+
+namespace touchstone::workloads {
+
+/// The loops of a polygon, the outer one first; and back.
+[[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
+/// Throws Rejected where neighbouring vertices are equal or a number is not finite.
+[[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
+
+}  // namespace touchstone::workloads
