@@ -15,5 +15,6 @@ void add_mesh_contact(CLI::App& app, int& status);
 void add_cases(CLI::App& app);
 void add_bench(CLI::App& app, int& status);
 void add_soak(CLI::App& app, int& status);
+void add_stability(CLI::App& app, int& status);
 
 }  // namespace touchstone::commands
