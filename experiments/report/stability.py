@@ -61,7 +61,19 @@ def panels(names, height=2.0):
 
 
 def short(name):
-    return name.replace("000", "k") if name in ("1000", "10000") else name
+    return {"1000": "1e3", "10000": "1e4"}.get(name, name)
+
+
+class Styles:
+    """The same style for a method in every picture: by its place among all that were asked."""
+
+    def __init__(self, methods):
+        self.methods = list(methods)
+
+    def of(self, method):
+        if method not in self.methods:
+            self.methods.append(method)
+        return STYLES[self.methods.index(method) % len(STYLES)]
 
 
 def label_levels(axes, names):
@@ -81,22 +93,21 @@ def legend_in(axes, source, extra=()):
                 frameon=False, fontsize=9)
 
 
-def draw_failures(folder, rows, nearness):
+def draw_failures(folder, rows, nearness, styles):
     rows = [row for row in rows if row["nearness"] == nearness and row["test"] == "contact"]
     names, methods = distinct(rows, "axis"), distinct(rows, "method")
     figure, flat = panels(names)
     for i, (axes, name) in enumerate(zip(flat, names)):
         levels = distinct([row for row in rows if row["axis"] == name], "level")
-        for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
+        for m, method in enumerate(methods):
+            colour, line, marker = styles.of(method)
             curve = [row for row in rows if row["axis"] == name and row["method"] == method]
-            x = [levels.index(row["level"]) for row in curve]
+            # Beside each other, so that limits can be told apart.
+            x = np.array([levels.index(row["level"]) for row in curve]) + 0.4 * ((m + 0.5) / len(methods) - 0.5)
             rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
-            if name in MODES:
-                axes.errorbar(x, rate, [rate - lower, upper - rate], color=colour, linestyle="none", marker=marker,
-                              markersize=4, linewidth=0.8, label=method)
-                continue
-            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
-            axes.plot(x, rate, color=colour, linestyle=line, marker=marker, markersize=3, linewidth=1.2, label=method)
+            axes.vlines(x, lower, upper, color=colour, linewidth=0.8)
+            axes.plot(x, rate, color=colour, linestyle="none" if name in MODES else line, marker=marker, markersize=3,
+                      linewidth=1, label=method)
         axes.set_title(AXES[name][0], fontsize=8.5)
         axes.set_xlabel(AXES[name][1], fontsize=8)
         axes.set_ylim(-4, 104)
@@ -107,7 +118,7 @@ def draw_failures(folder, rows, nearness):
         else:
             axes.tick_params(labelleft=False)
     legend_in(flat[len(names)], flat[0])
-    figure.suptitle(f"Wrong final answers (contact or none): {NEARNESSES[nearness]}; bands: 95 % limits", x=0.01, ha="left")
+    figure.suptitle(f"Wrong final answers (contact or none): {NEARNESSES[nearness]}; bars: 95 % limits", x=0.01, ha="left")
     save(figure, folder, f"failures-{nearness}")
 
 
@@ -121,7 +132,7 @@ def height_of(error):
     return MOST if math.isinf(value) else min(max(math.log10(value), LEAST + 1), MOST - 1)
 
 
-def draw_errors(folder, rows, quantity):
+def draw_errors(folder, rows, quantity, styles):
     rows = [row for row in rows if row["quantity"] == quantity]
     names, methods = distinct(rows, "axis"), distinct(rows, "method")
     if not names:
@@ -129,7 +140,8 @@ def draw_errors(folder, rows, quantity):
     figure, flat = panels(names)
     for i, (axes, name) in enumerate(zip(flat, names)):
         levels = distinct([row for row in rows if row["axis"] == name], "level")
-        for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
+        for method in methods:
+            colour, line, marker = styles.of(method)
             curve = [row for row in rows if row["axis"] == name and row["method"] == method]
             x = [levels.index(row["level"]) for row in curve]
             for key, width, label in (("relative_median", 1.4, method), ("relative_max", 0.6, None)):
@@ -152,36 +164,38 @@ def draw_errors(folder, rows, quantity):
 
 def draw_conditions(folder, rows, stage, words):
     rows = [row for row in rows if row["stage"] == stage and row["axis"] not in UNDERFLOWING]
-    names = [name for name in [*SIGNS, "height", "across"] if any(row["quantity"] == name for row in rows)]
+    names = [name for name in ["height", *SIGNS, "across"] if any(row["quantity"] == name for row in rows)]
     if not names:
         return
-    columns = 4
+    columns = min(4, len(names))
+    least_error = 1e-40 if stage == "double-double" else 1e-20
     lines = math.ceil(len(names) / columns)
-    figure, grid = plt.subplots(lines, columns, figsize=(11, 2.6 * lines + 0.7), squeeze=False, layout="constrained")
+    figure, grid = plt.subplots(lines, columns, figsize=(2.75 * columns, 2.6 * lines + 0.9), squeeze=False, layout="constrained")
     for axes in list(grid.flat)[len(names):]:
         axes.set_axis_off()
     for i, (axes, name) in enumerate(zip(grid.flat, names)):
-        points = np.array([(float(row["condition"]), float(row["relative_error"])) for row in rows
-                           if row["quantity"] == name and float(row["relative_error"]) > 0])
-        exact = sum(row["quantity"] == name and float(row["relative_error"]) == 0 for row in rows)
+        every = [(float(row["condition"]), float(row["relative_error"])) for row in rows if row["quantity"] == name]
+        points = np.array([(x, y) for x, y in every if least_error < y < 1e8 and x < 1e22])
+        exact = sum(y == 0 for _, y in every)
         constant = next(float(row["constant"]) for row in rows if row["quantity"] == name)
         if len(points):
-            axes.plot(*points.T, ".", color=BLUE, markersize=1.8, alpha=0.5, rasterized=True, zorder=2,
+            axes.plot(*points.T, ".", color=BLUE, markersize=3, alpha=0.4, rasterized=True, zorder=2,
                       markeredgewidth=0)
-            low, high = 0.5, max(1e3, points[:, 0].max() * 3)
+            low, high = min(0.5, points[:, 0].min()), max(1e3, points[:, 0].max() * 3)
             axes.plot([low, high], [constant * low, constant * high], color=RED, linewidth=1.2, zorder=3)
             axes.axhline(1, color=GREY, linewidth=0.8, linestyle="--", zorder=1)
             axes.set_xscale("log")
             axes.set_yscale("log")
             axes.set_xlim(low, high)
-        axes.set_title(f"{name}  ({len(points)} points, {exact} exact)")
+            axes.set_ylim(least_error, 1e4 if stage == "double-double" else 1e9)
+        axes.set_title(f"{name}  ({len(points)} points; {exact} exact)")
         axes.grid(color="#eeeeee", linewidth=0.5)
         if i >= len(names) - columns:
             axes.set_xlabel("condition number")
         if i % columns == 0:
             axes.set_ylabel("relative error")
     figure.suptitle(f"Error against condition number, {words}\npoints: single signs; red: the bound; dashed: error as "
-                    "large as the value; axes whose products underflow are left out", x=0.01, ha="left", fontsize=10)
+                    "large as the value\nleft out: what lies beyond the frame, and axes whose products underflow", x=0.01, ha="left", fontsize=10)
     save(figure, folder, f"conditions-{stage}")
 
 
@@ -205,7 +219,7 @@ def draw_tightness(folder, rows):
     left.set_xscale("log")
     left.set_xlim(5e-13, 3)
     left.set_yticks(y, [f"{stage}: {name}" for stage, name in keys])
-    left.invert_yaxis()
+    left.set_ylim(len(keys) - 0.5, -0.5)
     left.set_xlabel("observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
     left.grid(axis="x", color="#dddddd", linewidth=0.5)
     left.legend(loc="lower left", frameon=False, ncol=3, bbox_to_anchor=(0, 1))
@@ -225,12 +239,13 @@ def draw_tightness(folder, rows):
     save(figure, folder, "tightness")
 
 
-def draw_onset(folder, rows):
+def draw_onset(folder, rows, styles):
     distances, methods = distinct(rows, "origin_distance"), distinct(rows, "method")
     figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.6), layout="constrained", squeeze=False,
                                 width_ratios=[1] * len(distances) + [0.35])
     for axes, distance in zip(grid[0], distances):
-        for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
+        for method in methods:
+            colour, line, marker = styles.of(method)
             curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
             x = [-int(row["offset_exponent"]) for row in curve]
             rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
@@ -252,11 +267,12 @@ def main():
         sys.exit("usage: stability.py FOLDER")
     folder = pathlib.Path(sys.argv[1])
     failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
+    styles = Styles(distinct(failures, "method"))
     for nearness in NEARNESSES:
         if any(row["nearness"] == nearness for row in failures):
-            draw_failures(folder, failures, nearness)
+            draw_failures(folder, failures, nearness, styles)
     for quantity in ("distance", "point"):
-        draw_errors(folder, errors, quantity)
+        draw_errors(folder, errors, quantity, styles)
     conditions = rows_of(folder / "conditions.csv")
     for stage, words in (("maxima", "signs in doubles; condition: product of the largest components / |value|"),
                          ("permanent", "signs in doubles; condition: permanent / |value|"),
@@ -264,7 +280,7 @@ def main():
                          ("frame", "in the frame of a prepared polygon; condition: size / |value|")):
         draw_conditions(folder, conditions, stage, words)
     draw_tightness(folder, rows_of(folder / "tightness.csv"))
-    draw_onset(folder, rows_of(folder / "onset.csv"))
+    draw_onset(folder, rows_of(folder / "onset.csv"), styles)
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ std::vector<Level> make_levels(Axis axis) {
       return list;
     }
     case Axis::CollinearExact:
-    case Axis::CollinearRounded: return {whole(1), whole(10), whole(100, 4), whole(1000, 20), whole(10000, 200)};
+    case Axis::CollinearRounded: return {whole(1), whole(10), whole(100, 4), whole(1000, 20), whole(10000, 40)};
     case Axis::Origin: return decades({0, 3, 6, 9, 12, 13, 14, 15});
     case Axis::Small:
       return wholes({0, -64, -128, -160, -176, -192, -256, -340, -400, -512, -700, -1000, -1030, -1064});
@@ -52,7 +52,7 @@ std::vector<Level> make_levels(Axis axis) {
     case Axis::OffPlane:
       return {whole(1), whole(16), whole(256), {"2^12", 0x1p12, 1}, {"2^16", 0x1p16, 1}, {"2^20", 0x1p20, 1}};
     case Axis::Vertices:
-      return {whole(10), whole(100, 2), decimal(3, 10), decimal(4, 40), decimal(5, 100), decimal(6, 200)};
+      return {whole(10), whole(100, 2), decimal(3, 10), decimal(4, 40), decimal(5, 40), decimal(6, 80)};
     case Axis::ChainInput:
     case Axis::ChainMotion:
     case Axis::PoseInput:
@@ -128,6 +128,11 @@ const std::vector<Level>& levels(Axis axis) {
     return map;
   }();
   return all.at(axis);
+}
+
+bool is_drawn(Axis axis, std::size_t level, std::uint64_t sample) {
+  const std::uint64_t one_in = levels(axis)[level].one_in;
+  return sample % one_in == one_in / 2;
 }
 
 bool against_motion(Axis axis) { return axis == Axis::ChainMotion || axis == Axis::PoseMotion; }

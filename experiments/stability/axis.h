@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ struct Level {
 [[nodiscard]] const std::vector<Axis>& all_axes();
 /// From harmless to worst.
 [[nodiscard]] const std::vector<Level>& levels(Axis axis);
+/// Is this sample one of those that are drawn at the level? The first one is half of Level::one_in.
+[[nodiscard]] bool is_drawn(Axis axis, std::size_t level, std::uint64_t sample);
 /// Is the answer compared with that of the motion that was meant, not with that on the doubles asked about?
 [[nodiscard]] bool against_motion(Axis axis);
 

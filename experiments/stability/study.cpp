@@ -81,7 +81,7 @@ class Study {
     block.axis = axis;
     block.sample = sample;
     for (std::size_t level = 0; level < levels(axis).size(); ++level) {
-      if (sample % levels(axis)[level].one_in != 0) continue;
+      if (!is_drawn(axis, level, sample)) continue;
       if (const auto scene = draw_scene(axis, level, settings_.seed, sample))
         ask_all(*scene, level, block);
       else
@@ -94,9 +94,8 @@ class Study {
   using Key = std::tuple<Test, Nearness>;
 
   void ask_all(const Scene& scene, std::size_t level, Block& block) const {
-    const Oracle oracle(scene.asked.polygon);
-    const Oracle meant(scene.meant ? scene.meant->polygon : scene.asked.polygon);
-    const std::vector<Probe> probes = probes_of(scene, scene.meant ? meant : oracle);
+    const Oracle oracle(scene.meant ? scene.meant->polygon : scene.asked.polygon);
+    const std::vector<Probe> probes = probes_of(scene, oracle);
     std::vector<bool> to_confirm(probes.size());
     if (!probes.empty()) to_confirm[0] = true;
     for (std::size_t m = 0; m < settings_.methods.size(); ++m) ask(scene, probes, level, m, block, to_confirm);

@@ -191,6 +191,8 @@ std::string legend(const Settings& settings) {
   std::string text =
       "\nA sample is a polygon under the stress and balls about it; it fails if the answer is wrong for any ball.\n"
       "A | B: the first level with a failure, and the first at which more than half of the samples failed; -: none.\n"
+      "errors.csv also has the closest point: where two features are as near, rounding may choose the other, far "
+      "away.\n"
       "What a method throws is wrong. chain, pose: -input asks what methods make of the doubles at the end of a "
       "chain,\n"
       "-motion what the chain itself has done: there filtered, exact on those doubles, stands for the motion alone.\n"
