@@ -312,10 +312,10 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
       ++found;
       const judge::Case read = judge::read_case(worst->line);
       ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << worst->line;
-      const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+      const auto& shapes = std::get<judge::Shapes>(read.content);
       const auto differences = [&](std::string_view name) {
-        return judge::differences(*read.expected, judge::object_of(methods::find_method(name)->prepare(polygon)->ask(
-                                                      ball, Question::Answer)));
+        const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
+        return judge::differences(*read.expected, judge::object_of(prepared->ask(shapes.ball, Question::Answer)));
       };
       const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
       EXPECT_TRUE(differences("exact").empty()) << worst->line;
