@@ -73,7 +73,9 @@ class Styles:
     def of(self, method):
         if method not in self.methods:
             self.methods.append(method)
-        return STYLES[self.methods.index(method) % len(STYLES)]
+        place, count = self.methods.index(method), len(STYLES)
+        # Beyond the list colours come again, with other lines and markers.
+        return STYLES[place % count][0], *STYLES[(place + place // count) % count][1:]
 
 
 def label_levels(axes, names):

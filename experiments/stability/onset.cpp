@@ -5,7 +5,9 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "experiments/bench/ericson.h"
 #include "experiments/workloads/random.h"
@@ -78,6 +80,15 @@ void ask(const Above& above, std::size_t distance, std::size_t method, Onset& on
       onset.add_failure(distance, method, k);
 }
 
+/// Nothing where the method throws.
+std::unique_ptr<methods::PreparedMethod> prepare(const methods::Method& method, const Polygon& polygon) {
+  try {
+    return method.prepare(polygon);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
 std::vector<std::string> names_of(const std::vector<const methods::Method*>& methods) {
   std::vector<std::string> names{"ericson-absolute", "ericson"};
   for (const auto* method : methods) names.emplace_back(method->name());
@@ -114,9 +125,11 @@ Onset find_onset(const std::vector<const methods::Method*>& methods, std::uint64
       ask(above, distance, 0, part, [&](const Ball& ball) { return absolute_contact(ball, above.triangle); });
       ask(above, distance, 1, part, [&](const Ball& ball) { return bench::ericson_contact(ball, above.triangle); });
       for (std::size_t m = 0; m < methods.size(); ++m) {
-        const auto prepared = methods[m]->prepare(above.polygon());
-        ask(above, distance, m + 2, part,
-            [&](const Ball& ball) { return prepared->ask(ball, methods::Question::Contact).contact.value(); });
+        const auto prepared = prepare(*methods[m], above.polygon());
+        ask(above, distance, m + 2, part, [&](const Ball& ball) {
+          if (!prepared) throw std::runtime_error("not prepared");
+          return prepared->ask(ball, methods::Question::Contact).contact.value();
+        });
       }
     }
     part.add_triangle();

@@ -101,7 +101,7 @@ std::string mode_rates(const Settings& settings, const Summary& summary) {
       if (is_graded(settings.axes[a])) continue;
       for (const Nearness nearness : kNearnesses)
         for (std::size_t level = 0; level < levels(settings.axes[a]).size(); ++level)
-          text += row(fmt::format("{:<8} {}", levels(settings.axes[a])[level].name, word(nearness)), begin, end,
+          text += row(fmt::format("{:<7} {}", levels(settings.axes[a])[level].name, word(nearness)), begin, end,
                       [&](std::size_t m) -> std::string {
                         const Tally* tally = summary.at(a, nearness, Test::Contact, m, level);
                         return tally == nullptr ? "" : percent(tally->failed, tally->samples);

@@ -215,6 +215,7 @@ TEST(StabilityBounds, HoldAndWouldBeFoundWrong) {
     if (about.stage == BoundStage::FastPlanarity) continue;  // not proved
     EXPECT_EQ(bound.exceeded, 0U) << word(about.stage) << " " << about.name;
     EXPECT_LE(bound.tightness.largest(), 1) << word(about.stage) << " " << about.name;
+    EXPECT_GE(bound.tightness.quantile(0), 0) << "errors to either side count: " << about.name;
   }
   EXPECT_GT(observations, 20'000U);
 
