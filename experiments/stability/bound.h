@@ -46,12 +46,12 @@ struct Observation {
 /// A polygon with what its bounds are held against: the exact lifted loops, in rationals.
 class BoundTrial {
  public:
-  /// Keeps a reference. Cost: about 10 us a vertex.
+  /// Keeps a reference. Cost: linear, some 10 us a vertex.
   explicit BoundTrial(const Polygon& polygon);
 
   /// All bounded quantities of a ball and an edge, each where the filter would use it: within its window. Maxima and
   /// Frame are computed in the given mode, for which they are proved; the others in the usual one, as in the filter.
-  /// Bounds are multiplied with `bound_factor`. Cost: about 100 us.
+  /// Bounds are multiplied with `bound_factor`. Cost: some 100 us.
   void observe(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                std::vector<Observation>& observations) const;
 

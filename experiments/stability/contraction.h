@@ -17,7 +17,7 @@ struct ContractionCount {
 
 /// `trials` of each sign and family; a function of (trials, seed). Orientation and side: of vectors with all bits, one
 /// a power of two times the other; line and plane: of balls that touch a lattice triangle exactly (bench). Beside zero:
-/// one coordinate, or the radius, moved by one double. Cost: about 20 us a trial of all.
+/// one coordinate, or the radius, moved by one double. Cost: about 30 us a trial of all.
 [[nodiscard]] std::vector<ContractionCount> count_contractions(std::uint64_t trials, std::uint64_t seed);
 
 }  // namespace touchstone::stability
