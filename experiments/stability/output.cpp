@@ -108,8 +108,8 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
 
   std::string points = "stage,quantity,constant,axis,level,condition,relative_error\n";
   for (const Block& block : result.blocks) {
-    if (block.sample / kBoundsOneIn >= kSamplesShown) break;
     for (const auto& [level, o] : block.bounds) {
+      if (block.sample / levels(block.axis)[level].one_in / kBoundsOneIn >= kSamplesShown) continue;
       const BoundedQuantity& about = bounded_quantities()[o.quantity];
       if (std::isnan(o.relative_error)) continue;
       points += fmt::format("{},{},{:.6g},{},{},{:.3e},{:.3e}\n", word(about.stage), about.name, about.constant,

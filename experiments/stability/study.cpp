@@ -100,7 +100,8 @@ class Study {
     if (!probes.empty()) to_confirm[0] = true;
     for (std::size_t m = 0; m < settings_.methods.size(); ++m) ask(scene, probes, level, m, block, to_confirm);
     if (oracle.spares_exact()) confirm(oracle, probes, to_confirm, block);
-    if (block.sample % kBoundsOneIn == 0) observe_bounds(scene, probes, level, block);
+    if (block.sample / levels(block.axis)[level].one_in % kBoundsOneIn == 0)
+      observe_bounds(scene, probes, level, block);
   }
 
   void ask(const Scene& scene, const std::vector<Probe>& probes, std::size_t level, std::size_t m, Block& block,
@@ -151,7 +152,7 @@ class Study {
 
   /// A case says neither what was meant nor in which mode it is asked.
   void keep_worst(const Scene& scene, const Asked& asked, const Probe& probe, WorstCase worst, Block& block) const {
-    if (scene.meant || !scene.mode.usual() || scene.asked.polygon.vertex_count() > kMostForBounds) return;
+    if (scene.meant || !scene.mode.usual() || scene.asked.polygon.vertex_count() > kMostForCases) return;
     const auto held = std::find_if(block.worst.begin(), block.worst.end(),
                                    [&](const WorstCase& other) { return other.method == worst.method; });
     if (held != block.worst.end() && !worst.worse_than(*held)) return;

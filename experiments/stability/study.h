@@ -77,9 +77,10 @@ struct Result {
   std::uint64_t samples;      ///< of each axis, all done
 };
 
-/// Bounds are observed on one sample of so many, and cases kept, on polygons of at most so many vertices.
+/// Bounds are observed on one of so many samples that are drawn at a level, on polygons of at most so many vertices;
+/// cases are kept of smaller ones.
 inline constexpr std::uint64_t kBoundsOneIn = 4;
-inline constexpr std::size_t kMostForBounds = 200;
+inline constexpr std::size_t kMostForBounds = 1100, kMostForCases = 200;
 
 /// Draws every sample and asks every method.
 ///

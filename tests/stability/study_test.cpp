@@ -218,6 +218,19 @@ TEST(StabilityBounds, HoldAndWouldBeFoundWrong) {
     EXPECT_GE(bound.tightness.quantile(0), 0) << "errors to either side count: " << about.name;
   }
   EXPECT_GT(observations, 20'000U);
+  // Levels of which fewer samples are drawn have their share. (Beyond its window, at extreme exponents, no bound is
+  // used.)
+  for (std::size_t axis = 0; axis < all_axes().size(); ++axis)
+    for (std::size_t level = 0; level < levels(all_axes()[axis]).size(); ++level) {
+      const Axis about = all_axes()[axis];
+      const bool extreme = about == Axis::Small || about == Axis::Large || about == Axis::Mixed;
+      if (levels(about)[level].one_in > 4 || against_motion(about) || extreme) continue;
+      const auto at_level = [&](const auto& cell) {
+        return std::get<1>(cell.first) == axis && std::get<2>(cell.first) == level;
+      };
+      EXPECT_TRUE(std::any_of(right.bounds.begin(), right.bounds.end(), at_level))
+          << word(about) << " " << levels(about)[level].name;
+    }
 
   setting.bound_factor = 1.0 / 1000;
   const Summary wrong(setting, whole(setting));
