@@ -159,12 +159,12 @@ std::string onset_table(const Onset& onset) {
   std::string text = fmt::format(
       "\nKnown results: the radius off the exact distance to a triangle's face by 2^-k of it, to either side; {} "
       "triangles\n"
-      "  {:<17}{:>12}{:>9}{:>10}{:>15}{:>17}{:>9}{:>10}{:>16}\n",
+      "  {:<17}{:>12}{:>9}{:>10}{:>17}{:>17}{:>9}{:>10}{:>16}\n",
       onset.triangles(), "", "at 0: first", "from 1 %", "from 50 %", "at k = 51", "1e6 sizes: first", "from 1 %",
       "from 50 %", "at k = 36");
   const auto k_text = [](int k) { return k == 0 ? std::string("-") : fmt::format("2^-{}", k); };
   for (std::size_t m = 0; m < onset.methods().size(); ++m)
-    text += fmt::format("  {:<17}{:>12}{:>9}{:>10}{:>15}{:>17}{:>9}{:>10}{:>16}\n", onset.methods()[m],
+    text += fmt::format("  {:<17}{:>12}{:>9}{:>10}{:>17}{:>17}{:>9}{:>10}{:>16}\n", onset.methods()[m],
                         k_text(onset.first(0, m, 0)), k_text(onset.first(0, m, 0.01)), k_text(onset.first(0, m, 0.5)),
                         limits_text(onset.failures(0, m, 51), onset.triangles()), k_text(onset.first(1, m, 0)),
                         k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)),
