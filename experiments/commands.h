@@ -16,5 +16,6 @@ void add_cases(CLI::App& app);
 void add_bench(CLI::App& app, int& status);
 void add_soak(CLI::App& app, int& status);
 void add_tradeoff(CLI::App& app, int& status);
+void add_stability(CLI::App& app, int& status);
 
 }  // namespace touchstone::commands

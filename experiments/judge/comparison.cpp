@@ -20,6 +20,12 @@ Outcome compare_feet(FootPlace answer, FootPlace truth, bool knows_boundary) {
   return closed == Outcome::Right ? Outcome::BoundaryMissed : closed;
 }
 
+Outcome compare_relations(Relation answer, Relation truth) {
+  if (answer == truth) return Outcome::Right;
+  const Outcome contact = compare_yes(answer != Relation::Separate, truth != Relation::Separate);
+  return contact == Outcome::Right ? Outcome::BoundaryMissed : contact;
+}
+
 /// Both ascending.
 Outcome compare_edges(const Edges& answer, const Edges& truth) {
   if (answer == truth) return Outcome::Right;
@@ -35,6 +41,7 @@ std::string_view word(Test test) {
     case Test::Foot: return "foot";
     case Test::Edges: return "edges";
     case Test::Contact: return "contact";
+    case Test::Relation: return "relation";
   }
   return "";
 }
@@ -44,6 +51,7 @@ methods::Question question(Test test) {
     case Test::Plane: return methods::Question::PlaneSide;
     case Test::Foot: return methods::Question::Foot;
     case Test::Edges: return methods::Question::EdgesHit;
+    case Test::Relation: return methods::Question::Relation;
     case Test::Contact: break;
   }
   return methods::Question::Contact;
@@ -64,6 +72,9 @@ std::optional<Outcome> compare(Test test, const methods::PartialAnswer& answer, 
     case Test::Contact:
       if (!answer.contact) break;
       return compare_yes(*answer.contact, *truth.contact);
+    case Test::Relation:
+      if (!answer.relation) break;
+      return compare_relations(*answer.relation, *truth.relation);
   }
   return std::nullopt;
 }

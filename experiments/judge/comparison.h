@@ -9,8 +9,9 @@
 
 namespace touchstone::judge {
 
-/// What is compared: the contract's three tests, each by itself, and the final answer.
-enum class Test { Plane, Foot, Edges, Contact };
+/// What is compared: the contract's three tests, each by itself, and the final answer, with or without touching.
+enum class Test { Plane, Foot, Edges, Contact, Relation };
+/// Those that every study counts.
 inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact};
 
 [[nodiscard]] std::string_view word(Test test);
@@ -22,7 +23,7 @@ enum class Outcome {
   Right,
   WronglyIn,
   WronglyOut,
-  BoundaryMissed,  ///< foot: inside and boundary confused
+  BoundaryMissed,  ///< foot: inside and boundary confused; relation: touching and overlapping
 };
 
 /// The one place where the studies compare answers. Nothing where the method has not answered that test.
@@ -32,6 +33,7 @@ enum class Outcome {
 ///    whether it says inside or outside.
 ///  - Edges: the whole list. WronglyIn where an edge is listed that is not hit, else WronglyOut.
 ///  - Contact: yes or no.
+///  - Relation: all three words.
 [[nodiscard]] std::optional<Outcome> compare(Test test, const methods::PartialAnswer& answer,
                                              const methods::PartialAnswer& truth, bool knows_boundary);
 

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of `touchstone stability`: stability.py FOLDER draws the failures, errors and bounds of the CSV files there.
+
+Same data, same bytes: nothing here depends on the time or on chance."""
+import csv
+import math
+import pathlib
+import sys
+
+import numpy as np
+
+from style import STYLES, plt, save
+
+# The title of each axis, and what its levels are.
+AXES = {"aspect": ("slivers", "length / width"),
+        "parallel": ("near-parallel edges", "angle, radians"),
+        "duplicate": ("near-duplicate vertices", "distance / size"),
+        "collinear-exact": ("straight side, exactly", "vertices on it"),
+        "collinear-rounded": ("straight side, rounded", "vertices on it"),
+        "origin": ("away from the origin", "distance / size"),
+        "small": ("small numbers", "binary exponent"),
+        "large": ("large numbers", "binary exponent"),
+        "mixed": ("mixed exponents", "binary orders between axes"),
+        "off-plane": ("a vertex off the plane", "ulps"),
+        "vertices": ("many vertices", "vertices"),
+        "chain-input": ("chain of rotations,\nagainst exact on its end", "steps"),
+        "chain-motion": ("chain of rotations,\nagainst the motion meant", "steps"),
+        "pose-input": ("chain of pose products,\nagainst exact on its end", "steps"),
+        "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
+        "rounding": ("rounding direction", "mode"),
+        "flush": ("subnormals flushed", "mode")}
+NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
+              "close": "radius off by $2^{-30}$ of the distance",
+              "ample": "radius off by a quarter of the distance"}
+MODES = ("rounding", "flush")
+# Where products underflow, bounds have an absolute part, which a line cannot show.
+UNDERFLOWING = ("small", "mixed", "flush")
+SIGNS = ["vertex", "along", "beyond", "line", "front", "plane", "side", "above"]
+BLUE, RED, GREY = "#0072B2", "#D55E00", "#999999"
+
+
+def rows_of(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def distinct(rows, name):
+    return list(dict.fromkeys(row[name] for row in rows))
+
+
+def panels(names, height=2.0):
+    """One panel an axis, and a free one for the legend; unused ones are hidden."""
+    columns = min(6, len(names) + 1)
+    lines = math.ceil((len(names) + 1) / columns)
+    figure, grid = plt.subplots(lines, columns, figsize=(2.45 * columns, height * lines + 0.6), squeeze=False,
+                                layout="constrained")
+    flat = list(grid.flat)
+    for axes in flat[len(names):]:
+        axes.set_axis_off()
+    return figure, flat
+
+
+def short(name):
+    return {"1000": "1e3", "10000": "1e4"}.get(name, name)
+
+
+class Styles:
+    """The same style for a method in every picture: by its place among all that were asked."""
+
+    def __init__(self, methods):
+        self.methods = list(methods)
+
+    def of(self, method):
+        if method not in self.methods:
+            self.methods.append(method)
+        place, count = self.methods.index(method), len(STYLES)
+        # Beyond the list colours come again, with other lines and markers.
+        return STYLES[place % count][0], *STYLES[(place + place // count) % count][1:]
+
+
+def label_levels(axes, names):
+    step = math.ceil(len(names) / 5)
+    shown = list(range(0, len(names), step))
+    if shown[-1] != len(names) - 1:
+        if len(names) - 1 - shown[-1] < step:
+            shown.pop()
+        shown.append(len(names) - 1)
+    axes.set_xticks(shown, [short(names[i]) for i in shown], fontsize=7.5)
+    axes.set_xlim(-0.3, len(names) - 0.7)
+
+
+def legend_in(axes, source, extra=()):
+    handles, labels = source.get_legend_handles_labels()
+    axes.legend([*handles, *(h for h, _ in extra)], [*labels, *(text for _, text in extra)], loc="center left",
+                frameon=False, fontsize=9)
+
+
+def draw_failures(folder, rows, nearness, styles):
+    rows = [row for row in rows if row["nearness"] == nearness and row["test"] == "contact"]
+    names, methods = distinct(rows, "axis"), distinct(rows, "method")
+    figure, flat = panels(names)
+    for i, (axes, name) in enumerate(zip(flat, names)):
+        levels = distinct([row for row in rows if row["axis"] == name], "level")
+        for m, method in enumerate(methods):
+            colour, line, marker = styles.of(method)
+            curve = [row for row in rows if row["axis"] == name and row["method"] == method]
+            # Beside each other, so that limits can be told apart.
+            x = np.array([levels.index(row["level"]) for row in curve]) + 0.4 * ((m + 0.5) / len(methods) - 0.5)
+            rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
+            axes.vlines(x, lower, upper, color=colour, linewidth=0.8)
+            axes.plot(x, rate, color=colour, linestyle="none" if name in MODES else line, marker=marker, markersize=3,
+                      linewidth=1, label=method)
+        axes.set_title(AXES[name][0], fontsize=8.5)
+        axes.set_xlabel(AXES[name][1], fontsize=8)
+        axes.set_ylim(-4, 104)
+        axes.grid(color="#dddddd", linewidth=0.5)
+        label_levels(axes, levels)
+        if i % 6 == 0:
+            axes.set_ylabel("samples failed, %")
+        else:
+            axes.tick_params(labelleft=False)
+    legend_in(flat[len(names)], flat[0])
+    figure.suptitle(f"Wrong final answers (contact or none): {NEARNESSES[nearness]}; bars: 95 % limits", x=0.01, ha="left")
+    save(figure, folder, f"failures-{nearness}")
+
+
+LEAST, MOST = -18.0, 17.0  # where errors of 0 and of infinity stand, as exponents of ten
+
+
+def height_of(error):
+    value = float(error)
+    if value == 0:
+        return LEAST
+    return MOST if math.isinf(value) else min(max(math.log10(value), LEAST + 1), MOST - 1)
+
+
+def draw_errors(folder, rows, quantity, styles):
+    rows = [row for row in rows if row["quantity"] == quantity]
+    names, methods = distinct(rows, "axis"), distinct(rows, "method")
+    if not names:
+        return
+    figure, flat = panels(names)
+    for i, (axes, name) in enumerate(zip(flat, names)):
+        levels = distinct([row for row in rows if row["axis"] == name], "level")
+        for method in methods:
+            colour, line, marker = styles.of(method)
+            curve = [row for row in rows if row["axis"] == name and row["method"] == method]
+            x = [levels.index(row["level"]) for row in curve]
+            for key, width, label in (("relative_median", 1.4, method), ("relative_max", 0.6, None)):
+                axes.plot(x, [height_of(row[key]) for row in curve], color=colour, linestyle=line, linewidth=width,
+                          marker=marker if label else None, markersize=3, label=label)
+        axes.set_title(AXES[name][0], fontsize=8.5)
+        axes.set_xlabel(AXES[name][1], fontsize=8)
+        axes.set_ylim(LEAST - 1, MOST + 1)
+        axes.set_yticks([LEAST, -16, -8, 0, 8, MOST], ["0", "$10^{-16}$", "$10^{-8}$", "1", "$10^{8}$", "not finite"])
+        if i % 6:
+            axes.tick_params(labelleft=False)
+        axes.grid(color="#dddddd", linewidth=0.5)
+        label_levels(axes, levels)
+    legend_in(flat[len(names)], flat[0], [(plt.Line2D([], [], color="k", linewidth=1.4, marker="o", markersize=3), "median"),
+                                          (plt.Line2D([], [], color="k", linewidth=0.6), "largest")])
+    about = {"distance": "of the distance", "point": "of the closest point, to its largest coordinate"}[quantity]
+    figure.suptitle(f"Relative error {about}, against the correctly rounded exact one", x=0.01, ha="left")
+    save(figure, folder, f"errors-{quantity}")
+
+
+def draw_conditions(folder, rows, stage, words):
+    rows = [row for row in rows if row["stage"] == stage and row["axis"] not in UNDERFLOWING]
+    names = [name for name in ["height", *SIGNS, "across"] if any(row["quantity"] == name for row in rows)]
+    if not names:
+        return
+    columns = min(4, len(names))
+    least_error = 1e-40 if stage == "double-double" else 1e-20
+    lines = math.ceil(len(names) / columns)
+    figure, grid = plt.subplots(lines, columns, figsize=(2.75 * columns, 2.6 * lines + 0.9), squeeze=False, layout="constrained")
+    for axes in list(grid.flat)[len(names):]:
+        axes.set_axis_off()
+    for i, (axes, name) in enumerate(zip(grid.flat, names)):
+        every = [(float(row["condition"]), float(row["relative_error"])) for row in rows if row["quantity"] == name]
+        points = np.array([(x, y) for x, y in every if least_error < y < 1e8 and x < 1e22])
+        exact = sum(y == 0 for _, y in every)
+        constant = next(float(row["constant"]) for row in rows if row["quantity"] == name)
+        if len(points):
+            axes.plot(*points.T, ".", color=BLUE, markersize=3, alpha=0.4, rasterized=True, zorder=2,
+                      markeredgewidth=0)
+            low, high = min(0.5, points[:, 0].min()), max(1e3, points[:, 0].max() * 3)
+            axes.plot([low, high], [constant * low, constant * high], color=RED, linewidth=1.2, zorder=3)
+            axes.axhline(1, color=GREY, linewidth=0.8, linestyle="--", zorder=1)
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+            axes.set_xlim(low, high)
+            axes.set_ylim(least_error, 1e4 if stage == "double-double" else 1e9)
+        axes.set_title(f"{name}  ({len(points)} points; {exact} exact)")
+        axes.grid(color="#eeeeee", linewidth=0.5)
+        if i >= len(names) - columns:
+            axes.set_xlabel("condition number")
+        if i % columns == 0:
+            axes.set_ylabel("relative error")
+    figure.suptitle(f"Error against condition number, {words}\npoints: single signs; red: the bound; dashed: error as "
+                    "large as the value\nleft out: what lies beyond the frame, and axes whose products underflow", x=0.01, ha="left", fontsize=10)
+    save(figure, folder, f"conditions-{stage}")
+
+
+def draw_tightness(folder, rows):
+    rows = [row for row in rows if int(row["observations"]) > 0]
+    total = [row for row in rows if row["axis"] == "all"]
+    if not total:
+        return
+    keys = [(row["stage"], row["quantity"]) for row in total]
+    axes_names = [name for name in distinct(rows, "axis") if name != "all"]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(13, 0.26 * len(keys) + 1.9), width_ratios=[1, 1.15],
+                                         layout="constrained")
+    y = np.arange(len(keys))
+    median, most, largest = (np.array([max(float(row[key]), 1e-12) for row in total]) for key in
+                             ("median", "quantile_99", "max"))
+    left.hlines(y, median, largest, color=GREY, linewidth=1)
+    left.plot(median, y, "o", color=BLUE, markersize=4, label="median")
+    left.plot(most, y, "s", color="#E69F00", markersize=4, label="99 %")
+    left.plot(largest, y, "^", color=RED, markersize=5, label="largest")
+    left.axvline(1, color="k", linewidth=1)
+    left.set_xscale("log")
+    left.set_xlim(5e-13, 3)
+    left.set_yticks(y, [f"{stage}: {name}" for stage, name in keys])
+    left.set_ylim(len(keys) - 0.5, -0.5)
+    left.set_xlabel("observed error / bound (the bound: 1; below $10^{-12}$ shown there)")
+    left.grid(axis="x", color="#dddddd", linewidth=0.5)
+    left.legend(loc="lower left", frameon=False, ncol=3, bbox_to_anchor=(0, 1))
+
+    table = np.full((len(keys), len(axes_names)), np.nan)
+    for row in rows:
+        if row["axis"] != "all":
+            cell = keys.index((row["stage"], row["quantity"])), axes_names.index(row["axis"])
+            table[cell] = np.nanmax([table[cell], max(float(row["max"]), 1e-8)])
+    image = right.imshow(np.log10(table), aspect="auto", cmap="viridis", vmin=-8, vmax=0)
+    right.set_xticks(range(len(axes_names)), axes_names, rotation=60, ha="right")
+    right.set_yticks(y, [])
+    right.set_title("largest observed error / bound on each axis")
+    bar = figure.colorbar(image, ax=right, ticks=[-8, -6, -4, -2, 0])
+    bar.set_ticklabels(["$10^{-8}$ or less", "$10^{-6}$", "$10^{-4}$", "$10^{-2}$", "1"])
+    figure.suptitle("How tight the bounds on rounding errors are", x=0.01, ha="left")
+    save(figure, folder, "tightness")
+
+
+def draw_onset(folder, rows, styles):
+    distances, methods = distinct(rows, "origin_distance"), distinct(rows, "method")
+    figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.6), layout="constrained", squeeze=False,
+                                width_ratios=[1] * len(distances) + [0.35])
+    for axes, distance in zip(grid[0], distances):
+        for method in methods:
+            colour, line, marker = styles.of(method)
+            curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
+            x = [-int(row["offset_exponent"]) for row in curve]
+            rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
+            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
+            axes.plot(x, rate, color=colour, linestyle=line, marker=marker, markersize=3, linewidth=1.2, label=method)
+        axes.set_title("triangles at the origin" if float(distance) == 0 else f"triangles {float(distance):.0e} sizes away"
+                       .replace("e+06", "e6"))
+        axes.set_xlabel("offset of the radius from the distance, $2^{-k}$ of it: k")
+        axes.grid(color="#dddddd", linewidth=0.5)
+    grid[0][0].set_ylabel("triangles with a wrong\ncontact at either offset, %")
+    grid[0][-1].set_axis_off()
+    legend_in(grid[0][-1], grid[0][0])
+    figure.suptitle("Where wrong signs begin: a ball above a triangle's face; bands: 95 % limits", x=0.01, ha="left")
+    save(figure, folder, "onset")
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: stability.py FOLDER")
+    folder = pathlib.Path(sys.argv[1])
+    failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
+    styles = Styles(distinct(failures, "method"))
+    for nearness in NEARNESSES:
+        if any(row["nearness"] == nearness for row in failures):
+            draw_failures(folder, failures, nearness, styles)
+    for quantity in ("distance", "point"):
+        draw_errors(folder, errors, quantity, styles)
+    conditions = rows_of(folder / "conditions.csv")
+    for stage, words in (("maxima", "signs in doubles; condition: product of the largest components / |value|"),
+                         ("permanent", "signs in doubles; condition: permanent / |value|"),
+                         ("double-double", "signs in double-doubles; condition: product of the largest components / |value|"),
+                         ("frame", "in the frame of a prepared polygon; condition: size / |value|")):
+        draw_conditions(folder, conditions, stage, words)
+    draw_tightness(folder, rows_of(folder / "tightness.csv"))
+    draw_onset(folder, rows_of(folder / "onset.csv"), styles)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cfenv>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace touchstone::stability {
+
+/// A rounding direction, and subnormals given (FTZ) or taken (DAZ) as zero: the MXCSR's bits. Without SSE2 nothing is
+/// flushed.
+struct FloatingPointMode {
+  static constexpr unsigned kGivenAsZero = 0x8000, kTakenAsZero = 0x0040;
+
+  int rounding = FE_TONEAREST;
+  unsigned flush = 0;
+
+  [[nodiscard]] bool usual() const { return rounding == FE_TONEAREST && flush == 0; }
+};
+
+/// That mode while it lives, then the one found.
+class Environment {
+ public:
+  explicit Environment(const FloatingPointMode& mode) {
+    std::fegetenv(&found_);
+    std::fesetround(mode.rounding);
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | mode.flush);
+#endif
+  }
+  ~Environment() { std::fesetenv(&found_); }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+ private:
+  std::fenv_t found_;
+};
+
+}  // namespace touchstone::stability

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/methods/method.h"
+#include "experiments/run/blocks.h"
+
+namespace touchstone::stability {
+
+/// Triangles at zero, and so many sizes away from it.
+inline constexpr double kOnsetDistances[] = {0, 1e6};
+/// The radius is off the exact distance by 2^-k of it, for each k from kCoarsest to kFinest.
+inline constexpr int kCoarsest = 16, kFinest = 52;
+
+/// At which relative offset of the radius from the distance to a triangle's face the signs of doubles begin to be
+/// wrong: failures by distance from the origin, method and offset. A triangle fails if the contact is wrong at the
+/// offset above or at the one below.
+class Onset {
+ public:
+  explicit Onset(std::vector<std::string> methods);
+
+  /// First `ericson-absolute`, the closest point of [ericson2005, 5.1.5] as coordinates, then its distance; `ericson`,
+  /// the same in differences (bench/ericson.h); then those of the settings.
+  [[nodiscard]] const std::vector<std::string>& methods() const { return methods_; }
+  [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
+  [[nodiscard]] std::uint64_t failures(std::size_t distance, std::size_t method, int k) const {
+    return failures_[place(distance, method, k)];
+  }
+  /// The coarsest offset at which at least this share failed, and more than none; 0 if there is none.
+  [[nodiscard]] int first(std::size_t distance, std::size_t method, double share) const;
+
+  void add_failure(std::size_t distance, std::size_t method, int k) { ++failures_[place(distance, method, k)]; }
+  void add_triangle() { ++triangles_; }
+  Onset& operator+=(const Onset& other);
+
+ private:
+  [[nodiscard]] std::size_t place(std::size_t distance, std::size_t method, int k) const {
+    return (distance * methods_.size() + method) * static_cast<std::size_t>(kFinest - kCoarsest + 1) +
+           static_cast<std::size_t>(k - kCoarsest);
+  }
+
+  std::vector<std::string> methods_;
+  std::vector<std::uint64_t> failures_;
+  std::uint64_t triangles_ = 0;
+};
+
+/// Asks about random triangles, the first ones where it is stopped: a function of (methods, triangles done, seed).
+[[nodiscard]] Onset find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles,
+                               std::uint64_t seed, unsigned threads, const std::atomic<bool>& stop,
+                               const run::Progress& progress);
+
+}  // namespace touchstone::stability

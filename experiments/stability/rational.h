@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+#include <Eigen/Core>
+
+#include "robust/filtered/vector3.h"
+
+namespace touchstone::stability {
+
+/// A rational number of GMP that expressions may be written with: gmpxx's own operators give expressions, which refer
+/// to operands that are gone.
+struct Rational {
+  mpq_class value;
+
+  friend Rational operator+(const Rational& a, const Rational& b) { return {mpq_class(a.value + b.value)}; }
+  friend Rational operator-(const Rational& a, const Rational& b) { return {mpq_class(a.value - b.value)}; }
+  friend Rational operator*(const Rational& a, const Rational& b) { return {mpq_class(a.value * b.value)}; }
+  friend Rational operator/(const Rational& a, const Rational& b) { return {mpq_class(a.value / b.value)}; }
+};
+
+using RationalVector = filtered::Vector3<Rational>;
+
+inline Rational exactly(double x) { return {mpq_class(x)}; }
+inline RationalVector exactly(const Eigen::Vector3d& v) { return {exactly(v.x()), exactly(v.y()), exactly(v.z())}; }
+inline RationalVector operator+(const RationalVector& a, const RationalVector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline RationalVector operator-(const RationalVector& a, const RationalVector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// In 512 bits, of any exponent.
+inline mpf_class real(const Rational& number) { return {number.value, 512}; }
+
+}  // namespace touchstone::stability
