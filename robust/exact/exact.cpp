@@ -327,4 +327,15 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
 }
 Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon)); }
 
+int compare_distances(const Ball& ball, const PreparedPolygon& first, const PreparedPolygon& second) {
+  const FloatingPointState nearest;
+  const auto distance = [&ball](const PreparedPolygon& polygon) {
+    const Query query(ball, polygon);
+    Squared squared = nearest_feature(query, foot(query)).second;
+    squared.denominator = squared.denominator * CGAL::square(query.polygon.scale);
+    return squared;
+  };
+  return compare(distance(first), distance(second));
+}
+
 }  // namespace touchstone::exact

@@ -68,6 +68,9 @@ class PreparedPolygon {
 /// Every key of the contract.
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon);
 
+/// Which of two polygons is nearer to the ball's centre: the first (-1), neither (0), the second (+1).
+[[nodiscard]] int compare_distances(const Ball& ball, const PreparedPolygon& first, const PreparedPolygon& second);
+
 /// The same questions on a polygon asked about once.
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);

@@ -20,6 +20,7 @@ SECONDS = 90  # a suite that does not end has noticed something
 SUITES = {
     "contact_tests": "*",
     "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*",
+    "scene_tests": "*",
 }
 
 

@@ -33,6 +33,7 @@ struct Pack {
 TOUCHSTONE_INLINE Pack pack(double a, double b, double c, double d) { return {_mm256_set_pd(d, c, b, a)}; }
 TOUCHSTONE_INLINE Pack all_lanes(double value) { return {_mm256_set1_pd(value)}; }
 TOUCHSTONE_INLINE Pack load(const double* four) { return {_mm256_loadu_pd(four)}; }
+TOUCHSTONE_INLINE Pack load(const float* four) { return {_mm256_cvtps_pd(_mm_loadu_ps(four))}; }
 TOUCHSTONE_INLINE void store(double* four, const Pack& a) { _mm256_storeu_pd(four, a.lanes); }
 TOUCHSTONE_INLINE Pack operator+(const Pack& a, const Pack& b) { return {_mm256_add_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator-(const Pack& a, const Pack& b) { return {_mm256_sub_pd(a.lanes, b.lanes)}; }
@@ -81,6 +82,10 @@ struct Pack {
 TOUCHSTONE_INLINE Pack pack(double a, double b, double c, double d) { return {_mm_set_pd(b, a), _mm_set_pd(d, c)}; }
 TOUCHSTONE_INLINE Pack all_lanes(double value) { return {_mm_set1_pd(value), _mm_set1_pd(value)}; }
 TOUCHSTONE_INLINE Pack load(const double* four) { return {_mm_loadu_pd(four), _mm_loadu_pd(four + 2)}; }
+TOUCHSTONE_INLINE Pack load(const float* four) {
+  const __m128 floats = _mm_loadu_ps(four);
+  return {_mm_cvtps_pd(floats), _mm_cvtps_pd(_mm_movehl_ps(floats, floats))};
+}
 TOUCHSTONE_INLINE void store(double* four, const Pack& a) {
   _mm_storeu_pd(four, a.low);
   _mm_storeu_pd(four + 2, a.high);
@@ -137,6 +142,9 @@ TOUCHSTONE_INLINE Pack pack(double a, double b, double c, double d) { return {{a
 TOUCHSTONE_INLINE Pack all_lanes(double value) { return {{value, value, value, value}}; }
 TOUCHSTONE_INLINE Pack load(const double* four) {
   return each_lane([&](int i) { return four[i]; });
+}
+TOUCHSTONE_INLINE Pack load(const float* four) {
+  return each_lane([&](int i) { return static_cast<double>(four[i]); });
 }
 TOUCHSTONE_INLINE void store(double* four, const Pack& a) {
   for (int i = 0; i < kLanes; ++i) four[i] = a.lanes[i];

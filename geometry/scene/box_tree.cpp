@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/scene/box_tree.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace touchstone {
+namespace {
+
+using Node = BoxTree::Node;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A box in floats.
+struct Bounds {
+  std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+
+  void join(const Bounds& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], other.low[k]);
+      high[k] = std::max(high[k], other.high[k]);
+    }
+  }
+  /// Half the surface; 0 for an empty box.
+  [[nodiscard]] float surface() const {
+    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+    return x < 0 ? 0 : x * y + y * z + z * x;
+  }
+};
+
+float rounded_down(double x) {
+  const auto nearest = static_cast<float>(x);
+  return static_cast<double>(nearest) > x ? std::nextafter(nearest, -kInfinity) : nearest;
+}
+float rounded_up(double x) { return -rounded_down(-x); }
+
+/// Powers of two that bring the largest coordinate below 2^40, where a float's square has room, and keep it above 2^38.
+std::array<double, 2> scale_of(std::span<const Box> boxes) {
+  double largest = std::numeric_limits<double>::denorm_min();
+  for (const Box& box : boxes)
+    largest = std::max({largest, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+  const int exponent = 39 - std::ilogb(largest), half = exponent / 2;
+  return {std::ldexp(1.0, half), std::ldexp(1.0, exponent - half)};
+}
+
+Bounds bounds(const Box& box, const double (&scale)[2]) {
+  Bounds result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    result.low[k] = rounded_down(box.low[axis] * scale[0] * scale[1]);
+    result.high[k] = rounded_up(box.high[axis] * scale[0] * scale[1]);
+  }
+  return result;
+}
+
+void set(Node& node, std::size_t lane, const Bounds& bounds) {
+  for (std::size_t k = 0; k < 3; ++k) node.low[k][lane] = bounds.low[k], node.high[k][lane] = bounds.high[k];
+}
+
+Bounds joined_lanes(const Node& node) {
+  Bounds result;
+  for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane)
+    result.join({{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
+                 {node.high[0][lane], node.high[1][lane], node.high[2][lane]}});
+  return result;
+}
+
+/// A box on its way to a leaf.
+struct Item {
+  Bounds bounds;
+  std::uint32_t number;
+
+  /// Twice the centre.
+  [[nodiscard]] float center(std::size_t axis) const { return bounds.low[axis] + bounds.high[axis]; }
+};
+
+/// Consecutive items.
+struct Range {
+  std::uint32_t begin, end;
+  Bounds bounds;
+
+  [[nodiscard]] std::uint32_t size() const { return end - begin; }
+};
+
+class Builder {
+ public:
+  Builder(std::vector<Item>& items, std::vector<Node>& nodes) : items_(items), nodes_(nodes) {}
+
+  void build() {
+    const Range all = range(0, static_cast<std::uint32_t>(items_.size()));
+    if (all.size() == 0) return;
+    build_top(all, 0);
+    tbb::parallel_for(std::size_t{0}, branches_.size(), [this](std::size_t i) {
+      Branch& branch = branches_[i];
+      build_branch(branch.nodes, branch.range, branch.depth);
+    });
+    std::size_t count = nodes_.size();
+    for (const Branch& branch : branches_) count += branch.nodes.size();
+    nodes_.reserve(count);
+    for (const Branch& branch : branches_) graft(branch);
+    nodes_.shrink_to_fit();
+  }
+
+ private:
+  /// Built by itself; its root becomes a child of a node of the top.
+  struct Branch {
+    Range range;
+    int depth;
+    std::uint32_t parent;
+    std::size_t lane;
+    std::vector<Node> nodes;
+  };
+  static constexpr std::uint32_t kBranch = 1U << 13;
+  static constexpr std::size_t kBins = 16;
+  /// From this depth on ranges are halved by number, so that no order of boxes makes the tree deep.
+  static constexpr int kDeepest = 40;
+
+  [[nodiscard]] Range range(std::uint32_t begin, std::uint32_t end) const {
+    Range result{begin, end, {}};
+    for (std::uint32_t i = begin; i < end; ++i) result.bounds.join(items_[i].bounds);
+    return result;
+  }
+
+  /// Which of kBins equal slices of the centres along an axis an item is in.
+  struct Slices {
+    float low, scale;
+
+    Slices(float lowest, float highest)
+        : low(lowest), scale(highest > lowest ? static_cast<float>(kBins) * 0.9999F / (highest - lowest) : 0) {}
+    [[nodiscard]] std::size_t of(float center) const {
+      return std::min(kBins - 1, static_cast<std::size_t>((center - low) * scale));
+    }
+  };
+  struct Cut {
+    float cost = kInfinity;
+    std::size_t axis = 0, slice = 0;
+  };
+
+  /// The cut for which the surfaces of both sides, times what is in them, are least in sum; none where all centres are
+  /// in one place.
+  [[nodiscard]] Cut best_cut(const Range& range, const std::array<Slices, 3>& slices) const {
+    struct Bin {
+      Bounds bounds;
+      std::uint32_t count = 0;
+    };
+    std::array<std::array<Bin, kBins>, 3> bins;
+    for (std::uint32_t i = range.begin; i < range.end; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Bin& bin = bins[axis][slices[axis].of(items_[i].center(axis))];
+        bin.bounds.join(items_[i].bounds);
+        ++bin.count;
+      }
+    Cut best;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::array<Bin, kBins> above;  // what lies in this slice or beyond
+      above[kBins - 1] = bins[axis][kBins - 1];
+      for (std::size_t slice = kBins - 1; slice-- > 0;) {
+        above[slice] = above[slice + 1];
+        above[slice].bounds.join(bins[axis][slice].bounds);
+        above[slice].count += bins[axis][slice].count;
+      }
+      Bin below;
+      for (std::size_t slice = 1; slice < kBins; ++slice) {
+        below.bounds.join(bins[axis][slice - 1].bounds);
+        below.count += bins[axis][slice - 1].count;
+        if (below.count == 0 || above[slice].count == 0) continue;
+        const float cost = below.bounds.surface() * static_cast<float>(below.count) +
+                           above[slice].bounds.surface() * static_cast<float>(above[slice].count);
+        if (cost < best.cost) best = {cost, axis, slice};
+      }
+    }
+    return best;
+  }
+
+  [[nodiscard]] std::array<Range, 2> halves(const Range& whole, int depth) {
+    const auto first = items_.begin() + whole.begin, last = items_.begin() + whole.end;
+    auto middle = first + whole.size() / 2;
+    if (depth < kDeepest) {
+      std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+      for (auto item = first; item != last; ++item)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], item->center(axis));
+          high[axis] = std::max(high[axis], item->center(axis));
+        }
+      const std::array slices{Slices(low[0], high[0]), Slices(low[1], high[1]), Slices(low[2], high[2])};
+      const Cut cut = best_cut(whole, slices);
+      if (cut.cost < kInfinity)
+        middle = std::partition(
+            first, last, [&](const Item& item) { return slices[cut.axis].of(item.center(cut.axis)) < cut.slice; });
+    }
+    const auto cut_at = static_cast<std::uint32_t>(middle - items_.begin());
+    return {range(whole.begin, cut_at), range(cut_at, whole.end)};
+  }
+
+  /// Up to four parts: the one of the largest surface is halved as long as there is one for more than a leaf.
+  [[nodiscard]] std::vector<Range> parts(const Range& whole, int depth) {
+    std::vector<Range> result{whole};
+    while (result.size() < BoxTree::kWidth) {
+      Range* largest = nullptr;
+      for (Range& part : result)
+        if (part.size() > BoxTree::kMostInLeaf &&
+            (largest == nullptr || part.bounds.surface() > largest->bounds.surface()))
+          largest = &part;
+      if (largest == nullptr) break;
+      const auto [first, second] = halves(*largest, depth);
+      *largest = first;
+      result.push_back(second);
+    }
+    return result;
+  }
+
+  /// Adds the node for a range and calls below(node, lane, part) for each part that is no leaf.
+  template <class Below>
+  void add_node(std::vector<Node>& nodes, const Range& whole, int depth, const Below& below) {
+    const auto here = static_cast<std::uint32_t>(nodes.size());
+    nodes.emplace_back();
+    const std::vector<Range> quarters = parts(whole, depth);
+    for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane) {
+      const bool some = lane < quarters.size();
+      set(nodes[here], lane, some ? quarters[lane].bounds : Bounds());
+      if (!some) continue;
+      if (quarters[lane].size() <= BoxTree::kMostInLeaf) {
+        nodes[here].child[lane] = quarters[lane].begin;
+        nodes[here].count[lane] = quarters[lane].size();
+      } else {
+        below(here, lane, quarters[lane]);
+      }
+    }
+  }
+
+  void build_top(const Range& whole, int depth) {
+    add_node(nodes_, whole, depth, [&](std::uint32_t here, std::size_t lane, const Range& part) {
+      if (part.size() <= kBranch) {
+        branches_.push_back({part, depth + 1, here, lane, {}});
+      } else {
+        nodes_[here].child[lane] = static_cast<std::uint32_t>(nodes_.size());
+        build_top(part, depth + 1);
+      }
+    });
+  }
+
+  void build_branch(std::vector<Node>& nodes, const Range& whole, int depth) {
+    add_node(nodes, whole, depth, [&](std::uint32_t here, std::size_t lane, const Range& part) {
+      nodes[here].child[lane] = static_cast<std::uint32_t>(nodes.size());
+      build_branch(nodes, part, depth + 1);
+    });
+  }
+
+  void graft(const Branch& branch) {
+    const auto root = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[branch.parent].child[branch.lane] = root;
+    for (Node node : branch.nodes) {
+      for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane)
+        if (node.child[lane] != 0 && node.count[lane] == 0) node.child[lane] += root;  // lanes without a child stay
+      nodes_.push_back(node);
+    }
+  }
+
+  std::vector<Item>& items_;
+  std::vector<Node>& nodes_;
+  std::vector<Branch> branches_;
+};
+
+}  // namespace
+
+BoxTree::BoxTree(std::span<const Box> boxes) {
+  assert(boxes.size() <= kMostBoxes);
+  const auto scale = scale_of(boxes);
+  scale_[0] = scale[0], scale_[1] = scale[1];
+  std::vector<Item> items(boxes.size());
+  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+    items[i] = {bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)};
+  });
+  Builder(items, nodes_).build();
+  order_.reserve(items.size());
+  for (const Item& item : items) order_.push_back(item.number);
+}
+
+void BoxTree::refit(std::span<const Box> boxes) {
+  assert(boxes.size() == order_.size());
+  const auto scale = scale_of(boxes);
+  scale_[0] = scale[0], scale_[1] = scale[1];
+  // Children stand behind their parents.
+  for (std::size_t i = nodes_.size(); i-- > 0;)
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      Node& node = nodes_[i];
+      Bounds around;
+      for (std::uint32_t j = 0; j < node.count[lane]; ++j)
+        around.join(bounds(boxes[order_[node.child[lane] + j]], scale_));
+      // A lane that is not there has no boxes and no child, and stays empty.
+      if (node.count[lane] == 0 && node.child[lane] != 0) around = joined_lanes(nodes_[node.child[lane]]);
+      set(node, lane, around);
+    }
+}
+
+}  // namespace touchstone

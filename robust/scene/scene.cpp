@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/scene/scene.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+
+#include "robust/floating_point_state.h"
+#include "robust/scene/engine.h"
+
+namespace touchstone::scene {
+
+struct Scene::Object {
+  Object(std::string name_, Faces faces)
+      : name(std::move(name_)), triangles(faces.triangles), polygons(std::move(faces.polygons)) {}
+
+  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.triangles.size()); }
+
+  static FaceId first_triangle(std::uint32_t number) { return {number, 0}; }
+  [[nodiscard]] FaceId first_polygon(std::uint32_t number) const { return {number, triangle_count()}; }
+
+  std::string name;
+  TriangleSet triangles;
+  PolygonSet polygons;
+};
+
+Scene::Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+std::uint32_t Scene::add(std::string name, Faces faces) {
+  for (const auto& object : objects_)
+    if (object->name == name) throw std::invalid_argument("there is an object \"" + name + "\" already");
+  objects_.push_back(std::make_unique<const Object>(std::move(name), std::move(faces)));
+  return static_cast<std::uint32_t>(objects_.size() - 1);
+}
+
+const std::string& Scene::name(std::uint32_t object) const { return objects_.at(object)->name; }
+
+std::uint32_t Scene::find(std::string_view name) const {
+  for (std::uint32_t i = 0; i < objects_.size(); ++i)
+    if (objects_[i]->name == name) return i;
+  throw std::invalid_argument("there is no object \"" + std::string(name) + "\"");
+}
+
+std::size_t Scene::face_count(std::uint32_t object) const {
+  const Object& o = *objects_.at(object);
+  return o.triangle_count() + o.polygons.polygons.size();
+}
+
+std::size_t Scene::triangle_memory(std::uint32_t object) const { return objects_.at(object)->triangles.memory(); }
+
+template <class F>
+bool Scene::any_of(const Objects& objects, const F& f) const {
+  if (objects.some_) {
+    for (const std::uint32_t number : *objects.some_)
+      if (f(number, *objects_.at(number))) return true;
+    return false;
+  }
+  for (std::uint32_t number = 0; number < objects_.size(); ++number)
+    if (f(number, *objects_[number])) return true;
+  return false;
+}
+
+bool Scene::touches(const Ball& ball, const Objects& objects) const {
+  const FloatingPointState nearest;
+  return any_of(objects, [&](std::uint32_t, const Object& object) {
+    return engine().touches_triangle(ball, object.triangles) || engine().touches_polygon(ball, object.polygons);
+  });
+}
+
+std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
+  const FloatingPointState nearest;
+  std::vector<FaceId> result;
+  any_of(objects, [&](std::uint32_t number, const Object& object) {
+    engine().touched_triangles(ball, object.triangles, object.first_triangle(number), result);
+    engine().touched_polygons(ball, object.polygons, object.first_polygon(number), result);
+    return false;
+  });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
+  const FloatingPointState nearest;
+  NearestSearch search(ball.center);
+  any_of(objects, [&](std::uint32_t number, const Object& object) {
+    search.enter(object.first_triangle(number));
+    engine().nearest_triangle(object.triangles, search);
+    search.enter(object.first_polygon(number));
+    engine().nearest_polygon(object.polygons, search);
+    return false;
+  });
+  // Faces that no ball reaches: farther than the largest double.
+  if (!search.found())
+    any_of(objects, [&](std::uint32_t number, const Object& object) {
+      search.enter(object.first_triangle(number));
+      for (std::uint32_t place = 0; place < object.triangle_count(); ++place)
+        search.meet(object.triangles.triangles[place], object.triangles.tree.order()[place]);
+      search.enter(object.first_polygon(number));
+      for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.polygons[i], i);
+      return false;
+    });
+  if (!search.found()) return std::nullopt;
+  const auto& [id, face, answer] = *search.found();
+  return NearestFace{id, answer.nearest, answer.point, answer.distance};
+}
+
+void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
+  assert(balls.size() == answers.size());
+  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
+}
+
+std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, const Objects& objects) const {
+  std::vector<std::vector<FaceId>> answers(balls.size());
+  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
+  return answers;
+}
+
+std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
+  std::vector<std::optional<NearestFace>> answers(balls.size());
+  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = nearest(balls[i], objects); });
+  return answers;
+}
+
+}  // namespace touchstone::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scene_tests {
+
+/// Scenes in which culling might lie.
+enum class Kind {
+  Soup,         ///< random triangles and a few polygons
+  Coplanar,     ///< a lattice of triangles in one plane, vertices and edges shared
+  Needles,      ///< thin triangles, in rays from one point
+  Duplicates,   ///< the same few faces many times
+  MixedSizes,   ///< faces of 2^-60 to 2^60 about one place
+  HugeNumbers,  ///< coordinates about 1e300
+  TinyNumbers,  ///< coordinates about 1e-300, subnormal ones too
+  FarAway,      ///< small faces 2^40 sizes from the origin
+  OffPlane,     ///< polygons that are off their planes by up to their size
+};
+
+[[nodiscard]] const std::vector<Kind>& all_kinds();
+[[nodiscard]] std::string name(Kind kind);
+
+/// Objects of faces that `exact::validate` accepts: a function of (kind, seed, index).
+[[nodiscard]] std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint64_t index);
+
+/// A ball near a face: its radius is 0, large, or within a few doubles of the distance to some face.
+[[nodiscard]] Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
+
+}  // namespace touchstone::scene_tests
