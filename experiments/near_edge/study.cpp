@@ -65,6 +65,7 @@ class Sample {
       case Test::Plane: return a.plane == b.plane;
       case Test::Foot: return a.foot == b.foot;
       case Test::Edges: return a.edges_hit == b.edges_hit;
+      case Test::Relation: return a.relation == b.relation;
       case Test::Contact: break;
     }
     return a.contact == b.contact;

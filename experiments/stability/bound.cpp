@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "experiments/stability/measure.h"
 #include "geometry/contact/fast.h"
@@ -121,8 +122,9 @@ struct InFrame {
   const filtered::FrameQuery query(height, frame);
   InFrame result{height.height, height.height_error, height.size, 0, 0};
   for (const auto& leaf : frame.edges.leaves()) {
-    const std::size_t lane = edge - leaf.first_edge;
-    if (edge < leaf.first_edge || lane >= leaf.count) continue;
+    const auto here = std::span(leaf.edge).first(leaf.count);
+    const auto lane = static_cast<std::size_t>(std::ranges::find(here, edge) - here.begin());
+    if (lane == leaf.count) continue;
     result.along = filtered::frame::along(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
                                           leaf.direction_x[lane], leaf.direction_y[lane]);
     result.across = filtered::frame::across(query.x, query.y, leaf.start_x[lane], leaf.start_y[lane],
