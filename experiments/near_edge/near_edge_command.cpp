@@ -37,25 +37,6 @@ struct Options {
   bool no_pictures = false;
 };
 
-bool is_all(const std::vector<std::string>& names) { return names == std::vector<std::string>{"all"}; }
-
-// Throws CLI::ValidationError, which names what is unknown.
-workloads::Family find_family(const std::string& name) {
-  std::string known;
-  for (const auto family : workloads::all_families()) {
-    if (word(family) == name) return family;
-    known.append(known.empty() ? "" : ", ").append(word(family));
-  }
-  throw CLI::ValidationError("--families", "there is no family \"" + name + "\"; there are " + known + ", or all");
-}
-
-std::vector<workloads::Family> select_families(const std::vector<std::string>& names) {
-  if (is_all(names)) return workloads::all_families();
-  std::vector<workloads::Family> selected;
-  for (const std::string& name : names) selected.push_back(find_family(name));
-  return selected;
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text.append(text.empty() ? "" : ",").append(word);
@@ -122,7 +103,7 @@ class Run {
         processes_(processes),
         folder_(options.output),
         settings_{methods::find_methods(options.methods),
-                  select_families(options.families),
+                  workloads::find_families(options.families),
                   options.samples,
                   options.seed,
                   options.threads,

@@ -38,34 +38,12 @@ struct Options {
   bool redraw = false;
 };
 
-// Throws CLI::ValidationError, which names the method that is unknown.
-std::vector<const methods::Method*> select_methods(const std::vector<std::string>& names) {
-  try {
-    return methods::find_methods(names);
-  } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--methods", error.what());
-  }
-}
-
-/// Of families that are known, or all.
-std::vector<workloads::Family> select_families(const std::vector<std::string>& names) {
-  std::vector<workloads::Family> selected;
-  for (const auto family : workloads::all_families())
-    for (const std::string& name : names)
-      if (name == "all" || name == word(family)) {
-        selected.push_back(family);
-        break;
-      }
-  return selected;
-}
-
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
 std::string command_line(const Options& options) {
   return fmt::format(
-      "touchstone tradeoff --methods {} --families {} --samples {} --seed {} --threads {} --queries {} --repetitions "
-      "{} "
-      "--output {}{}",
+      "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
+      "--repetitions {} --output {}{}",
       joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
       options.queries, options.repetitions, run::shell_quoted(options.output),
       options.no_pictures ? " --no-pictures" : "");
@@ -99,8 +77,8 @@ std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
 
 int run(const Options& options) {
   if (options.redraw) return redraw(options);
-  const Settings settings{select_methods(options.methods), select_families(options.families), options.samples,
-                          options.seed, options.threads};
+  const Settings settings{methods::find_methods(options.methods), workloads::find_families(options.families),
+                          options.samples, options.seed, options.threads};
   const TimingSettings timing_settings{settings.methods, places_of(settings.families), options.seed, options.queries,
                                        options.repetitions};
   const run::Interrupt interrupt;
@@ -150,12 +128,6 @@ int run(const Options& options) {
   return 0;
 }
 
-std::vector<std::string> family_words() {
-  std::vector<std::string> words{"all"};
-  for (const auto family : workloads::all_families()) words.emplace_back(word(family));
-  return words;
-}
-
 constexpr const char* kFooter = R"(
 Errors are the same bytes for the same settings, whatever --threads; timings.csv and front.csv hold times. Times that
 were measured while others use the machine are noise: their quartiles are in timings.csv.)";
@@ -166,14 +138,13 @@ void add_tradeoff(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("tradeoff", "Hold the run time of methods against their errors; draw the best");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
-  command->add_option("--methods", options->methods, "Method names, separated by commas, or all")
+  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
   command->add_option("--families", options->families, "Families of polygons, separated by commas, or all")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(family_words()))
       ->capture_default_str();
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold: for the errors")
       ->check(run::whole_number(1), "COUNT")

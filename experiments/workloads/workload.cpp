@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/workloads/workload.h"
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
@@ -91,6 +92,19 @@ const std::vector<Family>& all_families() {
                                             Family::Spiral,       Family::RandomSimple, Family::Koch,
                                             Family::U,            Family::L,      Family::E};
   return families;
+}
+
+std::vector<Family> find_families(const std::vector<std::string>& names) {
+  std::string known;
+  for (const Family family : all_families()) known.append(word(family)).append(", ");
+  for (const std::string& name : names)
+    if (name != "all" && std::ranges::none_of(all_families(), [&](Family family) { return word(family) == name; }))
+      throw std::invalid_argument("--families: there is no family \"" + name + "\"; there are " + known + "or all");
+  std::vector<Family> found;
+  for (const Family family : all_families())
+    if (std::ranges::any_of(names, [&](const std::string& name) { return name == "all" || name == word(family); }))
+      found.push_back(family);
+  return found;
 }
 
 const std::vector<BallPlace>& all_ball_places() {

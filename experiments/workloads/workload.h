@@ -62,6 +62,9 @@ struct Sample {
 [[nodiscard]] std::string_view word(Placement placement);
 [[nodiscard]] std::string_view word(BallPlace place);
 [[nodiscard]] const std::vector<Family>& all_families();
+/// The families of these names, in the order of all_families; `all` stands for every one.
+/// Throws std::invalid_argument, which names the one that is unknown.
+[[nodiscard]] std::vector<Family> find_families(const std::vector<std::string>& names);
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();
 
 }  // namespace touchstone::workloads

@@ -42,8 +42,8 @@ Ball draw_ball(Random& random, const Polygon& polygon) {
 
 TEST(FilteredManyEdges, AreAnsweredAsByExact) {
   for (const Family family : {Family::Spiral, Family::RandomSimple, Family::Koch, Family::Star, Family::Comb})
-    for (const std::size_t vertices : {48, 192, 700})
-      for (const std::uint64_t index : {0, 1, 2}) {
+    for (const std::size_t vertices : {48U, 192U, 700U})
+      for (const std::uint64_t index : {0U, 1U, 2U}) {
         workloads::Workload workload;
         workload.family = family, workload.vertices = vertices, workload.holes = index;
         const Polygon polygon = in_plane(workloads::draw_outline(workload, 2026, index));
