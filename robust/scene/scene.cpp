@@ -26,6 +26,11 @@ struct Scene::Object {
   PolygonSet polygons;
 };
 
+Scene::Objects::Objects(std::vector<std::uint32_t> numbers) : some_(std::move(numbers)) {
+  std::sort(some_->begin(), some_->end());
+  some_->erase(std::unique(some_->begin(), some_->end()), some_->end());
+}
+
 Scene::Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
