@@ -39,7 +39,7 @@ float rounded_down(double x) {
 }
 float rounded_up(double x) { return -rounded_down(-x); }
 
-/// Powers of two that bring the largest coordinate below 2^40, where a float's square has room, and keep it above 2^38.
+/// Powers of two that bring the largest coordinate to between 2^39 and 2^40: a surface times a count is a float.
 std::array<double, 2> scale_of(std::span<const Box> boxes) {
   double largest = std::numeric_limits<double>::denorm_min();
   for (const Box& box : boxes)
