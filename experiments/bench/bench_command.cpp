@@ -15,6 +15,7 @@
 #include "experiments/bench/output.h"
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
@@ -201,7 +202,9 @@ void add_bench(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--count", options->count,
                       "Time nothing: have this contestant of one family asked all queries, for a profiler");
-  command->callback([options, &status] { status = options->count.empty() ? measure_all(*options) : count(*options); });
+  command->callback([options, &status] {
+    status = run::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
+  });
 }
 
 }  // namespace touchstone::commands

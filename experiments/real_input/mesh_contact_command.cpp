@@ -13,6 +13,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/real_input/output.h"
@@ -160,7 +161,7 @@ void add_mesh_contact(CLI::App& app, int& status) {
                     "Leave out what is wrong in a file, and say what; rejected faces are no error then");
   command->add_option("--output", options->output, "The folder for the tables and the failing cases")
       ->capture_default_str();
-  command->callback([options, &status] { status = run(*options); });
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

@@ -2,6 +2,8 @@
 // All calls of MPI.
 #include "experiments/run/processes.h"
 
+#include <stdexcept>
+
 #ifdef TOUCHSTONE_MPI
 #include <fmt/core.h>
 #include <mpi.h>
@@ -10,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <stdexcept>
 
 namespace touchstone::run {
 namespace {
@@ -120,3 +121,14 @@ int run_together(const std::function<int(const Processes&)>& work) { return work
 }  // namespace touchstone::run
 
 #endif
+
+namespace touchstone::run {
+
+int run_alone(const std::function<int()>& work) {
+  return run_together([&work](const Processes& processes) {
+    if (processes.count() > 1) throw std::runtime_error("this command works in one process only");
+    return work();
+  });
+}
+
+}  // namespace touchstone::run

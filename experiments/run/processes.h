@@ -43,4 +43,8 @@ class Processes {
 /// that it is called once a process.
 int run_together(const std::function<int(const Processes&)>& work);
 
+/// Runs work that knows of no other processes and returns what it returns. Where `mpirun` started several it is an
+/// error, told as above: each would do all of the work and write the same files.
+int run_alone(const std::function<int()>& work);
+
 }  // namespace touchstone::run

@@ -12,6 +12,7 @@
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/pictures.h"
+#include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
@@ -164,7 +165,7 @@ void add_tradeoff(CLI::App& app, int& status) {
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
   command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
-  command->callback([options, &status] { status = run(*options); });
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

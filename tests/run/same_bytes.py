@@ -3,8 +3,8 @@
 
 Data files depend on the settings alone. Runs near-edge and soak in one process, then under MPIRUN in 1, 2 and 4, and
 interrupted (SIGINT) or killed (SIGKILL) behind a checkpoint and resumed, alone and under MPIRUN: all their data files
-must be the same. One process alone must say nothing of MPI; under MPIRUN, one's error must end all. Exit status 1
-otherwise.
+must be the same. One process alone must say nothing of MPI; under MPIRUN, one's error must end all, and commands for
+one process must refuse to run in more. Exit status 1 otherwise.
 """
 
 import json
@@ -135,11 +135,24 @@ def check_processes(together, mpirun):
         raise Failure(f"the error of one process is not told: {failed.stderr}")
 
 
+def check_alone(program, mpirun, folder):
+    """Commands that know of no other processes refuse them, and write nothing."""
+    for command in ["tradeoff", "stability", "mesh-contact", "bench"]:
+        asked = {"mesh-contact": ["no-such-mesh.stl"], "bench": ["--json", f"{folder}/bench.json"]}.get(command, [])
+        asked += [] if command == "bench" else ["--output", f"{folder}/{command}"]
+        refused = run(launcher(mpirun, 2) + [program, command] + asked, expected=2)
+        if "this command works in one process only" not in refused.stderr:
+            raise Failure(f"{command} in 2 processes says: {refused.stderr}")
+        if pathlib.Path(folder).exists():
+            raise Failure(f"{command} in 2 processes has begun")
+
+
 def main(program, together=None, mpirun=None):
     with tempfile.TemporaryDirectory() as folder:
         try:
             if mpirun:
                 check_processes(together, mpirun)
+                check_alone(program, mpirun, f"{folder}/alone")
             for study in STUDIES:
                 check(study, program, mpirun, f"{folder}/{study}")
         except Failure as failure:
