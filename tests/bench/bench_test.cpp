@@ -2,7 +2,6 @@
 // The comparison of filtered with fast: how it is measured, and that tables and files hold all of it. No time is
 // asserted.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,23 +12,16 @@
 #include "experiments/bench/families.h"
 #include "experiments/bench/output.h"
 #include "experiments/commands.h"
+#include "tests/run/scratch.h"
 
 namespace touchstone::bench {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Scratch;
 
 const std::atomic<bool> kNeverStop = false;
 const run::Progress kSilent = [](std::uint64_t) {};
-
-/// A folder that goes away again.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("touchstone-bench-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
 
 /// Answers the numbers that it is asked; right about all but those below `wrong`.
 Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The study of thresholds: what is compared, that its samples stand at thresholds, and that it keeps its promises.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
@@ -18,11 +16,14 @@
 #include "experiments/near_edge/map.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/near_edge/study.h"
+#include "tests/run/scratch.h"
 
 namespace touchstone::near_edge {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
 using methods::PartialAnswer;
 using workloads::Family;
 using workloads::Placement;
@@ -61,21 +62,6 @@ std::size_t place_of(std::int64_t offset) {
   const auto& offsets = all_offsets();
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// A folder that goes away again.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("touchstone-near-edge-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
 
 PartialAnswer foot(FootPlace place) {
   PartialAnswer answer;

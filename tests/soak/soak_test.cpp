@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The soak: its cases are what it says, it finds planted errors, and killed runs end as whole ones do.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
@@ -22,29 +20,17 @@
 #include "experiments/soak/output.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/scratch.h"
 
 namespace touchstone::soak {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
 
 const std::atomic<bool> kNeverStop = false;
 const run::Processes kAlone;
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// A folder that goes away again.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("touchstone-soak-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
 
 /// What a whole run of these cases gives.
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {

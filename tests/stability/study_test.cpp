@@ -2,7 +2,6 @@
 // The study of stress: that it finds planted errors, that filtered and the bounds hold at every level, and that it
 // keeps its promises.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,18 +12,20 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
 #include "experiments/judge/verdict.h"
 #include "experiments/stability/output.h"
+#include "tests/run/scratch.h"
 
 namespace touchstone::stability {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
 using methods::PartialAnswer;
 using methods::Question;
 using Tested = judge::Test;  // within TEST, Test is GoogleTest's
@@ -38,21 +39,6 @@ Settings settings(const std::vector<std::string>& methods, std::vector<Axis> axe
 }
 
 Result whole(const Settings& settings) { return run_study(settings, kNeverStop, kSilent); }
-
-std::string text_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// A folder that goes away again.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("touchstone-stability-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
 
 /// `filtered`, but for what a test replaces.
 class Planted : public methods::Method {

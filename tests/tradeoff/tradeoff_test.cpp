@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,7 +14,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
@@ -28,11 +26,13 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/scratch.h"
 
 namespace touchstone::tradeoff {
 namespace {
 
 namespace fs = std::filesystem;
+using run_tests::Scratch;
 using methods::PartialAnswer;
 using methods::Question;
 using workloads::Family;
@@ -80,21 +80,6 @@ MethodErrors errors_of(const methods::Method& method, Placement placement = Plac
 const UlpErrors& ulps(const MethodErrors& errors, Quantity quantity) {
   return errors.ulps[static_cast<std::size_t>(quantity)];
 }
-
-std::string text_of_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// A folder that goes away again.
-struct Scratch {
-  Scratch() : path(fs::temp_directory_path() / ("touchstone-tradeoff-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Scratch() { fs::remove_all(path); }
-  fs::path path;
-};
 
 TEST(Units, AreThoseOfTheExactValue) {
   EXPECT_EQ(unit_in_last_place(1), 0x1p-52);
@@ -210,7 +195,7 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
     write_worst(folder, setting, errors);
   }
   for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl"}) {
-    EXPECT_EQ(text_of_file(scratch.path / "1" / file), text_of_file(scratch.path / "2" / file)) << file;
+    EXPECT_EQ(run_tests::text_of(scratch.path / "1" / file), run_tests::text_of(scratch.path / "2" / file)) << file;
     EXPECT_GT(fs::file_size(scratch.path / "1" / file), 1000U) << file;
   }
   std::ifstream lines(scratch.path / "1" / "worst.jsonl");
@@ -360,7 +345,7 @@ TEST(TradeoffCommand, WritesResultsAndASidecar) {
             0);
   for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl", "timings.csv", "front.csv"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
-  const auto record = nlohmann::json::parse(text_of_file(folder / "run.json"));
+  const auto record = nlohmann::json::parse(run_tests::text_of(folder / "run.json"));
   EXPECT_EQ(record["interrupted"], false);
   EXPECT_EQ(record["samples_done"], 1);
 }
@@ -407,8 +392,8 @@ TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
   waitpid(process, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_NE(text_of_file(scratch.path / "err").find("interrupted"), std::string::npos);
-  const auto record = nlohmann::json::parse(text_of_file(fs::path(folder) / "run.json"));
+  EXPECT_NE(run_tests::text_of(scratch.path / "err").find("interrupted"), std::string::npos);
+  const auto record = nlohmann::json::parse(run_tests::text_of(fs::path(folder) / "run.json"));
   EXPECT_EQ(record["interrupted"], true);
   EXPECT_LT(record["samples_done"], record["samples_asked"]);
   EXPECT_TRUE(fs::exists(fs::path(folder) / "errors.csv"));
