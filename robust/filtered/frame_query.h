@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -35,6 +36,7 @@ struct HeightQuery {
     height = frame::coordinate(frame.normal, from) - frame.plane_height;
     const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
     size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+    assert(size <= 8 * Frame::kReach);
     // The plane's height is below 2 and known to a unit; subtracting it, and height_error below, is rounded.
     height_error = (bounds::kCoordinate + 8) * bounds::kUnit * size;
   }

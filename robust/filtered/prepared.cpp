@@ -58,6 +58,8 @@ std::vector<DoubleDouble> lifts(const std::vector<Eigen::Vector3d>& points, cons
 /// None where an edge's direction would not be known to half a unit in the last place, or a number leaves the window.
 std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vector<Eigen::Vector3d>& points,
                            const LiftedPolygon& lifted, int dropped) {
+  // What is parallel to a coordinate plane may be any number of sizes away from it.
+  if (points[0].cwiseAbs().maxCoeff() > Frame::kReach) return std::nullopt;
   // The normal's size is that of the area: brought to about 1 before it is squared.
   const double area = std::ldexp(1.0, -std::ilogb(lifted.normal_maximum));
   const Vector normal = normalised(DoubleDouble(area) * lifted.normal);
@@ -94,7 +96,7 @@ std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vect
   const int half = exponent / 2;
   return Frame{.exponent = exponent,
                .scale = {std::ldexp(1.0, -half), std::ldexp(1.0, half - exponent)},
-               .reachable = std::min(std::ldexp(0x1p60, std::min(exponent, 960)), 0x1p1020),
+               .reachable = std::ldexp(Frame::kReach, std::min(exponent, 960)),
                .origin = {points[0].x(), points[0].y(), points[0].z()},
                .x = rounded(x),
                .y = rounded(y),

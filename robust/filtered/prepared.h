@@ -21,6 +21,9 @@ namespace touchstone::filtered {
 /// parallel to the plane's lines of equal coordinate (dropped axis + 2) mod 3, and y grows with that coordinate: above
 /// and below are the same in the frame and in the projection that drops an axis.
 struct Frame {
+  /// Vertices and centres are at most this far from the coordinate planes, in the frame's unit of length.
+  static constexpr double kReach = 0x1p60;
+
   int exponent;            ///< frame lengths are true lengths times 2^-exponent
   double scale[2];         ///< whose product is 2^-exponent
   double reachable;        ///< coordinates of centres, and radii, up to which the frame may be used

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls many sizes away from the polygon: what doubles may be off grows with the distance.
+// Balls many sizes away from the polygon, or it from the origin: what doubles may be off grows with the distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,6 +51,33 @@ TEST(FilteredFarBalls, AreAnsweredAsByExactAcrossTheDistance) {
         }
         ++sample;
       }
+}
+
+// Only what is parallel to a coordinate plane can be that far from the origin. Centres lie about the origin, so that
+// squares of the distance overflow.
+TEST(FilteredFarBalls, AreAnsweredAsByExactWherePolygonsAreAnyNumberOfSizesAway) {
+  for (int exponent = 0; exponent <= 1020; exponent += 5)
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {0, 3, 0}, {0, 1, 1}, {0, 0, 3}};
+      for (Eigen::Vector3d& corner : corners) {
+        corner.x() = std::ldexp(1, exponent);
+        corner = Eigen::Vector3d(corner[axis], corner[(axis + 1) % 3], corner[(axis + 2) % 3]);
+      }
+      const Polygon polygon({corners});
+      const exact::PreparedPolygon truth(polygon);
+      const filtered::PreparedPolygon prepared(polygon);
+      for (const double beside : {-0x1p-1074, 0.0, 0x1p-30, 2.0})
+        for (const double radius : {1.0, std::ldexp(1 - 0x1p-53, exponent), std::ldexp(1, exponent)}) {
+          Eigen::Vector3d center(0, beside, 0);
+          center = Eigen::Vector3d(center[axis], center[(axis + 1) % 3], center[(axis + 2) % 3]);
+          const Ball ball{center, radius};
+          const auto what = testing::Message() << "2^" << exponent << " along axis " << (3 - axis) % 3 << ", " << beside
+                                               << " beside, radius " << radius;
+          EXPECT_EQ(filtered::answer(ball, prepared), exact::answer(ball, truth)) << what;
+          EXPECT_EQ(filtered::contact(ball, prepared), exact::contact(ball, truth)) << what;
+          EXPECT_EQ(filtered::foot(ball, prepared), exact::foot(ball, truth)) << what;
+        }
+    }
 }
 
 }  // namespace
