@@ -46,6 +46,21 @@ void expect_values() {
   }
 }
 
+/// What two numbers give, out of the template that each pair of widths is an instance of.
+struct Results {
+  mpz_class sum, difference, product;
+  int difference_sign, product_sign;
+};
+
+void expect_results(const mpz_class& x, const mpz_class& y, const Results& results, int a, int b) {
+  const auto what = [&] { return testing::Message() << x << " of " << a << " bits, " << y << " of " << b << " bits"; };
+  EXPECT_EQ(results.sum, x + y) << what();
+  EXPECT_EQ(results.difference, x - y) << what();
+  EXPECT_EQ(results.product, x * y) << what();
+  EXPECT_EQ(results.difference_sign, (x > y) - (x < y)) << what();
+  EXPECT_EQ(results.product_sign, sgn(x) * sgn(y)) << what();
+}
+
 template <int A, int B>
 void expect_operations() {
   const auto as = numbers(A, 2), bs = numbers(B, 3);
@@ -53,16 +68,10 @@ void expect_operations() {
     for (const mpz_class& y : bs) {
       const auto a = integer<A>(x);
       const auto b = integer<B>(y);
-      const auto sum = a + b, difference = a - b;
+      const auto difference = a - b;
       const auto product = a * b;
-      EXPECT_EQ(exactly(sum), x + y) << A << " + " << B << " bits: " << x << ", " << y;
-      EXPECT_EQ(exactly(difference), x - y) << A << " - " << B << " bits: " << x << ", " << y;
-      EXPECT_EQ(exactly(product), x * y) << A << " * " << B << " bits: " << x << ", " << y;
-      EXPECT_EQ(difference.sign(), cmp(x, y) < 0 ? -1
-                                   : x == y      ? 0
-                                                 : 1)
-          << A << " - " << B << " bits: " << x << ", " << y;
-      EXPECT_EQ(product.sign(), sgn(x) * sgn(y)) << A << " * " << B << " bits: " << x << ", " << y;
+      expect_results(x, y, {exactly(a + b), exactly(difference), exactly(product), difference.sign(), product.sign()},
+                     A, B);
     }
 }
 
