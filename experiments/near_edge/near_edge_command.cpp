@@ -9,7 +9,6 @@
 
 #include "experiments/commands.h"
 #include "experiments/near_edge/output.h"
-#include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
@@ -157,14 +156,8 @@ class Run {
   /// Returns how many samples an earlier run had done.
   std::uint64_t sample() {
     const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    result_ = no_result(settings_);
-    if (processes_.first()) {
-      if (options_.resume) result_ = checkpoint.read<Result>().value_or(result_);
-      if (result_.samples > settings_.samples)
-        checkpoint.refuse(
-            fmt::format("holds {} samples already, more than the {} asked for", result_.samples, settings_.samples));
-      checkpoint.write(result_);
-    }
+    result_ = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
+                         [](const Result& result) { return result.samples; });
     const std::uint64_t before = result_.samples;
     run::ProgressLine line("near-edge: samples", settings_.samples, before);
     run_study(settings_,
@@ -186,11 +179,9 @@ class Run {
   void search() {
     if (options_.search == 0) return;
     const run::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
-    onsets_ = no_onsets(settings_);
-    if (processes_.first() && options_.resume) onsets_ = checkpoint.read<Onsets>().value_or(onsets_);
+    onsets_ = run::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
+                         [](const Onsets& onsets) { return onsets.done; });
     const std::uint64_t before = onsets_.done;
-    if (before > options_.search)
-      checkpoint.refuse(fmt::format("holds {} samples already, more than the {} asked for", before, options_.search));
     {
       run::ProgressLine line("near-edge: search", options_.search, before);
       run_onsets(settings_, options_.search,

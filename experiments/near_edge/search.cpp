@@ -186,7 +186,8 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const SearchCourse& course, Onsets& onsets) {
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::Course<Onsets>& course,
+                         Onsets& onsets) {
   const Search search(settings);
   return run::run_sweep(
       {samples, 1, settings.threads, course.processes, course.stop, course.progress},
@@ -198,7 +199,7 @@ std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-std::uint64_t run_climbs(const Settings& settings, const SearchCourse& course, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const run::Course<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst) {
   const Search search(settings);
   const Onsets starts = shared(course.processes, onsets);

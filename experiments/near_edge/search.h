@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -81,22 +79,16 @@ void from_json(const nlohmann::json& json, WorstCases& worst);
 /// What no sample has been added to yet.
 [[nodiscard]] Onsets no_onsets(const Settings& settings);
 
-/// How a search is run: none of this changes what comes out.
-struct SearchCourse {
-  const run::Processes& processes;
-  const std::atomic<bool>& stop;
-  run::Progress progress;                                          ///< told samples (then climbs) done, of all
-  std::function<void(const Onsets&)> save = [](const Onsets&) {};  ///< every few seconds
-};
-
 /// Measures how far from the threshold each method is wrong about those of `samples` samples of every region that the
 /// onsets do not hold yet, and adds them. Returns how many they then hold.
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const SearchCourse& course, Onsets& onsets);
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::Course<Onsets>& course,
+                         Onsets& onsets);
 
 /// Climbs from the furthest samples of each region and method. At the first process: a function of settings and onsets,
 /// whatever the processes and threads; each case is confirmed by `exact`. `onsets` is the first process's. Returns how
 /// many climbs were done, of climb_count(settings).
-std::uint64_t run_climbs(const Settings& settings, const SearchCourse& course, const Onsets& onsets, WorstCases& worst);
+std::uint64_t run_climbs(const Settings& settings, const run::Course<WorstCases>& course, const Onsets& onsets,
+                         WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 
 }  // namespace touchstone::near_edge

@@ -150,7 +150,7 @@ void from_json(const nlohmann::json& json, Result& result) {
 
 Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
 
-std::uint64_t run_study(const Settings& settings, const Course& course, Result& result) {
+std::uint64_t run_study(const Settings& settings, const run::Course<Result>& course, Result& result) {
   const Study study(settings);
   const run::Sweep sweep{settings.samples, 1, settings.threads, course.processes, course.stop, course.progress};
   return run::run_sweep(

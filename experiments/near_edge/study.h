@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "experiments/near_edge/counts.h"
 #include "experiments/near_edge/disagreements.h"
-#include "experiments/run/sweep.h"
+#include "experiments/run/course.h"
 
 namespace touchstone::near_edge {
 
@@ -48,19 +46,11 @@ void from_json(const nlohmann::json& json, Result& result);
 /// What no sample has been added to yet.
 [[nodiscard]] Result no_result(const Settings& settings);
 
-/// How a study is run: none of this changes what comes out.
-struct Course {
-  const run::Processes& processes;
-  const std::atomic<bool>& stop;
-  run::Progress progress;                                          ///< told samples done, of all
-  std::function<void(const Result&)> save = [](const Result&) {};  ///< every few seconds
-};
-
 /// Asks every method about every ball of every crossing that the result does not hold yet, and adds them to it.
 ///
 /// The first process's result is a function of settings and the number of samples done; threads, processes, stops and
 /// the other families and methods do not change the counts of one. A run stopped after m samples equals one of m
 /// samples. Returns that number, at every process.
-std::uint64_t run_study(const Settings& settings, const Course& course, Result& result);
+std::uint64_t run_study(const Settings& settings, const run::Course<Result>& course, Result& result);
 
 }  // namespace touchstone::near_edge

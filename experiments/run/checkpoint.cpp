@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/checkpoint.h"
 
+#include <fmt/core.h>
+
 #include <fstream>
 #include <stdexcept>
 
@@ -44,6 +46,10 @@ nlohmann::json Checkpoint::parsed() const {
   } catch (const nlohmann::json::exception& error) {
     refuse(std::string("is no checkpoint of this program: ") + error.what());
   }
+}
+
+void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
+  if (held > asked) refuse(fmt::format("holds {} samples already, more than the {} asked for", held, asked));
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }

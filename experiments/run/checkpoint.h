@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -34,6 +35,8 @@ class Checkpoint {
     }
   }
 
+  /// Throws std::runtime_error, which names the file, if it holds more samples than are asked for.
+  void refuse_more(std::uint64_t held, std::uint64_t asked) const;
   /// Throws std::runtime_error, which names the file and says why.
   [[noreturn]] void refuse(const std::string& why) const;
 

@@ -7,9 +7,8 @@
 namespace touchstone::run {
 
 void LegLength::adapt(double seconds) {
-  constexpr double kSeconds = 3;
-  if (seconds < kSeconds / 2) blocks_ *= 2;
-  if (seconds > kSeconds * 2) blocks_ = std::max<std::uint64_t>(blocks_ / 2, 1);
+  if (seconds < seconds_ / 2) blocks_ *= 2;
+  if (seconds > seconds_ * 2) blocks_ = std::max<std::uint64_t>(blocks_ / 2, 1);
 }
 
 std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, LegLength& length,

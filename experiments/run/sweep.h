@@ -20,13 +20,15 @@ struct Sweep {
   unsigned threads = 1;        ///< of each process; they do not change the sum
   const Processes& processes;  ///< nor do these
   const std::atomic<bool>& stop;
-  Progress progress;  ///< told, at the first process, about how many items of all are done
+  Progress progress;   ///< told, at the first process, about how many items of all are done
+  double seconds = 3;  ///< between checkpoints: more where one is large
 };
 
-/// Legs, between which processes meet and a checkpoint is written: about three seconds each, whatever an item costs.
+/// Legs, between which processes meet and a checkpoint is written: about as long as asked, whatever an item costs.
 class LegLength {
  public:
-  explicit LegLength(const Sweep& sweep) : blocks_(std::uint64_t{sweep.processes.count()} * sweep.threads) {}
+  explicit LegLength(const Sweep& sweep)
+      : blocks_(std::uint64_t{sweep.processes.count()} * sweep.threads), seconds_(sweep.seconds) {}
 
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
   /// After a leg that took so long.
@@ -34,6 +36,7 @@ class LegLength {
 
  private:
   std::uint64_t blocks_;
+  double seconds_;
 };
 
 /// One leg of at most `blocks` blocks from item `begin` on; block i falls to process i mod their count. Returns the

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "experiments/run/checkpoint.h"
+#include "experiments/run/sweep.h"
+
+namespace touchstone::run {
+
+/// How a study is run: none of this changes what comes out.
+template <class State>
+struct Course {
+  const Processes& processes;
+  const std::atomic<bool>& stop;
+  Progress progress;                                             ///< told how many items are done, of all
+  std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds, at the first process
+};
+
+/// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
+/// first process's checkpoint then holds it. Throws as Checkpoint does, and std::runtime_error where it holds more than
+/// the `asked` items, as count(state) tells.
+template <class State, class Count>
+State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero,
+            const Count& count) {
+  if (!processes.first()) return zero;
+  State state = std::move(zero);
+  if (resume)
+    if (auto held = checkpoint.read<State>()) state = std::move(*held);
+  checkpoint.refuse_more(count(state), asked);
+  checkpoint.write(state);
+  return state;
+}
+
+}  // namespace touchstone::run
