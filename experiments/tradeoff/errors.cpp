@@ -27,37 +27,34 @@ MethodErrors nothing() {
   return errors;
 }
 
-/// One thread's part.
-class Part {
+class Study {
  public:
-  Part(const Settings& settings, const std::vector<bool>& knows_boundary)
-      : settings_(settings), knows_boundary_(knows_boundary), exact_(*methods::find_method("exact")) {
-    errors_.at.assign(near_edge::all_strata().size(), std::vector(settings.methods.size(), nothing()));
+  explicit Study(const Settings& settings) : settings_(settings), exact_(*methods::find_method("exact")) {
+    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
   }
 
   /// Sample n of every stratum of the selected families.
-  void ask_all(std::uint64_t n) {
-    for (std::size_t stratum = 0; stratum < errors_.at.size(); ++stratum) {
-      const auto& families = settings_.families;
+  void ask_all(std::uint64_t n, Errors& part) const {
+    const auto& families = settings_.families;
+    for (std::size_t stratum = 0; stratum < part.at.size(); ++stratum) {
       if (std::ranges::find(families, near_edge::all_strata()[stratum].family) == families.end()) continue;
       if (const auto crossing = near_edge::draw_crossing({stratum, {}, settings_.seed, n}, exact_))
-        ask(stratum, n, *crossing);
+        ask(stratum, n, *crossing, part.at[stratum]);
       else
-        ++errors_.missing;
+        ++part.missing;
     }
+    ++part.samples;
   }
 
-  [[nodiscard]] const Errors& errors() const { return errors_; }
-
  private:
-  void ask(std::size_t stratum, std::uint64_t n, const Crossing& crossing) {
+  void ask(std::size_t stratum, std::uint64_t n, const Crossing& crossing, std::vector<MethodErrors>& by_method) const {
     const auto threshold = near_edge::all_strata()[stratum].threshold;
     const Ball& middle = crossing.balls[crossing.balls.size() / 2];  // at offset 0
     std::optional<Answer> truth;
     if (near_edge::moves_radius(threshold)) truth = exact::answer(middle, crossing.polygon);
     for (std::size_t m = 0; m < settings_.methods.size(); ++m) {
       if (settings_.methods[m]->slow() && n % kSlowStride != 0) continue;
-      MethodErrors& errors = errors_.at[stratum][m];
+      MethodErrors& errors = by_method[m];
       const auto prepared = settings_.methods[m]->prepare(crossing.polygon);
       ++errors.samples;
       const Test test = test_at(threshold);
@@ -84,14 +81,13 @@ class Part {
     const auto q = static_cast<std::size_t>(quantity);
     ++errors.ulps[q].asked;
     if (!error) return;
-    errors.ulps[q].known.push_back(*error);
+    errors.ulps[q].known.add(*error);
     errors.worst[q] = worse(errors.worst[q], {*error, n, stratum});
   }
 
   const Settings& settings_;
-  const std::vector<bool>& knows_boundary_;
   const methods::Method& exact_;
-  Errors errors_;
+  std::vector<bool> knows_boundary_;
 };
 
 }  // namespace
@@ -109,11 +105,6 @@ Tally& Tally::operator+=(const Tally& other) {
 
 std::string_view word(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
 
-double UlpErrors::quantile(double share) const {
-  const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(known.size())));
-  return known[std::max<std::size_t>(place, 1) - 1];
-}
-
 Tally MethodErrors::near_threshold() const {
   Tally sum;
   for (std::size_t i = 0; i < offsets.size(); ++i)
@@ -126,7 +117,7 @@ MethodErrors& MethodErrors::operator+=(const MethodErrors& other) {
   samples += other.samples;
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     ulps[q].asked += other.ulps[q].asked;
-    ulps[q].known.insert(ulps[q].known.end(), other.ulps[q].known.begin(), other.ulps[q].known.end());
+    ulps[q].known += other.ulps[q].known;
     worst[q] = worse(worst[q], other.worst[q]);
   }
   return *this;
@@ -135,23 +126,29 @@ MethodErrors& MethodErrors::operator+=(const MethodErrors& other) {
 MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t method) const {
   MethodErrors sum = nothing();
   for (const std::size_t stratum : strata) sum += at[stratum][method];
-  for (UlpErrors& errors : sum.ulps) std::ranges::sort(errors.known);
   return sum;
 }
 
-Errors measure_errors(const Settings& settings, const std::atomic<bool>& stop, const run::Progress& progress) {
-  std::vector<bool> knows_boundary;
-  for (const auto* method : settings.methods) knows_boundary.push_back(judge::knows_boundary(*method));
-  std::vector<Part> parts(settings.threads, Part(settings, knows_boundary));
-  Errors result = Part(settings, knows_boundary).errors();
-  result.samples = run::run_blocks(settings.samples, settings.threads, stop, progress,
-                                   [&](unsigned thread, std::uint64_t n) { parts[thread].ask_all(n); });
-  for (const Part& part : parts) {
-    result.missing += part.errors().missing;
-    for (std::size_t stratum = 0; stratum < result.at.size(); ++stratum)
-      for (std::size_t m = 0; m < settings.methods.size(); ++m) result.at[stratum][m] += part.errors().at[stratum][m];
-  }
-  return result;
+Errors& Errors::operator+=(const Errors& other) {
+  for (std::size_t stratum = 0; stratum < at.size(); ++stratum)
+    for (std::size_t m = 0; m < at[stratum].size(); ++m) at[stratum][m] += other.at[stratum][m];
+  samples += other.samples;
+  missing += other.missing;
+  return *this;
+}
+
+Errors no_errors(const Settings& settings) {
+  Errors errors;
+  errors.at.assign(near_edge::all_strata().size(), std::vector(settings.methods.size(), nothing()));
+  return errors;
+}
+
+void measure_errors(const Settings& settings, const run::Course<Errors>& course, Errors& errors) {
+  const Study study(settings);
+  run::run_sweep(
+      {settings.samples, 1, settings.threads, course.processes, course.stop, course.progress},
+      [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); },
+      [&](std::uint64_t, const Errors& now) { course.save(now); }, no_errors(settings), errors.samples, errors);
 }
 
 }  // namespace touchstone::tradeoff

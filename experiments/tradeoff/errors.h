@@ -2,15 +2,16 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "experiments/judge/comparison.h"
 #include "experiments/methods/method.h"
 #include "experiments/near_edge/threshold.h"
-#include "experiments/run/blocks.h"
+#include "experiments/run/course.h"
+#include "experiments/statistics/distribution.h"
 
 namespace touchstone::tradeoff {
 
@@ -19,7 +20,7 @@ struct Settings {
   std::vector<workloads::Family> families;
   std::uint64_t samples = 1;  ///< of each stratum
   std::uint64_t seed = 1;
-  unsigned threads = 1;
+  unsigned threads = 1;  ///< of each process
 };
 
 /// Slow methods are asked about the first of so many samples only, and so on; the others about all.
@@ -47,10 +48,7 @@ inline constexpr std::array kQuantities{Quantity::Distance, Quantity::Point};
 /// Errors of one quantity, in units in the last place. Asked where the radius is at its threshold.
 struct UlpErrors {
   std::uint64_t asked = 0;
-  std::vector<double> known;  ///< of the answers that give the quantity
-
-  /// The smallest of them that at least this share of them do not exceed; requires at least one, sorted.
-  [[nodiscard]] double quantile(double share) const;
+  statistics::Distribution known;  ///< of the answers that give the quantity
 };
 
 /// A sample at which an error is the largest that was seen; the earliest of several.
@@ -72,6 +70,7 @@ struct MethodErrors {
   MethodErrors& operator+=(const MethodErrors& other);
 };
 
+/// Sums do not depend on their order.
 struct Errors {
   std::vector<std::vector<MethodErrors>> at;  ///< by stratum (near_edge::all_strata), then method
   std::uint64_t samples = 0;                  ///< of each stratum, all done: fewer than asked for where stopped
@@ -79,14 +78,21 @@ struct Errors {
 
   /// One method in several strata together.
   [[nodiscard]] MethodErrors sum(const std::vector<std::size_t>& strata, std::size_t method) const;
+  Errors& operator+=(const Errors& other);
 };
 
-/// Asks every method about the balls of near_edge's crossings, and about the point and the distance of those whose
-/// radius is at its threshold.
+// Every bit of every number. Throws nlohmann::json::exception where something is missing.
+void to_json(nlohmann::ordered_json& json, const Errors& errors);
+void from_json(const nlohmann::json& json, Errors& errors);
+
+/// What no sample has been added to yet.
+[[nodiscard]] Errors no_errors(const Settings& settings);
+
+/// Asks every method about the balls of near_edge's crossings of those samples that `errors` does not hold yet, and
+/// about the point and the distance of those whose radius is at its threshold.
 ///
-/// A function of the settings and the number of samples done; `threads` and the other families and methods change
-/// nothing. A run that was stopped after m samples equals one of m samples.
-[[nodiscard]] Errors measure_errors(const Settings& settings, const std::atomic<bool>& stop,
-                                    const run::Progress& progress);
+/// At the first process: a function of the settings and the number of samples done; threads, processes, stops and the
+/// other families and methods change nothing. A run that was stopped after m samples equals one of m samples.
+void measure_errors(const Settings& settings, const run::Course<Errors>& course, Errors& errors);
 
 }  // namespace touchstone::tradeoff

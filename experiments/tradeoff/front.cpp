@@ -38,8 +38,9 @@ std::optional<Standing> standing(Measure measure, const MethodErrors& errors) {
   }
   const UlpErrors& ulps =
       errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
-  if (ulps.known.empty() || 2 * ulps.known.size() < ulps.asked) return std::nullopt;
-  return Standing{0, 0, ulps.quantile(0.99), ulps.quantile(0.5), ulps.quantile(1), ulps.known.size()};
+  const std::uint64_t known = ulps.known.count();
+  if (known == 0 || 2 * known < ulps.asked) return std::nullopt;
+  return Standing{0, 0, ulps.known.quantile(0.99), ulps.known.quantile(0.5), ulps.known.largest(), known};
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ std::string_view name(const Settings& settings, std::size_t method) { return set
 
 /// Draws the sample again and states what is expected of it.
 std::string worst_case(const Settings& settings, std::size_t method, Quantity quantity, const Worst& worst) {
-  const auto crossing = near_edge::draw_crossing({worst.stratum, {}, settings.seed, worst.n}, *methods::find_method("exact"));
+  const auto crossing =
+      near_edge::draw_crossing({worst.stratum, {}, settings.seed, worst.n}, *methods::find_method("exact"));
   const Ball& ball = crossing->balls[crossing->balls.size() / 2];
   const Answer truth = exact::answer(ball, crossing->polygon);
   methods::PartialAnswer expected;
@@ -129,13 +130,13 @@ void write_points(const std::filesystem::path& folder, const Settings& settings,
       const MethodErrors sum = errors.sum(strata, m);
       for (std::size_t q = 0; q < kQuantities.size(); ++q) {
         const auto& [asked, known] = sum.ulps[q];
-        if (known.empty()) continue;
+        if (known.count() == 0) continue;
         const Worst& worst = sum.worst[q];
         const auto& stratum = all_strata()[worst.stratum];
         text += fmt::format(
             "{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{}\n", family_name, word(placement), name(settings, m),
-            word(kQuantities[q]), asked, known.size(), std::ranges::count(known, 0.0), sum.ulps[q].quantile(0.5),
-            sum.ulps[q].quantile(0.99), sum.ulps[q].quantile(1),
+            word(kQuantities[q]), asked, known.count(), known.zeros(), known.quantile(0.5), known.quantile(0.99),
+            known.largest(),
             worst.ulps == 0 ? ",," : fmt::format("{},{},{}", word(stratum.family), word(stratum.threshold), worst.n));
       }
     }

@@ -11,7 +11,7 @@
 namespace touchstone::tradeoff {
 
 // Each throws std::runtime_error, which names the file, where it cannot be written. Those of errors alone are the same
-// byte for byte for the same settings, whatever the number of threads.
+// byte for byte for the same settings, whatever the threads and processes.
 
 /// errors.csv: a line a family (then `all`), placement, threshold, method and offset: wrong answers, those left open,
 /// and the share of the wrong ones with its Clopper-Pearson limits (95 %).
@@ -21,7 +21,8 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
 /// which an answer was wrong (empty if none was).
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
 /// points.csv: a line a family (then `all`), placement, method and quantity: how often it was asked and known, how
-/// often correctly rounded, median, 99 % and worst of its errors in units in the last place, and where the worst was.
+/// often correctly rounded, median, 99 % (statistics::Distribution says how exact) and worst of its errors in units in
+/// the last place, and where the worst was.
 void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors);
 /// worst.jsonl: the case of the worst error of each method and quantity that is ever off, in the contract's form;
 /// `expected` holds the exact value of that quantity.

@@ -89,10 +89,12 @@ std::string units(const Settings& settings, const Errors& errors, Placement plac
   for (std::size_t m = 0; m < settings.methods.size(); ++m) {
     const MethodErrors sum = errors.sum(strata_of(std::nullopt, placement, true), m);
     const auto& [distance, point] = sum.ulps;
-    if (distance.known.empty() && point.known.empty()) continue;
-    const auto cell = [](const UlpErrors& e, double q) { return e.known.empty() ? "-" : three_digits(e.quantile(q)); };
-    text += row(settings.methods[m]->name(), distance.asked, distance.known.size(), cell(distance, 0.5),
-                cell(distance, 0.99), cell(distance, 1), point.known.size(), cell(point, 0.5), cell(point, 0.99),
+    if (distance.known.count() == 0 && point.known.count() == 0) continue;
+    const auto cell = [](const UlpErrors& e, double q) {
+      return e.known.count() == 0 ? "-" : three_digits(e.known.quantile(q));
+    };
+    text += row(settings.methods[m]->name(), distance.asked, distance.known.count(), cell(distance, 0.5),
+                cell(distance, 0.99), cell(distance, 1), point.known.count(), cell(point, 0.5), cell(point, 0.99),
                 cell(point, 1));
   }
   return text;

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "experiments/commands.h"
+#include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
@@ -35,6 +36,7 @@ struct Options {
   std::size_t queries = 2000;
   unsigned repetitions = 7;
   std::string output = "results/tradeoff";
+  bool resume = false;
   bool no_pictures = false;
   bool redraw = false;
 };
@@ -44,9 +46,9 @@ std::string joined(const std::vector<std::string>& words) { return fmt::format("
 std::string command_line(const Options& options) {
   return fmt::format(
       "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
-      "--repetitions {} --output {}{}",
+      "--repetitions {} --output {}{}{}",
       joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
-      options.queries, options.repetitions, run::shell_quoted(options.output),
+      options.queries, options.repetitions, run::shell_quoted(options.output), options.resume ? " --resume" : "",
       options.no_pictures ? " --no-pictures" : "");
 }
 
@@ -76,62 +78,111 @@ std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
   return places;
 }
 
-int run(const Options& options) {
-  if (options.redraw) return redraw(options);
-  const Settings settings{methods::find_methods(options.methods), workloads::find_families(options.families),
-                          options.samples, options.seed, options.threads};
-  const TimingSettings timing_settings{settings.methods, places_of(settings.families), options.seed, options.queries,
-                                       options.repetitions};
-  const run::Interrupt interrupt;
-  const auto& stop = interrupt.requested();
-  run::make_folder(options.output);
-  const auto begin = std::chrono::steady_clock::now();
+// Raised where sample n of a seed becomes another one, or the form of what is kept changes.
+constexpr int kVersion = 1;
 
-  const Errors errors = [&] {
-    run::ProgressLine line("tradeoff: errors", settings.samples);
-    return measure_errors(settings, stop, [&](std::uint64_t done) { line(done); });
-  }();
-  remove_old(options.output);
-  write_errors(options.output, settings, errors);
-  write_bands(options.output, settings, errors);
-  write_points(options.output, settings, errors);
-  write_worst(options.output, settings, errors);
-  const std::vector<Timing> timings = [&] {
-    run::ProgressLine line("tradeoff: times", list_count(timing_settings));
-    return measure_timings(timing_settings, stop, [&](std::uint64_t done) { line(done); });
-  }();
-  write_timings(options.output, timings);
-  if (!stop) write_front(options.output, settings, errors, timings);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(options.output, {.command = command_line(options),
-                                         .seed = settings.seed,
-                                         .samples_asked = settings.samples,
-                                         .samples_done = errors.samples,
-                                         .samples_missing = errors.missing,
-                                         .threads = settings.threads,
-                                         .seconds = seconds,
-                                         .interrupted = stop.load()});
-
-  fmt::print("{}", table(settings, errors, timings));
-  fmt::print(
-      "\n{} samples of each family, placement and threshold ({} of all were not found), {} of {} lists of {} "
-      "questions timed {} times, in {:.0f} s. Everything: {}\n",
-      errors.samples, errors.missing, timings.size(), list_count(timing_settings), options.queries, options.repetitions,
-      seconds, options.output);
-  std::fflush(stdout);
-  if (stop) {
-    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples and {} of {} timed lists; no fronts\n",
-               options.output, errors.samples, settings.samples, timings.size(), list_count(timing_settings));
-    constexpr int kInterrupted = 130;
-    return kInterrupted;
-  }
-  if (!options.no_pictures) run::draw_pictures(kScript, options.output);
-  return 0;
+/// All that the errors depend on, by the names of the options.
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  std::vector<std::string> methods, families;
+  for (const auto* method : settings.methods) methods.emplace_back(method->name());
+  for (const auto family : settings.families) families.emplace_back(word(family));
+  return {{"version", kVersion}, {"seed", settings.seed}, {"method", joined(methods)}, {"families", joined(families)}};
 }
 
+/// One run with all processes: errors by all, times and files by the first.
+class Run {
+ public:
+  Run(const Options& options, const run::Processes& processes)
+      : options_(options),
+        processes_(processes),
+        folder_(options.output),
+        settings_{methods::find_methods(options.methods), workloads::find_families(options.families), options.samples,
+                  options.seed, options.threads},
+        timing_settings_{settings_.methods, places_of(settings_.families), options.seed, options.queries,
+                         options.repetitions} {}
+
+  int operator()() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (processes_.first()) run::make_folder(folder_);
+    const Errors errors = measure();
+    if (!processes_.first()) return 0;
+    remove_old(folder_);
+    write_errors(folder_, settings_, errors);
+    write_bands(folder_, settings_, errors);
+    write_points(folder_, settings_, errors);
+    write_worst(folder_, settings_, errors);
+    // Processes that wait for the first one keep the machine busy.
+    const std::vector<Timing> timings = processes_.count() > 1 ? std::vector<Timing>() : time();
+    const bool stopped = interrupt_.requested();
+    if (processes_.count() == 1) write_timings(folder_, timings);
+    if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run::write_run_record(folder_, {.command = command_line(options_),
+                                    .seed = settings_.seed,
+                                    .samples_asked = settings_.samples,
+                                    .samples_done = errors.samples,
+                                    .samples_missing = errors.missing,
+                                    .threads = settings_.threads,
+                                    .seconds = seconds,
+                                    .processes = processes_.count(),
+                                    .interrupted = stopped});
+    fmt::print("{}", table(settings_, errors, timings));
+    fmt::print(
+        "\n{} samples of each family, placement and threshold ({} of all were not found), {} of {} lists of {} "
+        "questions timed {} times, in {:.0f} s. Everything: {}\n",
+        errors.samples, errors.missing, timings.size(), list_count(timing_settings_), options_.queries,
+        options_.repetitions, seconds, options_.output);
+    std::fflush(stdout);
+    return tell_end(stopped, errors, timings);
+  }
+
+ private:
+  Errors measure() {
+    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    Errors errors = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
+                               [](const Errors& held) { return held.samples; });
+    run::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
+    measure_errors(settings_,
+                   {.processes = processes_,
+                    .stop = interrupt_.requested(),
+                    .progress = [&](std::uint64_t done) { line(done); },
+                    .save = [&](const Errors& now) { checkpoint.write(now); }},
+                   errors);
+    return errors;
+  }
+
+  [[nodiscard]] std::vector<Timing> time() {
+    run::ProgressLine line("tradeoff: times", list_count(timing_settings_));
+    return measure_timings(timing_settings_, interrupt_.requested(), [&](std::uint64_t done) { line(done); });
+  }
+
+  [[nodiscard]] int tell_end(bool stopped, const Errors& errors, const std::vector<Timing>& timings) const {
+    if (stopped) {
+      fmt::print(stderr,
+                 "touchstone: interrupted: {} covers {} of {} samples and {} of {} timed lists; no fronts; --resume "
+                 "goes on\n",
+                 options_.output, errors.samples, settings_.samples, timings.size(), list_count(timing_settings_));
+      return run::kInterrupted;
+    }
+    if (processes_.count() > 1)
+      fmt::print("Times are measured in one process only: --resume without mpirun adds them and the pictures.\n");
+    else if (!options_.no_pictures)
+      run::draw_pictures(kScript, folder_);
+    return 0;
+  }
+
+  const Options& options_;
+  const run::Processes& processes_;
+  std::filesystem::path folder_;
+  Settings settings_;
+  TimingSettings timing_settings_;
+  run::Interrupt interrupt_;
+};
+
 constexpr const char* kFooter = R"(
-Errors are the same bytes for the same settings, whatever --threads; timings.csv and front.csv hold times. Times that
-were measured while others use the machine are noise: their quartiles are in timings.csv.)";
+Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold times,
+which one process alone measures. Times that were measured while others use the machine are noise: their quartiles are
+in timings.csv.)";
 
 }  // namespace
 
@@ -153,7 +204,9 @@ void add_tradeoff(CLI::App& app, int& status) {
   command->add_option("--seed", options->seed, "Any number; the same gives the same questions")
       ->check(run::whole_number(0))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "For the errors; they do not change them. Times: always one")
+  command
+      ->add_option("--threads", options->threads,
+                   "Of each process, for the errors; they do not change them. Times: always one")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--queries", options->queries, "Distinct balls in each timed list")
@@ -162,10 +215,15 @@ void add_tradeoff(CLI::App& app, int& status) {
   command->add_option("--repetitions", options->repetitions, "How often each method takes its turn on a list")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
+  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
   command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  command->callback([options, &status] {
+    status = options->redraw
+                 ? run::run_alone([&] { return redraw(*options); })
+                 : run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+  });
 }
 
 }  // namespace touchstone::commands
