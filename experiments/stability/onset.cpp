@@ -114,12 +114,21 @@ Onset& Onset::operator+=(const Onset& other) {
   return *this;
 }
 
-Onset find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                 unsigned threads, const std::atomic<bool>& stop, const run::Progress& progress) {
-  const std::vector<std::string> names = names_of(methods);
-  std::vector<Onset> parts(threads, Onset(names));
-  run::run_blocks(triangles, threads, stop, progress, [&](unsigned thread, std::uint64_t index) {
-    Onset& part = parts[thread];
+void to_json(nlohmann::ordered_json& json, const Onset& onset) {
+  json = {{"methods", onset.methods_}, {"failures", onset.failures_}, {"triangles", onset.triangles_}};
+}
+
+void from_json(const nlohmann::json& json, Onset& onset) {
+  onset = Onset(json.at("methods").get<std::vector<std::string>>());
+  onset.failures_ = json.at("failures").get<std::vector<std::uint64_t>>();
+  onset.triangles_ = json.at("triangles").get<std::uint64_t>();
+}
+
+Onset no_onset(const std::vector<const methods::Method*>& methods) { return Onset(names_of(methods)); }
+
+void find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
+                unsigned threads, const run::Course<Onset>& course, Onset& onset) {
+  const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);
       ask(above, distance, 0, part, [&](const Ball& ball) { return absolute_contact(ball, above.triangle); });
@@ -133,10 +142,10 @@ Onset find_onset(const std::vector<const methods::Method*>& methods, std::uint64
       }
     }
     part.add_triangle();
-  });
-  Onset onset(names);
-  for (const Onset& part : parts) onset += part;
-  return onset;
+  };
+  run::run_sweep(
+      {triangles, 1, threads, course.processes, course.stop, course.progress}, ask_all,
+      [&](std::uint64_t, const Onset& now) { course.save(now); }, no_onset(methods), onset.triangles(), onset);
 }
 
 }  // namespace touchstone::stability

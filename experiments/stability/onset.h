@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "experiments/methods/method.h"
-#include "experiments/run/blocks.h"
+#include "experiments/run/course.h"
 
 namespace touchstone::stability {
 
@@ -21,6 +21,7 @@ inline constexpr int kCoarsest = 16, kFinest = 52;
 /// offset above or at the one below.
 class Onset {
  public:
+  Onset() = default;
   explicit Onset(std::vector<std::string> methods);
 
   /// First `ericson-absolute`, the closest point of [ericson2005, 5.1.5] as coordinates, then its distance; `ericson`,
@@ -37,6 +38,10 @@ class Onset {
   void add_triangle() { ++triangles_; }
   Onset& operator+=(const Onset& other);
 
+  // Throws nlohmann::json::exception where something is missing.
+  friend void to_json(nlohmann::ordered_json& json, const Onset& onset);
+  friend void from_json(const nlohmann::json& json, Onset& onset);
+
  private:
   [[nodiscard]] std::size_t place(std::size_t distance, std::size_t method, int k) const {
     return (distance * methods_.size() + method) * static_cast<std::size_t>(kFinest - kCoarsest + 1) +
@@ -48,9 +53,12 @@ class Onset {
   std::uint64_t triangles_ = 0;
 };
 
-/// Asks about random triangles, the first ones where it is stopped: a function of (methods, triangles done, seed).
-[[nodiscard]] Onset find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles,
-                               std::uint64_t seed, unsigned threads, const std::atomic<bool>& stop,
-                               const run::Progress& progress);
+/// What no triangle has been added to yet.
+[[nodiscard]] Onset no_onset(const std::vector<const methods::Method*>& methods);
+
+/// Asks about those of the random triangles that the onset does not hold yet. At the first process: a function of
+/// (methods, triangles done, seed), whatever threads, processes and stops.
+void find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
+                unsigned threads, const run::Course<Onset>& course, Onset& onset);
 
 }  // namespace touchstone::stability

@@ -12,9 +12,6 @@
 namespace touchstone::stability {
 namespace {
 
-/// Of conditions.csv.
-constexpr std::uint64_t kSamplesShown = 2;
-
 /// Three columns.
 std::string rate_and_limits(std::uint64_t failed, std::uint64_t trials) {
   const auto limits = statistics::clopper_pearson(failed, trials);
@@ -23,7 +20,7 @@ std::string rate_and_limits(std::uint64_t failed, std::uint64_t trials) {
 }
 
 /// Four columns.
-std::string quantiles(const Distribution& d) {
+std::string quantiles(const statistics::Distribution& d) {
   return fmt::format("{:.4g},{:.4g},{:.4g}", d.quantile(0.5), d.quantile(0.99), d.largest());
 }
 
@@ -88,8 +85,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
   run::write_file(folder / "errors.csv", text);
 }
 
-void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Result& result,
-                  const Summary& summary) {
+void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
   std::string text =
       "stage,quantity,axis,level,value,observations,exceeded,exceeded_polygons,polygons,rate,lower,upper,median,"
       "quantile_99,max\n";
@@ -107,13 +103,12 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
   run::write_file(folder / "tightness.csv", text);
 
   std::string points = "stage,quantity,constant,axis,level,condition,relative_error\n";
-  for (const Block& block : result.blocks) {
-    for (const auto& [level, o] : block.bounds) {
-      if (block.sample / levels(block.axis)[level].one_in / kBoundsOneIn >= kSamplesShown) continue;
-      const BoundedQuantity& about = bounded_quantities()[o.quantity];
-      if (std::isnan(o.relative_error)) continue;
+  for (const auto& [block, list] : summary.points) {
+    const Axis axis = settings.axes[block % settings.axes.size()];
+    for (const ConditionPoint& p : list) {
+      const BoundedQuantity& about = bounded_quantities()[p.quantity];
       points += fmt::format("{},{},{:.6g},{},{},{:.3e},{:.3e}\n", word(about.stage), about.name, about.constant,
-                            word(block.axis), levels(block.axis)[level].name, o.condition, o.relative_error);
+                            word(axis), levels(axis)[p.level].name, p.condition, p.relative_error);
     }
   }
   run::write_file(folder / "conditions.csv", points);
@@ -127,7 +122,8 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
   run::write_file(folder / "worst.jsonl", text);
 }
 
-void write_known(const std::filesystem::path& folder, const Onset& onset, const std::vector<ContractionCount>& counts) {
+void write_known(const std::filesystem::path& folder, const Known& known) {
+  const Onset& onset = known.onset;
   std::string text = "origin_distance,method,offset_exponent,failed_triangles,triangles,rate,lower,upper\n";
   for (std::size_t d = 0; d < std::size(kOnsetDistances); ++d)
     for (std::size_t m = 0; m < onset.methods().size(); ++m)
@@ -139,11 +135,19 @@ void write_known(const std::filesystem::path& folder, const Onset& onset, const 
   text =
       "sign,family,trials,plain_wrong,plain_rate,plain_lower,plain_upper,fused_wrong,fused_rate,fused_lower,"
       "fused_upper,signs_differ\n";
-  for (const ContractionCount& c : counts)
+  for (const ContractionCount& c : known.contractions)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", c.sign, c.family, c.trials, c.plain_wrong,
                         rate_and_limits(c.plain_wrong, c.trials), c.fused_wrong,
                         rate_and_limits(c.fused_wrong, c.trials), c.differ);
   run::write_file(folder / "contraction.csv", text);
+
+  text = "outline,points,rightly_inside,wrongly_inside,missed,share,lower,upper\n";
+  for (const auto& area : known.areas) {
+    const auto limits = area.limits();
+    text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", area.outline->name, area.points, area.right,
+                        area.wrong, area.missed, area.share(), limits.lower, limits.upper);
+  }
+  run::write_file(folder / "areas.csv", text);
 }
 
 }  // namespace touchstone::stability

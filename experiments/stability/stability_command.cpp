@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "experiments/commands.h"
+#include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
@@ -31,6 +33,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string output = "results/stability";
+  bool resume = false;
   bool no_pictures = false;
 };
 
@@ -61,55 +64,111 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 std::string command_line(const Options& options) {
-  return fmt::format("touchstone stability --method {} --axes {} --samples {} --seed {} --threads {} --output {}{}",
+  return fmt::format("touchstone stability --method {} --axes {} --samples {} --seed {} --threads {} --output {}{}{}",
                      joined(options.methods), joined(options.axes), options.samples, options.seed, options.threads,
-                     run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+                     run::shell_quoted(options.output), options.resume ? " --resume" : "",
+                     options.no_pictures ? " --no-pictures" : "");
 }
 
-int run(const Options& options) {
-  const Settings settings{methods::find_methods(options.methods), select_axes(options.axes), options.samples,
-                          options.seed, options.threads};
-  run::make_folder(options.output);
-  const run::Interrupt interrupt;
-  const auto& stop = interrupt.requested();
-  const auto begin = std::chrono::steady_clock::now();
+// Raised where a block of a seed becomes another one, or the form of what is kept changes.
+constexpr int kVersion = 1;
 
-  const Result result = [&] {
-    run::ProgressLine line("stability: samples", block_count(settings));
-    return run_study(settings, stop, [&](std::uint64_t done) { line(done); });
-  }();
-  const Onset onset = [&] {
-    const std::uint64_t triangles = 10 * settings.samples;
-    run::ProgressLine line("stability: known results", triangles);
-    return find_onset(settings.methods, triangles, settings.seed, settings.threads, stop,
-                      [&](std::uint64_t done) { line(done); });
-  }();
-  const auto contractions = count_contractions(stop ? 0 : 50 * settings.samples, settings.seed);
-  const Summary summary(settings, result);
-  write_failures(options.output, settings, summary);
-  write_errors(options.output, settings, summary);
-  write_bounds(options.output, settings, result, summary);
-  write_worst(options.output, summary);
-  write_known(options.output, onset, contractions);
+/// All that the results depend on, by the names of the options. Blocks are numbered through all axes.
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  std::vector<std::string> methods, axes;
+  for (const auto* method : settings.methods) methods.emplace_back(method->name());
+  for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
+  return {{"version", kVersion}, {"seed", settings.seed}, {"method", joined(methods)}, {"axes", joined(axes)}};
+}
 
-  std::uint64_t missing = 0;
-  for (const std::uint64_t count : summary.missing) missing += count;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(options.output, {command_line(options), settings.seed, settings.samples, result.samples,
-                                         missing, settings.threads, seconds});
-  fmt::print("{}", table(settings, summary, onset, contractions));
-  fmt::print("\n{} samples of each axis in {:.0f} s; {} polygons were not found. Tables and worst cases: {}\n",
-             result.samples, seconds, missing, options.output);
-  std::fflush(stdout);
-  if (stop) {
-    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} samples; no pictures\n", options.output,
-               result.samples, settings.samples);
-    constexpr int kInterrupted = 130;
-    return kInterrupted;
+/// One run with all processes; what it holds in between is the first one's.
+class Run {
+ public:
+  Run(const Options& options, const run::Processes& processes)
+      : options_(options),
+        processes_(processes),
+        folder_(options.output),
+        settings_{methods::find_methods(options.methods), select_axes(options.axes), options.samples, options.seed,
+                  options.threads} {}
+
+  int operator()() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (processes_.first()) run::make_folder(folder_);
+    const Summary summary = study();
+    Known known{.onset = onset(), .contractions = {}, .areas = {}};
+    if (!processes_.first()) return 0;
+    const bool stopped = interrupt_.requested();
+    known.contractions = count_contractions(stopped ? 0 : 50 * settings_.samples, settings_.seed);
+    if (!stopped)
+      for (const auto& outline : thesis_figures::outlines())
+        known.areas.push_back(measure_false_area(outline, 500 * settings_.samples, settings_.seed));
+    write_failures(folder_, settings_, summary);
+    write_errors(folder_, settings_, summary);
+    write_bounds(folder_, settings_, summary);
+    write_worst(folder_, summary);
+    write_known(folder_, known);
+
+    std::uint64_t missing = 0;
+    for (const std::uint64_t count : summary.missing) missing += count;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run::write_run_record(folder_, {.command = command_line(options_),
+                                    .seed = settings_.seed,
+                                    .samples_asked = settings_.samples,
+                                    .samples_done = summary.samples(),
+                                    .samples_missing = missing,
+                                    .threads = settings_.threads,
+                                    .seconds = seconds,
+                                    .processes = processes_.count()});
+    fmt::print("{}", table(settings_, summary, known));
+    fmt::print("\n{} samples of each axis; {} polygons were not found. {:.0f} s. Tables and worst cases: {}\n",
+               summary.samples(), missing, seconds, options_.output);
+    std::fflush(stdout);
+    if (stopped) {
+      fmt::print(stderr,
+                 "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume goes on\n",
+                 options_.output, summary.samples(), settings_.samples);
+      return run::kInterrupted;
+    }
+    if (!options_.no_pictures) run::draw_pictures("stability.py", folder_);
+    return 0;
   }
-  if (!options.no_pictures) run::draw_pictures("stability.py", options.output);
-  return 0;
-}
+
+ private:
+  Summary study() {
+    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    Summary summary = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
+                                 [](const Summary& held) { return held.samples(); });
+    run::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
+    run_study(settings_,
+              {.processes = processes_,
+               .stop = interrupt_.requested(),
+               .progress = [&](std::uint64_t done) { line(done); },
+               .save = [&](const Summary& now) { checkpoint.write(now); }},
+              summary);
+    return summary;
+  }
+
+  Onset onset() {
+    const std::uint64_t triangles = 10 * settings_.samples;
+    const run::Checkpoint checkpoint(folder_ / "onset-checkpoint.json", checkpoint_settings(settings_));
+    Onset onset = run::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods),
+                             [](const Onset& held) { return held.triangles(); });
+    run::ProgressLine line("stability: known results", triangles, onset.triangles());
+    find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
+               {.processes = processes_,
+                .stop = interrupt_.requested(),
+                .progress = [&](std::uint64_t done) { line(done); },
+                .save = [&](const Onset& now) { checkpoint.write(now); }},
+               onset);
+    return onset;
+  }
+
+  const Options& options_;
+  const run::Processes& processes_;
+  std::filesystem::path folder_;
+  Settings settings_;
+  run::Interrupt interrupt_;
+};
 
 }  // namespace
 
@@ -131,12 +190,15 @@ void add_stability(CLI::App& app, int& status) {
   command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
       ->check(run::whole_number(0))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "They do not change the results")
+  command->add_option("--threads", options->threads, "Of each process; they do not change the results")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
   command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  command->callback([options, &status] {
+    status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+  });
 }
 
 }  // namespace touchstone::commands

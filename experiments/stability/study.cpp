@@ -76,8 +76,11 @@ class Study {
     for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
   }
 
-  [[nodiscard]] Block block(Axis axis, std::uint64_t sample) const {
+  [[nodiscard]] Block block(std::uint64_t number) const {
+    const std::uint64_t sample = number / settings_.axes.size();
+    const Axis axis = settings_.axes[number % settings_.axes.size()];
     Block block;
+    block.number = number;
     block.axis = axis;
     block.sample = sample;
     for (std::size_t level = 0; level < levels(axis).size(); ++level) {
@@ -125,7 +128,7 @@ class Study {
       failed[i] = failed[i] || wrong_somewhere;
       const double error = probe.measured ? measure(scene, asked, probe, level, m, block) : 0;
       const int rank = wrong_somewhere ? 1 + static_cast<int>(probe.nearness) : 0;
-      if (rank > 0 || error > 0) keep_worst(scene, asked, probe, {level, m, rank, error, {}}, block);
+      if (rank > 0 || error > 0) keep_worst(scene, asked, probe, {level, m, rank, error, block.number, {}}, block);
     }
     for (const auto& [key, result] : results) block.tests.push_back(result);
   }
@@ -206,18 +209,6 @@ std::string_view word(Quantity quantity) { return quantity == Quantity::Distance
 
 std::uint64_t block_count(const Settings& settings) { return settings.samples * settings.axes.size(); }
 
-Result run_study(const Settings& settings, const std::atomic<bool>& stop, const run::Progress& progress) {
-  const Study study(settings);
-  Result result;
-  result.blocks.resize(block_count(settings));
-  const std::uint64_t axes = settings.axes.size();
-  const std::uint64_t done =
-      run::run_blocks(block_count(settings), settings.threads, stop, progress, [&](unsigned, std::uint64_t block) {
-        result.blocks[block] = study.block(settings.axes[block % axes], block / axes);
-      });
-  result.blocks.resize(done);
-  result.samples = done / axes;
-  return result;
-}
+Block ask_block(const Settings& settings, std::uint64_t number) { return Study(settings).block(number); }
 
 }  // namespace touchstone::stability

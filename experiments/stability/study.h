@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "experiments/run/blocks.h"
 #include "experiments/stability/bound.h"
 #include "experiments/stability/probe.h"
 
@@ -17,7 +15,7 @@ struct Settings {
   std::vector<Axis> axes;
   std::uint64_t samples = 1;  ///< of each level; Level::one_in makes it fewer
   std::uint64_t seed = 1;
-  unsigned threads = 1;
+  unsigned threads = 1;     ///< of each process
   double bound_factor = 1;  ///< what every bound is multiplied with: a test plants wrong ones
 };
 
@@ -48,20 +46,23 @@ struct BoundResult {
 };
 
 /// What of a sample is the worst of one method, as a case for `touchstone judge`. Ranked by how far from the boundary
-/// an answer is wrong, then by the error of the distance.
+/// an answer is wrong, then by the error of the distance; of equals the one of the first block.
 struct WorstCase {
   std::size_t level, method;
   int rank;
   double error;
+  std::uint64_t block;
   std::string line;
 
   [[nodiscard]] bool worse_than(const WorstCase& other) const {
-    return rank != other.rank ? rank > other.rank : error > other.error;
+    if (rank != other.rank) return rank > other.rank;
+    return error != other.error ? error > other.error : block < other.block;
   }
 };
 
-/// One sample of every level of an axis.
+/// One sample of every level of an axis. Blocks are numbered sample by sample, axis by axis.
 struct Block {
+  std::uint64_t number = 0;
   Axis axis{};
   std::uint64_t sample = 0;
   std::vector<TestResult> tests;
@@ -72,23 +73,18 @@ struct Block {
   std::uint64_t confirmed = 0, disputed = 0;  ///< truths by `filtered` that `exact` was asked about
 };
 
-struct Result {
-  std::vector<Block> blocks;  ///< sample by sample, axis by axis: the first ones, all done
-  std::uint64_t samples;      ///< of each axis, all done
-};
-
 /// Bounds are observed on one of so many samples that are drawn at a level, on polygons of at most so many vertices;
 /// cases are kept of smaller ones.
 inline constexpr std::uint64_t kBoundsOneIn = 4;
 inline constexpr std::size_t kMostForBounds = 1100, kMostForCases = 200;
 
-/// Draws every sample and asks every method.
+/// Draws one sample of every level of an axis and asks every method.
 ///
-/// Blocks are a function of settings alone, not of `threads`; those of one axis and method do not depend on which
-/// others are asked for. A method that throws is wrong.
-[[nodiscard]] Result run_study(const Settings& settings, const std::atomic<bool>& stop, const run::Progress& progress);
+/// A function of the settings but for `threads`; what it says of an axis and a method does not depend on which others
+/// are asked for. A method that throws is wrong.
+[[nodiscard]] Block ask_block(const Settings& settings, std::uint64_t number);
 
-/// The number of blocks that `run_study` reports.
+/// The number of blocks of a study.
 [[nodiscard]] std::uint64_t block_count(const Settings& settings);
 
 }  // namespace touchstone::stability

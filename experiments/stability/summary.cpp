@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace touchstone::stability {
+namespace {
+
+void keep_worse(std::optional<WorstCase>& held, const WorstCase& candidate) {
+  if (!held || candidate.worse_than(*held)) held = candidate;
+}
+
+}  // namespace
 
 Tally& Tally::operator+=(const Tally& other) {
   failed += other.failed;
@@ -14,57 +21,85 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-void Distribution::sort() { std::sort(numbers_.begin(), numbers_.end()); }
-
-std::size_t Distribution::infinite() const {
-  return static_cast<std::size_t>(numbers_.end() - std::lower_bound(numbers_.begin(), numbers_.end(), INFINITY));
+BoundSummary& BoundSummary::operator+=(const BoundSummary& other) {
+  tightness += other.tightness;
+  exceeded += other.exceeded;
+  failed += other.failed;
+  polygons += other.polygons;
+  return *this;
 }
 
-double Distribution::quantile(double share) const {
-  const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(count())));
-  return numbers_[std::clamp<std::size_t>(place, 1, count()) - 1];
+void Summary::add(const Block& block) {
+  const std::size_t axis = block.number % missing.size();
+  ++blocks;
+  for (const TestResult& r : block.tests)
+    failures[{axis, r.nearness, r.test, r.method, r.level}] += {r.wrong > 0 ? 1U : 0U, 1, r.wrong, r.asked};
+  for (const NumberError& e : block.errors) {
+    ErrorSummary& summary = errors[{axis, e.quantity, e.method, e.level}];
+    summary.relative.add(e.relative);
+    summary.ulps.add(e.ulps);
+  }
+  add_bounds(block, axis);
+  for (const WorstCase& candidate : block.worst) keep_worse(worst[axis][candidate.method], candidate);
+  missing[axis] += block.missing;
+  confirmed += block.confirmed;
+  disputed += block.disputed;
 }
 
-Summary::Summary(const Settings& settings, const Result& result)
-    : worst(settings.axes.size(), std::vector<std::optional<WorstCase>>(settings.methods.size())),
-      missing(settings.axes.size()) {
-  for (std::size_t b = 0; b < result.blocks.size(); ++b) {
-    const Block& block = result.blocks[b];
-    const std::size_t axis = b % settings.axes.size();
-    for (const TestResult& r : block.tests)
-      failures[{axis, r.nearness, r.test, r.method, r.level}] += {r.wrong > 0 ? 1U : 0U, 1, r.wrong, r.asked};
-    for (const NumberError& e : block.errors) {
-      ErrorSummary& summary = errors[{axis, e.quantity, e.method, e.level}];
-      summary.relative.add(e.relative);
-      summary.ulps.add(e.ulps);
-    }
-    std::map<std::pair<std::size_t, std::size_t>, bool> exceeded;  // by level, each of which is a polygon, and quantity
-    for (const auto& [level, o] : block.bounds) {
-      BoundSummary& cell = bounds[{o.quantity, axis, level}];
-      for (BoundSummary* summary : {&cell, &all_bounds[o.quantity]}) {
-        summary->tightness.add(o.tightness);
-        summary->exceeded += o.holds ? 0 : 1;
-      }
-      bool& any = exceeded[{level, o.quantity}];
-      any = any || !o.holds;
-    }
-    for (const auto& [place, any] : exceeded)
-      for (BoundSummary* summary : {&bounds[{place.second, axis, place.first}], &all_bounds[place.second]}) {
-        ++summary->polygons;
-        summary->failed += any ? 1 : 0;
-      }
-    for (const WorstCase& candidate : block.worst)
-      if (auto& held = worst[axis][candidate.method]; !held || candidate.worse_than(*held)) held = candidate;
-    missing[axis] += block.missing;
-    confirmed += block.confirmed;
-    disputed += block.disputed;
+void Summary::add_bounds(const Block& block, std::size_t axis) {
+  // By level, each of which is a polygon, and quantity.
+  std::map<std::pair<std::size_t, std::size_t>, BoundSummary> found;
+  std::vector<ConditionPoint> shown;
+  for (const auto& [level, o] : block.bounds) {
+    BoundSummary& bound = found[{level, o.quantity}];
+    bound.tightness.add(o.tightness);
+    bound.exceeded += o.holds ? 0 : 1;
+    if (block.sample / levels(block.axis)[level].one_in / kBoundsOneIn >= kSamplesShown) continue;
+    if (!std::isnan(o.relative_error)) shown.push_back({level, o.quantity, o.condition, o.relative_error});
   }
-  for (auto& [cell, summary] : errors) {
-    summary.relative.sort();
-    summary.ulps.sort();
+  for (auto& [place, bound] : found) {
+    bound.polygons = 1;
+    bound.failed = bound.exceeded > 0 ? 1 : 0;
+    bounds[{place.second, axis, place.first}] += bound;
+    all_bounds[place.second] += bound;
   }
-  for (auto& [cell, summary] : bounds) summary.tightness.sort();
-  for (auto& [quantity, summary] : all_bounds) summary.tightness.sort();
+  if (!shown.empty()) points[block.number] = std::move(shown);
+}
+
+Summary& Summary::operator+=(const Summary& other) {
+  blocks += other.blocks;
+  for (const auto& [cell, tally] : other.failures) failures[cell] += tally;
+  for (const auto& [cell, summary] : other.errors) {
+    errors[cell].relative += summary.relative;
+    errors[cell].ulps += summary.ulps;
+  }
+  for (const auto& [cell, bound] : other.bounds) bounds[cell] += bound;
+  for (const auto& [quantity, bound] : other.all_bounds) all_bounds[quantity] += bound;
+  points.insert(other.points.begin(), other.points.end());
+  for (std::size_t axis = 0; axis < worst.size(); ++axis) {
+    for (std::size_t m = 0; m < worst[axis].size(); ++m)
+      if (other.worst[axis][m]) keep_worse(worst[axis][m], *other.worst[axis][m]);
+    missing[axis] += other.missing[axis];
+  }
+  confirmed += other.confirmed;
+  disputed += other.disputed;
+  return *this;
+}
+
+Summary no_summary(const Settings& settings) {
+  Summary summary;
+  summary.worst.resize(settings.axes.size(), std::vector<std::optional<WorstCase>>(settings.methods.size()));
+  summary.missing.resize(settings.axes.size());
+  return summary;
+}
+
+void run_study(const Settings& settings, const run::Course<Summary>& course, Summary& summary) {
+  constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
+  run::run_sweep(
+      {block_count(settings), 1, settings.threads, course.processes, course.stop, course.progress,
+       kSecondsBetweenCheckpoints},
+      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); },
+      [&](std::uint64_t, const Summary& now) { course.save(now); }, no_summary(settings), summary.blocks, summary);
 }
 
 const Tally* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method, std::size_t level) const {

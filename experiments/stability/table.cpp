@@ -187,6 +187,20 @@ std::string contraction_table(const std::vector<ContractionCount>& counts) {
   return text;
 }
 
+std::string area_table(const std::vector<thesis_figures::FalseArea>& areas) {
+  if (areas.empty()) return {};
+  std::string text = fmt::format(
+      "\nThe thesis's sum of angles: area outside that it calls inside, as a share of the outline's own; {} points "
+      "each\n  {:<10}{:>9}  {:<20}{:>8}\n",
+      areas.front().points, "outline", "share", "95 % limits", "missed");
+  for (const auto& area : areas) {
+    const auto limits = area.limits();
+    text += fmt::format("  {:<10}{:>7.1f} %  {:<20}{:>8}\n", area.outline->name, 100 * area.share(),
+                        fmt::format("{:.1f} to {:.1f} %", 100 * limits.lower, 100 * limits.upper), area.missed);
+  }
+  return text;
+}
+
 std::string legend(const Settings& settings) {
   std::string text =
       "\nA sample is a polygon under the stress and balls about it; it fails if the answer is wrong for any ball.\n"
@@ -196,7 +210,7 @@ std::string legend(const Settings& settings) {
       "What a method throws is wrong. chain, pose: -input asks what methods make of the doubles at the end of a "
       "chain,\n"
       "-motion what the chain itself has done: there filtered, exact on those doubles, stands for the motion alone.\n"
-      "Angle-sum areas of the thesis's method: tests/thesis/known_errors_test.cpp. Axes:\n";
+      "Axes:\n";
   for (const Axis axis : settings.axes) {
     text += fmt::format("  {:<18} {}: {} to {}", word(axis), meaning(axis), levels(axis).front().name,
                         levels(axis).back().name);
@@ -209,8 +223,7 @@ std::string legend(const Settings& settings) {
 
 }  // namespace
 
-std::string table(const Settings& settings, const Summary& summary, const Onset& onset,
-                  const std::vector<ContractionCount>& counts) {
+std::string table(const Settings& settings, const Summary& summary, const Known& known) {
   std::string text = "Where each method first fails: the final answer (contact or none), by how near the ball is\n";
   for (const Nearness nearness : kNearnesses)
     text += fmt::format("\n{}: radius {}\n", word(nearness), distance_words(nearness)) +
@@ -218,7 +231,8 @@ std::string table(const Settings& settings, const Summary& summary, const Onset&
   text += mode_rates(settings, summary);
   text += "\nThe largest relative error of the distance (inf: not finite)\n" + largest_errors(settings, summary) +
           "\n" + totals(settings, summary);
-  return text + bounds_table(summary) + onset_table(onset) + contraction_table(counts) + legend(settings);
+  return text + bounds_table(summary) + onset_table(known.onset) + contraction_table(known.contractions) +
+         area_table(known.areas) + legend(settings);
 }
 
 }  // namespace touchstone::stability

@@ -13,14 +13,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <ostream>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "experiments/thesis/false_areas.h"
 #include "experiments/workloads/random.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/thesis.h"
@@ -37,65 +35,6 @@ constexpr std::uint64_t kStatedPoints = 1'000'000;
 constexpr std::uint64_t kStatedBalls = 800'000;
 
 constexpr std::uint64_t scaled(std::uint64_t stated) { return stated * TOUCHSTONE_SAMPLES / 100; }
-
-// ---- Outlines, in the plane z = 0 ----
-
-using Outline = std::vector<std::pair<double, double>>;
-
-const Outline kTriangle{{-1, 0}, {1, 0}, {0, 1}};
-const Outline kSquare{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-const Outline kL{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-const Outline kU3x3{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-const Outline kU3x5{{0, 0}, {3, 0}, {3, 5}, {2, 5}, {2, 1}, {1, 1}, {1, 5}, {0, 5}};
-const Outline kComb{{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-const Outline kDart{{0, 0}, {2, 1}, {0, 2}, {0.7, 1}};
-// Ten points at angles 90 + 36 i degrees, radii 1 and 0.382 in turn.
-const Outline kStar{{0, 1},
-                    {-0.22453396637572473, 0.30904449185122992},
-                    {-0.95105651629515353, 0.30901699437494745},
-                    {-0.36330358922474865, -0.11804449185122992},
-                    {-0.58778525229247314, -0.80901699437494745},
-                    {0, -0.382},
-                    {0.58778525229247314, -0.80901699437494745},
-                    {0.36330358922474865, -0.11804449185122992},
-                    {0.95105651629515353, 0.30901699437494745},
-                    {0.22453396637572473, 0.30904449185122992}};
-
-Polygon polygon_of(const Outline& outline) {
-  Loop loop;
-  for (const auto& [x, y] : outline) loop.emplace_back(x, y, 0);
-  return Polygon(loop);
-}
-
-double area_of(const Outline& outline) {
-  double twice = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto& [x, y] = outline[i];
-    const auto& [next_x, next_y] = outline[(i + 1) % outline.size()];
-    twice += x * next_y - next_x * y;
-  }
-  return std::abs(twice) / 2;
-}
-
-struct Box {
-  double left, right, bottom, top;
-
-  [[nodiscard]] double width() const { return right - left; }
-  [[nodiscard]] double height() const { return top - bottom; }
-  [[nodiscard]] double area() const { return width() * height(); }
-  [[nodiscard]] Box enlarged(double dx, double dy) const { return {left - dx, right + dx, bottom - dy, top + dy}; }
-  [[nodiscard]] Eigen::Vector3d point(workloads::Random& random) const {
-    const double x = left + width() * random.unit();
-    return {x, bottom + height() * random.unit(), 0};
-  }
-};
-
-Box bounds(const Outline& outline) {
-  const auto by_y = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const auto [left, right] = std::minmax_element(outline.begin(), outline.end());
-  const auto [bottom, top] = std::minmax_element(outline.begin(), outline.end(), by_y);
-  return {left->first, right->first, bottom->second, top->second};
-}
 
 // ---- Statistics ----
 
@@ -147,9 +86,8 @@ const auto name_of = [](const auto& test) { return test.param.name; };
 // ---- Test 2 alone: the area wrongly called inside ----
 
 struct AreaCase {
-  std::string name;
-  Outline outline;
-  double percent;  ///< of the polygon's own area
+  std::string name;  ///< of the outline
+  double percent;    ///< of the polygon's own area
   double unit;
 
   friend std::ostream& operator<<(std::ostream& out, const AreaCase& c) { return out << c.name; }
@@ -159,44 +97,44 @@ class WronglyInside : public testing::TestWithParam<AreaCase> {};
 
 // Uniform points in the bounding box enlarged on each side by half its extent.
 TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
-  const auto& [name, outline, percent, unit] = GetParam();
-  const Polygon polygon = polygon_of(outline);
-  const fast::PreparedPolygon<> truth(polygon);
-  const thesis::PreparedPolygon<> method(polygon);
-  const thesis::PreparedPolygon<> whole_turn(polygon, {.match_factor = 1 - 1e-12, .arc = thesis::Arc::Tangent});
-  const Box outer = bounds(outline);
-  const Box box = outer.enlarged(outer.width() / 2, outer.height() / 2);
-
-  Counts counts;
-  for (std::uint64_t i = 0; i < scaled(kStatedPoints); ++i) {
-    workloads::Random random(kSeed, i);
-    const Ball ball{box.point(random), 1};
-    const bool inside = fast::foot(ball, truth) != FootPlace::Outside;
-    counts.add(inside, thesis::foot(ball, method) == FootPlace::Inside);
-    // Inside a simple polygon the unsigned angles add up to 2 pi or more (here but for rounding).
-    if (inside) {
-      EXPECT_EQ(thesis::foot(ball, whole_turn), FootPlace::Inside) << ball.center.transpose();
-    }
-  }
-  expect_share(name, counts, {percent, unit, kStatedPoints});
-  EXPECT_EQ(counts.missed, 0U) << "false outside";
+  const auto& [name, percent, unit] = GetParam();
+  const auto& outline = thesis_figures::find_outline(name);
+  const auto area = thesis_figures::measure_false_area(outline, scaled(kStatedPoints), kSeed);
+  expect_share(name, {area.points, area.right, area.wrong, area.missed}, {percent, unit, kStatedPoints});
+  EXPECT_EQ(area.missed, 0U) << "false outside";
+  EXPECT_LE(area.limits().lower, area.share());
+  EXPECT_GE(area.limits().upper, area.share());
 
   // The truth by another way: the points inside against the area, a binomial count.
-  const auto samples = static_cast<double>(counts.samples);
-  const double expected = area_of(outline) / box.area();
-  const double inside = static_cast<double>(counts.right + counts.missed) / samples;
+  const auto outer = thesis_figures::bounds(outline);
+  const auto box = outer.enlarged(outer.width() / 2, outer.height() / 2);
+  const auto samples = static_cast<double>(area.points);
+  const double expected = outline.area() / box.area();
+  const double inside = static_cast<double>(area.right + area.missed) / samples;
   EXPECT_NEAR(inside, expected, 4 * std::sqrt(expected * (1 - expected) / samples));
 }
 
+// Inside a simple polygon the unsigned angles add up to 2 pi or more, but for rounding.
+TEST_P(WronglyInside, NothingIsMissedWithAFactorOfOne) {
+  const auto& outline = thesis_figures::find_outline(GetParam().name);
+  const Polygon polygon = outline.polygon();
+  const fast::PreparedPolygon<> truth(polygon);
+  const thesis::PreparedPolygon<> whole_turn(polygon, {.match_factor = 1 - 1e-12, .arc = thesis::Arc::Tangent});
+  const auto box = thesis_figures::bounds(outline);
+  for (std::uint64_t i = 0; i < scaled(kStatedPoints) / 4; ++i) {
+    workloads::Random random(kSeed, i);
+    const Ball ball{box.point(random), 1};
+    if (fast::foot(ball, truth) != FootPlace::Outside) {
+      EXPECT_EQ(thesis::foot(ball, whole_turn), FootPlace::Inside) << ball.center.transpose();
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Thesis, WronglyInside,
-                         testing::Values(AreaCase{"triangle", kTriangle, 4.2, 0.1},
-                                         AreaCase{"square", kSquare, 2.1, 0.1},
-                                         AreaCase{"L", kL, 28, 1},
-                                         AreaCase{"U3x3", kU3x3, 86, 1},
-                                         AreaCase{"U3x5", kU3x5, 151, 1},
-                                         AreaCase{"comb", kComb, 136, 1},
-                                         AreaCase{"dart", kDart, 81.6, 0.1},
-                                         AreaCase{"star", kStar, 169, 1}),
+                         testing::Values(AreaCase{"triangle", 4.2, 0.1}, AreaCase{"square", 2.1, 0.1},
+                                         AreaCase{"L", 28, 1}, AreaCase{"U3x3", 86, 1}, AreaCase{"U3x5", 151, 1},
+                                         AreaCase{"comb", 136, 1}, AreaCase{"dart", 81.6, 0.1},
+                                         AreaCase{"star", 169, 1}),
                          name_of);
 
 // ---- The whole pipeline: false hits ----
@@ -204,8 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Thesis, WronglyInside,
 constexpr std::array kRadii{0.002, 0.01, 0.05, 0.1};  // as shares of the largest extent
 
 struct HitCase {
-  std::string name;
-  Outline outline;
+  std::string name;                           ///< of the outline
   std::array<double, kRadii.size()> percent;  ///< of the true hits, for each radius
   double unit;
 
@@ -216,15 +153,16 @@ class FalseHits : public testing::TestWithParam<HitCase> {};
 
 // Feet uniform in the bounding box enlarged by 3 r, heights uniform in +-1.5 r.
 TEST_P(FalseHits, SharesOfTrueHitsAreAsStated) {
-  const auto& [name, outline, percent, unit] = GetParam();
-  const Polygon polygon = polygon_of(outline);
+  const auto& [name, percent, unit] = GetParam();
+  const auto& outline = thesis_figures::find_outline(name);
+  const Polygon polygon = outline.polygon();
   const fast::PreparedPolygon<> truth(polygon);
   const thesis::PreparedPolygon<> method(polygon);
-  const Box outer = bounds(outline);
+  const auto outer = thesis_figures::bounds(outline);
 
   for (std::size_t k = 0; k < kRadii.size(); ++k) {
     const double radius = kRadii[k] * std::max(outer.width(), outer.height());
-    const Box box = outer.enlarged(3 * radius, 3 * radius);
+    const auto box = outer.enlarged(3 * radius, 3 * radius);
     Counts counts;
     for (std::uint64_t i = 0; i < scaled(kStatedBalls); ++i) {
       workloads::Random random(kSeed, i, k);
@@ -239,11 +177,9 @@ TEST_P(FalseHits, SharesOfTrueHitsAreAsStated) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Thesis, FalseHits,
-                         testing::Values(HitCase{"U3x3", kU3x3, {30, 35, 41, 25}, 1},
-                                         HitCase{"U3x5", kU3x5, {38, 44, 49, 40}, 1},
-                                         HitCase{"L", kL, {18, 20, 12, 6}, 1},
-                                         HitCase{"comb", kComb, {38, 45, 60, 29}, 1},
-                                         HitCase{"square", kSquare, {1.2, 0.2, 0, 0}, 0.1}),
+                         testing::Values(HitCase{"U3x3", {30, 35, 41, 25}, 1}, HitCase{"U3x5", {38, 44, 49, 40}, 1},
+                                         HitCase{"L", {18, 20, 12, 6}, 1}, HitCase{"comb", {38, 45, 60, 29}, 1},
+                                         HitCase{"square", {1.2, 0.2, 0, 0}, 0.1}),
                          name_of);
 
 }  // namespace
