@@ -15,6 +15,11 @@
 namespace touchstone::scene {
 namespace {
 
+/// A tree whose boxes have grown by more than this since it was built is built anew. Measured for terrains, spheres,
+/// boxes and soups of 10 000 to 20 000 triangles that were turned about two axes by 5 to 45 degrees: up to here no
+/// question took more than 1.3 times as long as with a new tree, beyond it contact up to 1.5, `nearest` 2.6 times.
+constexpr double kMostGrowth = 1.2;
+
 /// Calls f(i) for each i below `count`, by all cores, and throws FaceRejected for the lowest number(i) of those for
 /// which f throws Rejected.
 template <class Number, class F>
@@ -51,6 +56,12 @@ std::vector<Triangle> arranged(const std::vector<Triangle>& by_number, const std
   std::vector<Triangle> result;
   result.reserve(order.size());
   for (const std::uint32_t number : order) result.push_back(by_number[number]);
+  return result;
+}
+
+std::vector<Triangle> by_number(const std::vector<Triangle>& by_place, const std::vector<std::uint32_t>& order) {
+  std::vector<Triangle> result(by_place.size());
+  for (std::size_t place = 0; place < order.size(); ++place) result[order[place]] = by_place[place];
   return result;
 }
 
@@ -95,6 +106,11 @@ TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
   std::vector<Box> boxes(triangles.size());
   for (std::size_t place = 0; place < triangles.size(); ++place) boxes[tree.order()[place]] = box(triangles[place]);
   tree.refit(boxes);
+  if (tree.growth() <= kMostGrowth) return;
+  const std::vector<std::uint32_t> before = tree.order();
+  tree = BoxTree(boxes);
+  triangles = arranged(by_number(triangles, before), tree.order());
+  if (model) model = std::make_shared<const std::vector<Triangle>>(arranged(by_number(*model, before), tree.order()));
 }
 
 std::size_t TriangleSet::memory() const {
@@ -112,6 +128,7 @@ PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
   const std::vector<Box> boxes = boxes_of(polygons, prepared);
   const FloatingPointState nearest;
   tree.refit(boxes);
+  if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
 }
 
 }  // namespace touchstone::scene

@@ -64,9 +64,12 @@ class Scene {
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 
   /// Moves an object from wherever it stands: its vertices are posed anew from those that were added, so nothing adds
-  /// up, and its hierarchies are refitted. Throws std::out_of_range for a number that no object has, and Rejected
+  /// up. Its hierarchies are refitted, or built anew where turning has made their boxes a fifth larger. Polygons are
+  /// prepared again when a ball comes near. Throws std::out_of_range for a number that no object has, and Rejected
   /// naming the object for a pose that is not finite (`not-finite`) or a face, the lowest one, whose posed vertices
-  /// exact::validate rejects; then the object stays where it was.
+  /// exact::validate rejects; then the object stays where it was. Cost: about 0.4 us a triangle, 1.2 us where the
+  /// hierarchy is built anew, 1.2 us a vertex of a polygon, divided among all cores but for the refitting; memory: 72
+  /// bytes more a triangle for as long as the pose is not the identity.
   void set_pose(std::uint32_t object, const Pose& pose);
   [[nodiscard]] const Pose& pose(std::uint32_t object) const;
 

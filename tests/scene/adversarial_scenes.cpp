@@ -139,7 +139,7 @@ Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_
   switch (random.integer(0, 3)) {
     case 0: return {center, 0};
     case 1: return {center, distance * random.unit()};
-    default: return {center, workloads::move_by_doubles(distance, random.integer(-1, 1))};
+    default: return {center, std::max(0.0, workloads::move_by_doubles(distance, random.integer(-1, 1)))};
   }
 }
 
