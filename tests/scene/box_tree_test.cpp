@@ -101,7 +101,9 @@ TEST(BoxTree, KnowsHowMuchItsBoxesHaveGrown) {
   EXPECT_NEAR(tree.growth(), 9, 1e-5);
   // What was in one leaf is in two places.
   auto apart = boxes;
-  const Eigen::Vector3d far(100 * (boxes[0].high - boxes[0].low).maxCoeff(), 0, 0);
+  Box around;
+  for (const Box& box : boxes) around = around.joined(box);
+  const Eigen::Vector3d far(8 * (around.high - around.low).maxCoeff(), 0, 0);
   for (std::size_t i = 0; i < apart.size(); i += 2) apart[i] = {apart[i].low + far, apart[i].high + far};
   tree.refit(apart);
   EXPECT_GT(tree.growth(), 2);
