@@ -62,11 +62,14 @@ void set(Node& node, std::size_t lane, const Bounds& bounds) {
   for (std::size_t k = 0; k < 3; ++k) node.low[k][lane] = bounds.low[k], node.high[k][lane] = bounds.high[k];
 }
 
+Bounds lane_bounds(const Node& node, std::size_t lane) {
+  return {{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
+          {node.high[0][lane], node.high[1][lane], node.high[2][lane]}};
+}
+
 Bounds joined_lanes(const Node& node) {
   Bounds result;
-  for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane)
-    result.join({{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
-                 {node.high[0][lane], node.high[1][lane], node.high[2][lane]}});
+  for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane) result.join(lane_bounds(node, lane));
   return result;
 }
 
@@ -279,6 +282,8 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
   Builder(items, nodes_).build();
   order_.reserve(items.size());
   for (const Item& item : items) order_.push_back(item.number);
+  built_surface_ = surface();
+  built_scale_[0] = scale_[0], built_scale_[1] = scale_[1];
 }
 
 void BoxTree::refit(std::span<const Box> boxes) {
@@ -296,6 +301,18 @@ void BoxTree::refit(std::span<const Box> boxes) {
       if (node.count[lane] == 0 && node.child[lane] != 0) around = joined_lanes(nodes_[node.child[lane]]);
       set(node, lane, around);
     }
+}
+
+double BoxTree::surface() const {
+  double sum = 0;
+  for (const Node& node : nodes_)
+    for (std::size_t lane = 0; lane < kWidth; ++lane) sum += static_cast<double>(lane_bounds(node, lane).surface());
+  return sum;
+}
+
+double BoxTree::growth() const {
+  const double length = (built_scale_[0] / scale_[0]) * (built_scale_[1] / scale_[1]), now = surface();
+  return now == 0 ? 1 : now * length * length / built_surface_;
 }
 
 }  // namespace touchstone

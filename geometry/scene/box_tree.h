@@ -45,11 +45,17 @@ class BoxTree {
   /// Takes other boxes in place of the old ones, number by number, and keeps the tree's shape. Requires what the
   /// constructor does. Cost: linear.
   void refit(std::span<const Box> boxes);
+  /// The surfaces of all nodes' boxes in sum, over what that was when the tree was built: how much more a walk meets
+  /// than it did then.
+  [[nodiscard]] double growth() const;
 
  private:
+  [[nodiscard]] double surface() const;
+
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
   double scale_[2] = {1, 1};
+  double built_surface_, built_scale_[2];
 };
 
 }  // namespace touchstone

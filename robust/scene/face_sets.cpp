@@ -1,14 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/face_sets.h"
 
-#include <cmath>
-#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
-#include "robust/filtered/prepared.h"
+#include <atomic>
+#include <mutex>
+#include <optional>
+
 #include "robust/floating_point_state.h"
+#include "robust/scene/lifted_box.h"
+#include "robust/scene/posing.h"
 
 namespace touchstone::scene {
 namespace {
+
+/// A tree whose boxes have grown by more than this since it was built is built anew. Measured for terrains, spheres,
+/// boxes and soups of 10 000 to 20 000 triangles that were turned about two axes by 5 to 45 degrees: up to here no
+/// question took more than 1.3 times as long as with a new tree, beyond it contact up to 1.5, `nearest` 2.6 times.
+constexpr double kMostGrowth = 1.2;
+
+/// Calls f(i) for each i below `count`, by all cores, and throws FaceRejected for the lowest number(i) of those for
+/// which f throws Rejected.
+template <class Number, class F>
+void for_each_face(std::size_t count, const Number& number, const F& f) {
+  std::atomic<std::size_t> lowest{count};
+  std::optional<Rejection> reason;
+  std::mutex mutex;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const tbb::blocked_range<std::size_t>& range) {
+    const FloatingPointState nearest;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      if (number(i) > lowest.load(std::memory_order_relaxed)) continue;
+      try {
+        f(i);
+      } catch (const Rejected& rejected) {
+        const std::scoped_lock lock(mutex);
+        if (reason && number(i) > lowest) continue;
+        lowest = number(i);
+        reason = rejected.rejection();
+      }
+    }
+  });
+  if (reason) throw FaceRejected{lowest, *reason};
+}
 
 BoxTree tree_of(const std::vector<Triangle>& triangles) {
   const FloatingPointState nearest;
@@ -18,49 +52,83 @@ BoxTree tree_of(const std::vector<Triangle>& triangles) {
   return BoxTree(boxes);
 }
 
-std::vector<filtered::PreparedPolygon> prepared_of(const std::vector<Polygon>& polygons) {
-  std::vector<filtered::PreparedPolygon> prepared;
-  prepared.reserve(polygons.size());
-  for (const Polygon& polygon : polygons) prepared.emplace_back(polygon);
-  return prepared;
+std::vector<Triangle> arranged(const std::vector<Triangle>& by_number, const std::vector<std::uint32_t>& order) {
+  std::vector<Triangle> result;
+  result.reserve(order.size());
+  for (const std::uint32_t number : order) result.push_back(by_number[number]);
+  return result;
 }
 
-/// A vertex moves along the dropped axis by at most off_plane. What lies beyond the finite doubles is nearer to every
-/// centre when it is moved back to the last of them.
-Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared) {
-  Box box;
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) box = box.joined({polygon.vertex(i), polygon.vertex(i)});
-  const filtered::UnlimitedPolygon& unlimited = prepared.parts().unlimited;
-  if (unlimited.planar()) return box;
-  constexpr double last = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  const double lift = std::nextafter(unlimited.off_plane(), infinity);
-  double &low = box.low[unlimited.dropped_axis()], &high = box.high[unlimited.dropped_axis()];
-  low = std::max(std::nextafter(low - lift, -infinity), -last);
-  high = std::min(std::nextafter(high + lift, infinity), last);
-  return box;
+std::vector<Triangle> by_number(const std::vector<Triangle>& by_place, const std::vector<std::uint32_t>& order) {
+  std::vector<Triangle> result(by_place.size());
+  for (std::size_t place = 0; place < order.size(); ++place) result[order[place]] = by_place[place];
+  return result;
 }
 
-BoxTree tree_of(const std::vector<Polygon>& polygons, const std::vector<filtered::PreparedPolygon>& prepared) {
-  const FloatingPointState nearest;
-  std::vector<Box> boxes;
-  boxes.reserve(polygons.size());
-  for (std::size_t i = 0; i < polygons.size(); ++i) boxes.push_back(lifted_box(polygons[i], prepared[i]));
-  return BoxTree(boxes);
+std::vector<Triangle> posed(const std::vector<Triangle>& model, const Pose& pose,
+                            const std::vector<std::uint32_t>& order) {
+  if (pose == Pose()) return model;
+  std::vector<Triangle> result(model.size());
+  for_each_face(
+      model.size(), [&](std::size_t place) { return order[place]; },
+      [&](std::size_t place) { result[place] = scene::posed(pose, model[place]); });
+  return result;
+}
+
+std::vector<Polygon> posed(const std::vector<Polygon>& model, const Pose& pose) {
+  std::vector<Polygon> result = model;
+  if (pose == Pose()) return result;
+  for_each_face(
+      model.size(), [](std::size_t i) { return i; }, [&](std::size_t i) { result[i] = scene::posed(pose, model[i]); });
+  return result;
+}
+
+std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const PreparedPolygons& prepared) {
+  std::vector<Box> boxes(polygons.size());
+  const auto number = [](std::size_t i) { return i; };
+  for_each_face(polygons.size(), number, [&](std::size_t i) {
+    const auto quick = quick_lifted_box(polygons[i]);
+    boxes[i] = quick ? *quick : lifted_box(polygons[i], prepared[i]);
+  });
+  return boxes;
 }
 
 }  // namespace
 
-TriangleSet::TriangleSet(const std::vector<Triangle>& by_number) : tree(tree_of(by_number)) {
-  triangles.reserve(by_number.size());
-  for (const std::uint32_t number : tree.order()) triangles.push_back(by_number[number]);
+TriangleSet::TriangleSet(const std::vector<Triangle>& by_number)
+    : tree(tree_of(by_number)), triangles(arranged(by_number, tree.order())) {}
+
+TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
+    : tree(other.tree), triangles(posed(other.model ? *other.model : other.triangles, pose, tree.order())) {
+  if (!(pose == Pose()))
+    model = other.model ? other.model : std::make_shared<const std::vector<Triangle>>(other.triangles);
+  const FloatingPointState nearest;
+  std::vector<Box> boxes(triangles.size());
+  for (std::size_t place = 0; place < triangles.size(); ++place) boxes[tree.order()[place]] = box(triangles[place]);
+  tree.refit(boxes);
+  if (tree.growth() <= kMostGrowth) return;
+  const std::vector<std::uint32_t> before = tree.order();
+  tree = BoxTree(boxes);
+  triangles = arranged(by_number(triangles, before), tree.order());
+  if (model) model = std::make_shared<const std::vector<Triangle>>(arranged(by_number(*model, before), tree.order()));
 }
 
 std::size_t TriangleSet::memory() const {
   return tree.nodes().capacity() * sizeof(BoxTree::Node) + tree.order().capacity() * sizeof(std::uint32_t) +
-         triangles.capacity() * sizeof(Triangle);
+         (triangles.capacity() + (model ? model->capacity() : 0)) * sizeof(Triangle);
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)
-    : polygons(std::move(by_number)), prepared(prepared_of(polygons)), tree(tree_of(polygons, prepared)) {}
+    : polygons(std::move(by_number)), prepared(polygons), tree(boxes_of(polygons, prepared)) {}
+
+PolygonSet::PolygonSet(const PolygonSet& other, const Pose& pose)
+    : polygons(posed(other.model ? *other.model : other.polygons, pose)), prepared(polygons), tree(other.tree) {
+  if (!(pose == Pose()))
+    model = other.model ? other.model : std::make_shared<const std::vector<Polygon>>(other.polygons);
+  const std::vector<Box> boxes = boxes_of(polygons, prepared);
+  const FloatingPointState nearest;
+  tree.refit(boxes);
+  if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
+}
 
 }  // namespace touchstone::scene

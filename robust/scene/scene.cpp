@@ -11,10 +11,32 @@
 #include "robust/scene/engine.h"
 
 namespace touchstone::scene {
+namespace {
+
+/// What make() gives; where it throws FaceRejected, that is told of a face of an object whose set starts at `first`.
+template <class Make>
+auto made(const std::string& object, std::size_t first, const Make& make) {
+  try {
+    return make();
+  } catch (const FaceRejected& rejected) {
+    const auto& [code, message] = rejected.rejection;
+    throw Rejected(
+        {code, "object \"" + object + "\", face " + std::to_string(first + rejected.number) + ": " + message});
+  }
+}
+
+}  // namespace
 
 struct Scene::Object {
   Object(std::string name_, Faces faces)
-      : name(std::move(name_)), triangles(faces.triangles), polygons(std::move(faces.polygons)) {}
+      : name(std::move(name_)),
+        triangles(faces.triangles),
+        polygons(made(name, triangle_count(), [&] { return PolygonSet(std::move(faces.polygons)); })) {}
+  Object(const Object& other, const Pose& pose_)
+      : name(other.name),
+        pose(pose_),
+        triangles(made(name, 0, [&] { return TriangleSet(other.triangles, pose); })),
+        polygons(made(name, triangle_count(), [&] { return PolygonSet(other.polygons, pose); })) {}
 
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.triangles.size()); }
 
@@ -22,6 +44,7 @@ struct Scene::Object {
   [[nodiscard]] FaceId first_polygon(std::uint32_t number) const { return {number, triangle_count()}; }
 
   std::string name;
+  Pose pose;
   TriangleSet triangles;
   PolygonSet polygons;
 };
@@ -36,12 +59,27 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
-std::uint32_t Scene::add(std::string name, Faces faces) {
+std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
   for (const auto& object : objects_)
     if (object->name == name) throw std::invalid_argument("there is an object \"" + name + "\" already");
-  objects_.push_back(std::make_unique<const Object>(std::move(name), std::move(faces)));
+  auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
+  if (!(pose == Pose())) object = moved(*object, pose);
+  objects_.push_back(std::move(object));
   return static_cast<std::uint32_t>(objects_.size() - 1);
 }
+
+std::unique_ptr<const Scene::Object> Scene::moved(const Object& object, const Pose& pose) {
+  if (!pose.rotation.allFinite() || !pose.translation.allFinite())
+    throw Rejected(
+        {RejectionCode::NotFinite, "object \"" + object.name + "\": the pose has a number that is not finite"});
+  return std::make_unique<const Object>(object, pose);
+}
+
+void Scene::set_pose(std::uint32_t object, const Pose& pose) {
+  objects_.at(object) = moved(*objects_.at(object), pose);
+}
+
+const Pose& Scene::pose(std::uint32_t object) const { return objects_.at(object)->pose; }
 
 const std::string& Scene::name(std::uint32_t object) const { return objects_.at(object)->name; }
 

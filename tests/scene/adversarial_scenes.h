@@ -26,10 +26,15 @@ enum class Kind {
 [[nodiscard]] const std::vector<Kind>& all_kinds();
 [[nodiscard]] std::string name(Kind kind);
 
-/// Objects of faces that `exact::validate` accepts: a function of (kind, seed, index).
-[[nodiscard]] std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint64_t index);
+/// Objects of faces that `exact::validate` accepts: a function of the arguments. Most kinds have `times` as many faces,
+/// the lattice `times` as many along each side.
+[[nodiscard]] std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint64_t index, int times = 1);
 
 /// A ball near a face: its radius is 0, large, or within a few doubles of the distance to some face.
 [[nodiscard]] Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
+[[nodiscard]] Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index);
+
+/// The identity, a translation, a quarter or eighth of a turn, any rotation, or a matrix that is none.
+[[nodiscard]] Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::scene_tests

@@ -86,6 +86,31 @@ TEST(BoxTree, HoldsThemAfterTheyHaveMoved) {
   }
 }
 
+TEST(BoxTree, KnowsHowMuchItsBoxesHaveGrown) {
+  const auto boxes = draw_boxes(3, 300);
+  BoxTree tree(boxes);
+  EXPECT_EQ(tree.growth(), 1);
+  const auto scaled = [&](double factor) {
+    auto result = boxes;
+    for (Box& box : result) box = {factor * box.low, factor * box.high};
+    return result;
+  };
+  tree.refit(scaled(0x1p-10));
+  EXPECT_EQ(tree.growth(), 0x1p-20);
+  tree.refit(scaled(3));
+  EXPECT_NEAR(tree.growth(), 9, 1e-5);
+  // What was in one leaf is in two places.
+  auto apart = boxes;
+  Box around;
+  for (const Box& box : boxes) around = around.joined(box);
+  const Eigen::Vector3d far(8 * (around.high - around.low).maxCoeff(), 0, 0);
+  for (std::size_t i = 0; i < apart.size(); i += 2) apart[i] = {apart[i].low + far, apart[i].high + far};
+  tree.refit(apart);
+  EXPECT_GT(tree.growth(), 2);
+  EXPECT_EQ(BoxTree(apart).growth(), 1);
+  EXPECT_EQ(BoxTree({}).growth(), 1);
+}
+
 // Without a limit every level would peel a few boxes off.
 TEST(BoxTree, StaysShallowWhereBoxesShrinkGeometrically) {
   std::vector<Box> boxes;

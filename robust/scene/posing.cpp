@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/scene/posing.h"
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "robust/exact/nearest_double.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/numbers/permanent.h"
+#include "robust/floating_point_state.h"
+
+namespace touchstone::scene {
+namespace {
+
+using filtered::DoubleDouble;
+using filtered::Stage;
+using filtered::two_product;
+using filtered::two_sum;
+
+/// Is every number 0, or of a magnitude within [least, largest]?
+template <class Numbers>
+bool within(const Numbers& numbers, double least, double largest) {
+  const auto magnitudes = numbers.array().abs();
+  return (magnitudes <= largest).all() && (magnitudes >= least || magnitudes == 0).all();
+}
+
+/// The double nearest to x + y + z + t, if error-free transformations can tell.
+///
+/// The sum is that of a double, `sum`, and of six small ones, without any error. Added up one after the other the small
+/// ones are off by at most 5 u / (1 - 5 u) of their magnitudes' sum, which is computed to within 5 u of itself and
+/// multiplied by 8 u here: the two u that are left over pay for the rounding of `rest` +- `error`, each below 1.1 u of
+/// that sum. Additions lose nothing to underflow; where the product does, by 2^-1075, the magnitudes are above 2^-1021
+/// and that is a sixteenth of it, or they are not, and small ones of that size were added without error. Rounding is
+/// monotone: where both ends round to one double, so does the exact sum.
+std::optional<double> rounded_sum(const DoubleDouble& x, const DoubleDouble& y, const DoubleDouble& z, double t) {
+  const DoubleDouble first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
+  const DoubleDouble third = two_sum(second.high, t);
+  const double sum = third.high;
+  const std::array small{x.low, y.low, z.low, first.low, second.low, third.low};
+  double rest = 0, magnitudes = 0;
+  for (const double s : small) rest += s, magnitudes += std::abs(s);
+  const double error = 0x1p-50 * magnitudes;
+  const double result = sum + (rest + error);
+  if (result == sum + (rest - error)) return result;
+  // On a tie, which translations by round numbers give every second time: the small ones are often one double.
+  DoubleDouble all(0.0);
+  for (const double s : small) {
+    const DoubleDouble next = two_sum(all.high, s);
+    if (next.low != 0) return std::nullopt;
+    all = next;
+  }
+  return sum + all.high;
+}
+
+constexpr int kSmallestExponent = -1074;
+
+/// x 2^1074, an integer.
+mpz_class in_smallest_units(double x) {
+  constexpr int digits = 53;
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  const mpz_class integer(std::ldexp(mantissa, digits));
+  const int shift = exponent - digits - kSmallestExponent;
+  if (shift >= 0) return mpz_class(integer << static_cast<mp_bitcnt_t>(shift));
+  return mpz_class(integer >> static_cast<mp_bitcnt_t>(-shift));  // the bits of a subnormal number that are not there
+}
+
+double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis) {
+  static const mpz_class unit = mpz_class(1) << static_cast<mp_bitcnt_t>(-kSmallestExponent);
+  static const mpz_class squared_unit = unit * unit;
+  mpz_class sum = in_smallest_units(pose.translation[axis]) * unit;
+  for (int k = 0; k < 3; ++k) sum += in_smallest_units(pose.rotation(axis, k)) * in_smallest_units(p[k]);
+  return exact::nearest_double(sum, squared_unit);
+}
+
+/// Poses points one after the other. Requires round to nearest, without flush-to-zero, throughout.
+class Posing {
+ public:
+  // Products of what is within are 0 or above 2^-900: no bit of them is below 2^-1074. Sums do not overflow.
+  explicit Posing(const Pose& pose)
+      : pose_(pose), within_(within(pose.rotation, 0x1p-400, 0x1p400) && within(pose.translation, 0, 0x1p1000)) {}
+
+  template <class Counts>
+  Eigen::Vector3d operator()(const Eigen::Vector3d& p, Counts& counts) const {
+    const bool in_doubles = within_ && within(p, 0x1p-500, 0x1p500);
+    Eigen::Vector3d result;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::optional<double> rounded;
+      if (in_doubles)
+        rounded = rounded_sum(two_product(pose_.rotation(axis, 0), p[0]), two_product(pose_.rotation(axis, 1), p[1]),
+                              two_product(pose_.rotation(axis, 2), p[2]), pose_.translation[axis]);
+      counts.count(rounded ? Stage::DoubleDouble : Stage::Unlimited);
+      result[axis] = rounded ? *rounded : rounded_by_integers(pose_, p, axis);
+    }
+    return result;
+  }
+  Eigen::Vector3d operator()(const Eigen::Vector3d& p) const {
+    filtered::NoCounts none;
+    return (*this)(p, none);
+  }
+
+ private:
+  const Pose& pose_;
+  bool within_;
+};
+
+/// Is some component of the normal surely not zero? Then the triangle is one. No for a vertex that is not finite.
+bool surely_valid(const Triangle& t) {
+  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
+  const auto known = [](double difference) { return filtered::rounded_double(difference); };
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (filtered::sure_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
+      return true;
+  }
+  return false;
+}
+
+void validate(const Polygon& polygon) {
+  if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
+}
+
+}  // namespace
+
+Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
+  const FloatingPointState nearest;
+  return Posing(pose)(point);
+}
+
+Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts) {
+  const FloatingPointState nearest;
+  return Posing(pose)(point, counts);
+}
+
+Triangle posed(const Pose& pose, const Triangle& triangle) {
+  const FloatingPointState nearest;
+  const Posing place(pose);
+  const Triangle result{place(triangle.a), place(triangle.b), place(triangle.c)};
+  if (!surely_valid(result)) validate(Polygon({result.a, result.b, result.c}));
+  return result;
+}
+
+Polygon posed(const Pose& pose, const Polygon& polygon) {
+  const FloatingPointState nearest;
+  const Posing place(pose);
+  std::vector<Loop> loops(polygon.loop_count());
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
+      loops[loop].push_back(place(polygon.vertex(i)));
+  Polygon result(loops.front(), {loops.begin() + 1, loops.end()});
+  validate(result);
+  return result;
+}
+
+}  // namespace touchstone::scene
