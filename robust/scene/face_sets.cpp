@@ -61,6 +61,8 @@ std::size_t TriangleSet::memory() const {
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)
-    : polygons(std::move(by_number)), prepared(prepared_of(polygons)), tree(tree_of(polygons, prepared)) {}
+    : polygons(std::move(by_number)), prepared(prepared_of(polygons)), tree(tree_of(polygons, prepared)), edges(0) {
+  for (const Polygon& polygon : polygons) edges += polygon.vertex_count();
+}
 
 }  // namespace touchstone::scene

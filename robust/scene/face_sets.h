@@ -15,6 +15,7 @@ struct TriangleSet {
   explicit TriangleSet(const std::vector<Triangle>& by_number);
 
   [[nodiscard]] std::size_t memory() const;
+  [[nodiscard]] std::size_t edge_count() const { return 3 * triangles.size(); }
 
   BoxTree tree;
   std::vector<Triangle> triangles;  ///< by place in tree.order()
@@ -24,9 +25,12 @@ struct TriangleSet {
 struct PolygonSet {
   explicit PolygonSet(std::vector<Polygon> by_number);
 
+  [[nodiscard]] std::size_t edge_count() const { return edges; }
+
   std::vector<Polygon> polygons;
   std::vector<filtered::PreparedPolygon> prepared;
   BoxTree tree;
+  std::size_t edges;  ///< of all polygons
 };
 
 }  // namespace touchstone::scene
