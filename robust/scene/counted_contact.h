@@ -97,5 +97,15 @@ inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, 
   return touched;
 }
 
+/// Where the answer is known those who count go on, to see what is left.
+template <class Face>
+bool ends(const Ball& ball, const Face& face, Tally& tally) {
+  if (tally.answered())
+    tally.pass();
+  else if (touches(ball, face, tally))
+    tally.answer();
+  return false;
+}
+
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::scene

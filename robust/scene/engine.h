@@ -28,19 +28,15 @@ struct Walks {
   void (*nearest_polygon)(const PolygonSet&, NearestSearch&, T&);
 };
 
-/// The walks, compiled once for each instruction set. All give the same answers.
-struct Engine {
-  Walks<NoTally> plain;
-  Walks<Tally> counted;
-
-  [[nodiscard]] const Walks<NoTally>& walks(NoTally) const { return plain; }
-  [[nodiscard]] const Walks<Tally>& walks(const Tally&) const { return counted; }
-};
-
-[[nodiscard]] const Engine& baseline_engine();
-[[nodiscard]] const Engine& avx2_engine();
+// Compiled once for each instruction set; all give the same answers.
+[[nodiscard]] const Walks<NoTally>& baseline_engine();
+[[nodiscard]] const Walks<NoTally>& avx2_engine();
+// In translation units of their own, so that counting changes nothing for those who do not count.
+[[nodiscard]] const Walks<Tally>& baseline_counted_engine();
+[[nodiscard]] const Walks<Tally>& avx2_counted_engine();
 
 /// The fastest engine that this machine can run.
-[[nodiscard]] const Engine& engine();
+[[nodiscard]] const Walks<NoTally>& engine(NoTally);
+[[nodiscard]] const Walks<Tally>& engine(const Tally&);
 
 }  // namespace touchstone::scene

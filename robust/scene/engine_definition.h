@@ -4,7 +4,6 @@
 #include "robust/filtered/engine.h"
 #include "robust/filtered/triangle_contact.h"
 #include "robust/scene/ball_walk.h"
-#include "robust/scene/counted_contact.h"
 #include "robust/scene/engine.h"
 
 namespace touchstone::scene {
@@ -19,18 +18,10 @@ TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon
   return filtered::contact(ball, polygon);
 }
 
-/// Is the answer known with this face, and nothing more to be done? Those who count go on to see what is left.
+/// Is the answer known with this face, and nothing more to be done?
 template <class Face>
 TOUCHSTONE_INLINE bool ends(const Ball& ball, const Face& face, NoTally tally) {
   return touches(ball, face, tally);
-}
-template <class Face>
-bool ends(const Ball& ball, const Face& face, Tally& tally) {
-  if (tally.answered())
-    tally.pass();
-  else if (touches(ball, face, tally))
-    tally.answer();
-  return false;
 }
 
 template <class T>
@@ -95,12 +86,10 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   });
 }
 
+/// The engine of the target that this is compiled for.
 template <class T>
 inline constexpr Walks<T> kWalks{touches_triangle<T>, touches_polygon<T>,  touched_triangles<T>,
                                  touched_polygons<T>, nearest_triangle<T>, nearest_polygon<T>};
-
-/// The engine of the target that this is compiled for.
-inline constexpr Engine kEngine{kWalks<NoTally>, kWalks<Tally>};
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::scene

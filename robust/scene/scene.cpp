@@ -73,7 +73,7 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
 template <class T>
 bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = engine().walks(tally);
+  const auto& walks = engine(tally);
   return any_of(objects,
                 [&](std::uint32_t, const Object& object) {
                   return walks.touches_triangle(ball, object.triangles, tally) ||
@@ -87,8 +87,8 @@ std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& 
   const FloatingPointState nearest;
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
-    engine().walks(tally).touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
-    engine().walks(tally).touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
+    engine(tally).touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
+    engine(tally).touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
     return false;
   });
   std::sort(result.begin(), result.end());
@@ -101,9 +101,9 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   NearestSearch search(ball.center);
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    engine().walks(tally).nearest_triangle(object.triangles, search, tally);
+    engine(tally).nearest_triangle(object.triangles, search, tally);
     search.enter(object.first_polygon(number));
-    engine().walks(tally).nearest_polygon(object.polygons, search, tally);
+    engine(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
   // Faces that no ball reaches: farther than the largest double.
