@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/real_input/named_meshes.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scenes {
+
+/// The faces of a mesh that are polygons of the contract.
+struct Object {
+  std::string name;
+  scene::Faces faces;                  ///< triangles first
+  std::vector<std::uint32_t> numbers;  ///< of these faces in the mesh, from 0
+  std::vector<std::string> rejected;   ///< a sentence for each other face, which names its place in the file
+};
+
+/// Takes every face of the mesh as it is. Cost: that of exact::validate for each.
+[[nodiscard]] Object object_of(real_input::NamedFile file);
+
+}  // namespace touchstone::scenes
