@@ -10,7 +10,7 @@
 namespace touchstone::scenes {
 
 Object object_of(real_input::NamedFile file) {
-  Object object{std::move(file.name), {}, {}, {}};
+  Object object{std::move(file.name), {}, {}, {}, 0};
   const Mesh& mesh = file.content.mesh;
   std::vector<std::uint32_t> polygons;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
@@ -24,6 +24,7 @@ Object object_of(real_input::NamedFile file) {
         polygons.push_back(face);
       }
     } catch (const Rejected& rejected) {
+      if (object.faces_rejected++ >= kMostSentences) continue;
       const auto& [code, message] = rejected.rejection();
       object.rejected.push_back(io::sentence(file.file, file.content.places[face],
                                              fmt::format("face {}: {}: {}", face, word(code), message)));

@@ -15,7 +15,8 @@ struct Object {
   std::string name;
   scene::Faces faces;                  ///< triangles first
   std::vector<std::uint32_t> numbers;  ///< of these faces in the mesh, from 0
-  std::vector<std::string> rejected;   ///< a sentence for each other face, which names its place in the file
+  std::vector<std::string> rejected;   ///< a sentence, which names the place in the file, for the first other faces
+  std::uint64_t faces_rejected = 0;    ///< all of them
 };
 
 /// Takes every face of the mesh as it is. Cost: that of exact::validate for each.

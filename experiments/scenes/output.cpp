@@ -30,7 +30,7 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
                         faces(Fate::Known, "passed over, the answer was known"),
                         faces(Fate::Slab, "rejected by the slab: the plane is too far"),
                         faces(Fate::Foot, "rejected by the foot, no edge looked at"),
-                        faces(Fate::Edges, "rejected by the edges"),
+                        {"edges_missed", "rejected by the edges", counts.faces(Fate::Edges), counts.faces()},
                         faces(Fate::Touched, "touched"),
                         {"tested", "faces tested: slab, foot, edges or touched", counts.tested(), counts.faces()}};
   for (std::size_t i = 0; i < filtered::kStages; ++i) {
@@ -40,8 +40,15 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
   }
   rows.push_back({"edges", "edges of the faces asked about", counts.edges(), counts.edges()});
   rows.push_back(
-      {"edges-never-looked-at", "edges never looked at", counts.edges() - counts.edges_looked_at(), counts.edges()});
+      {"edges_never_looked_at", "edges never looked at", counts.edges() - counts.edges_looked_at(), counts.edges()});
   return rows;
+}
+
+/// What is not zero never looks like zero, nor what is not all like all.
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  if (part == 0 || part == whole) return part == 0 ? "0" : "100";
+  const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
+  return share < 0.01 ? "<0.01" : share > 99.99 ? ">99.99" : fmt::format("{:.2f}", share);
 }
 
 Verdict face(FaceId id, const std::vector<Object>& objects) {
@@ -108,9 +115,8 @@ void Differences::add(const BallAnswer& given, const BallAnswer& truth, Question
 std::string table(const FaceCounts& counts, std::uint64_t balls) {
   std::string text = fmt::format("{:<54}{:>16}{:>9}{:>14}\n", "", "in sum", "share", "a ball");
   for (const Row& row : rows_of(counts)) {
-    const double share = row.of == 0 ? 0 : 100 * static_cast<double>(row.count) / static_cast<double>(row.of);
     const double each = balls == 0 ? 0 : static_cast<double>(row.count) / static_cast<double>(balls);
-    text += fmt::format("{:<54}{:>16}{:>7.2f} %{:>14.2f}\n", row.explained, row.count, share, each);
+    text += fmt::format("{:<54}{:>16}{:>7} %{:>14.2f}\n", row.explained, row.count, percent(row.count, row.of), each);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -89,7 +90,7 @@ Units units_of(const Options& options) {
 struct Loaded {
   std::vector<Object> objects;
   std::string left_out;  ///< a sentence a line
-  std::size_t parts_left_out = 0;
+  std::uint64_t parts_left_out = 0;
 };
 
 /// Nothing if some file cannot be read as it is asked for, which is said on standard error.
@@ -116,11 +117,13 @@ std::optional<Loaded> load(const Options& options, const Units& units) {
     const char* what = options.skip_bad ? "left out: " : "";
     for (std::size_t k = 0; k < object.rejected.size() && k < kShown; ++k)
       fmt::print(stderr, "touchstone: {}{}\n", what, object.rejected[k]);
-    if (object.rejected.size() > kShown)
-      fmt::print(stderr, "touchstone: {}{}: {} more faces\n", what, name, object.rejected.size() - kShown);
+    if (object.faces_rejected > kShown)
+      fmt::print(stderr, "touchstone: {}{}: {} more faces\n", what, name, object.faces_rejected - kShown);
     for (const std::string& sentence : object.rejected) loaded.left_out += sentence + "\n";
-    loaded.parts_left_out += object.rejected.size();
-    refused = refused || !object.rejected.empty();
+    if (object.faces_rejected > object.rejected.size())
+      loaded.left_out += fmt::format("{}: {} more faces\n", name, object.faces_rejected - object.rejected.size());
+    loaded.parts_left_out += object.faces_rejected;
+    refused = refused || object.faces_rejected > 0;
     line(i + 1);
   }
   if (refused && !options.skip_bad) return std::nullopt;
@@ -146,14 +149,21 @@ std::vector<std::uint32_t> chosen(const Options& options, const std::vector<Obje
   return numbers;
 }
 
-std::vector<NamedBall> balls_of(const Options& options, const std::vector<Object>& objects) {
-  if (!options.balls.empty()) return read_balls(options.balls);
+/// Balls by number: those of a file are read at once, random ones are drawn when they are needed.
+struct Source {
+  std::uint64_t count;
+  std::function<NamedBall(std::uint64_t)> ball;
+};
+
+Source source_of(const Options& options, const std::vector<Object>& objects) {
+  if (!options.balls.empty()) {
+    auto balls = std::make_shared<const std::vector<NamedBall>>(read_balls(options.balls));
+    return {balls->size(), [balls](std::uint64_t i) { return (*balls)[i]; }};
+  }
   std::vector<scene::Faces> faces;
   for (const Object& object : objects) faces.push_back(object.faces);
-  const RandomBalls random(faces);
-  std::vector<NamedBall> balls;
-  for (std::uint64_t i = 0; i < options.random; ++i) balls.push_back(random.draw(options.seed, i));
-  return balls;
+  auto random = std::make_shared<const RandomBalls>(faces);
+  return {options.random, [random, seed = options.seed](std::uint64_t i) { return random->draw(seed, i); }};
 }
 
 /// What was asked for so far.
@@ -207,14 +217,15 @@ class Lines {
 
 /// Asks about the balls a leg at a time and writes the answers as they come.
 Sums ask(const Options& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
-         const std::vector<NamedBall>& balls, const std::atomic<bool>& stop, Lines& lines) {
+         const Source& source, const std::atomic<bool>& stop, Lines& lines) {
   const methods::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
-  const std::size_t leg = method == nullptr ? 4096 : 256;
+  const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  run::ProgressLine progress("scene", method == nullptr ? balls.size() : (balls.size() + leg - 1) / leg * blocks);
-  for (std::size_t begin = 0; begin < balls.size() && !stop; begin += leg) {
-    const std::span<const NamedBall> part(&balls[begin], std::min(leg, balls.size() - begin));
+  run::ProgressLine progress("scene", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
+  for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
+    std::vector<NamedBall> part;
+    for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
     const std::vector<BallAnswer> truths = ask_scene(scene, order, part, stop);
     std::vector<BallAnswer> answers;
     if (method != nullptr)
@@ -247,29 +258,29 @@ int run(const Options& options) {
   const Order order{options.question(), chosen(options, objects), options.threads};
   if (options.balls.empty() && face_blocks(objects, {Question::All, chosen({}, objects), 1}) == 0)
     throw std::invalid_argument("--random needs a mesh with a face");
-  const std::vector<NamedBall> balls = balls_of(options, objects);
+  const Source source = source_of(options, objects);
 
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
   const run::Interrupt interrupt;
   Lines lines(options.output);
-  const Sums sums = ask(options, objects, scene, order, balls, interrupt.requested(), lines);
+  const Sums sums = ask(options, objects, scene, order, source, interrupt.requested(), lines);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
-  const bool interrupted = sums.balls < balls.size();
+  const bool interrupted = sums.balls < source.count;
   fmt::print(options.output.empty() ? stderr : stdout, "{}", summary(options, units, *loaded, sums));
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
     run::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
     run::write_file(folder / "left-out.txt", loaded->left_out);
-    run::write_run_record(folder, {command_line(options), options.seed, balls.size(), sums.balls, 0, options.threads,
+    run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls, 0, options.threads,
                                    seconds, 1, interrupted});
     fmt::print("Results: {}\n", folder.string());
     std::fflush(stdout);
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
-             balls.size());
+             source.count);
   return run::kInterrupted;
 }
 
