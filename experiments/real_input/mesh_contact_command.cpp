@@ -4,22 +4,19 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
-#include <stdexcept>
-#include <system_error>
 #include <thread>
+#include <utility>
 
 #include "experiments/commands.h"
+#include "experiments/real_input/named_meshes.h"
+#include "experiments/real_input/output.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
-#include "experiments/real_input/output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
-#include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
 namespace {
@@ -46,51 +43,18 @@ std::string command_line(const Options& options) {
   return line;
 }
 
-/// The file without its extension and the folder that it lies in, numbered where several have the same:
-/// `puma/puma_link1`.
-std::string short_name(const std::filesystem::path& file, std::map<std::string, int>& seen) {
-  const auto folder = file.parent_path().filename();
-  const std::string name = (folder.empty() || folder == "." ? file.stem() : folder / file.stem()).string();
-  const int number = ++seen[name];
-  return number == 1 ? name : fmt::format("{}#{}", name, number);
-}
-
 struct Meshes {
   std::vector<NamedMesh> read;
-  std::vector<std::string> left_out;  ///< sentences
-  bool all_read = true;
+  std::size_t parts_left_out;
+  std::string left_out;  ///< left-out.txt
+  bool all_read;
 };
 
-/// Reads what can be read; says on standard error what cannot, and what is left out.
 Meshes read(const Options& options) {
-  constexpr std::size_t kShown = 3;
-  Meshes meshes;
-  std::map<std::string, int> seen;
-  for (const std::string& file : options.files) {
-    std::string name = short_name(file, seen);
-    try {
-      ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
-      for (std::size_t i = 0; i < mesh.left_out.size() && i < kShown; ++i)
-        fmt::print(stderr, "touchstone: left out: {}\n", mesh.left_out[i]);
-      if (mesh.left_out.size() > kShown)
-        fmt::print(stderr, "touchstone: left out: {}: {} more parts, listed in {}\n", file,
-                   mesh.left_out.size() - kShown, (std::filesystem::path(options.output) / "left-out.txt").string());
-      for (std::string& sentence : mesh.left_out) meshes.left_out.push_back(std::move(sentence));
-      meshes.read.push_back({std::move(name), std::move(mesh.mesh)});
-    } catch (const BrokenMesh& broken) {
-      fmt::print(stderr, "touchstone: {}\n", broken.what());
-      meshes.all_read = false;
-    }
-  }
+  NamedFiles files = read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  Meshes meshes{{}, files.parts_left_out, left_out_text(files), files.all_read};
+  for (NamedFile& file : files.read) meshes.read.push_back({std::move(file.name), std::move(file.content.mesh)});
   return meshes;
-}
-
-void write_left_out(const std::filesystem::path& folder, const std::vector<std::string>& sentences) {
-  const auto path = folder / "left-out.txt";
-  std::ofstream file(path);
-  for (const std::string& sentence : sentences) file << sentence << "\n";
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
 int run(Options& options) {
@@ -115,13 +79,13 @@ int run(Options& options) {
   write_meshes(folder, settings, meshes.read, result);
   write_rejected(folder, meshes.read, result);
   write_failures(folder, settings, meshes.read, result);
-  write_left_out(folder, meshes.left_out);
-  run::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces,
-                                       result.rejected.size(), settings.threads, seconds});
+  run::write_file(folder / "left-out.txt", meshes.left_out);
+  run::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces, result.rejected.size(),
+                                 settings.threads, seconds});
 
   fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
-             meshes.left_out.size(), seconds, settings.seed);
+             meshes.parts_left_out, seconds, settings.seed);
   fmt::print("Results: {}\n", folder.string());
   std::fflush(stdout);
   if (faces < result.faces) {

@@ -80,10 +80,11 @@ class MeshBuilder {
     for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
       if (attempt([&] { renumber(places_[i], mesh_.faces[i]); })) {
         if (kept != i) mesh_.faces[kept] = std::move(mesh_.faces[i]);
-        ++kept;
+        places_[kept++] = places_[i];
       }
     mesh_.faces.resize(kept);
-    return {std::move(mesh_), std::move(left_out_)};
+    places_.resize(kept, Place{});
+    return {std::move(mesh_), std::move(places_), std::move(left_out_), parts_left_out_};
   }
 
  private:
@@ -91,7 +92,7 @@ class MeshBuilder {
 
   void note(const BrokenMesh& fault) {
     if (on_fault_ == OnFault::Refuse) throw;  // the fault being handled
-    left_out_.emplace_back(fault.what());
+    if (parts_left_out_++ < kMostSentences) left_out_.emplace_back(fault.what());
   }
 
   void renumber(Place place, std::vector<std::uint32_t>& face) const {
@@ -117,6 +118,7 @@ class MeshBuilder {
   std::vector<Place> places_;                  // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
   std::vector<std::string> left_out_;
+  std::size_t parts_left_out_ = 0;
 };
 
 }  // namespace touchstone::io

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <string>
 
+#include "geometry/io/place.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::io {
@@ -15,34 +15,25 @@ class StructureLost : public BrokenMesh {
   using BrokenMesh::BrokenMesh;
 };
 
-/// A line of a text file (from 1) or a byte of a binary one (from 0).
-struct Place {
-  enum class Unit { Line, Byte };
-  Unit unit;
-  std::size_t number;
-};
-
 /// A mesh file in memory, and how messages name its places.
 struct MeshSource {
   std::string name;
   std::string bytes;
 
   /// One part is wrong: the reader may go on with the next.
-  [[noreturn]] void broken(Place place, const std::string& reason) const { throw BrokenMesh(sentence(place, reason)); }
+  [[noreturn]] void broken(Place place, const std::string& reason) const {
+    throw BrokenMesh(sentence(name, place, reason));
+  }
 
   /// The reader cannot tell where the next part begins.
-  [[noreturn]] void lost(Place place, const std::string& reason) const { throw StructureLost(sentence(place, reason)); }
+  [[noreturn]] void lost(Place place, const std::string& reason) const {
+    throw StructureLost(sentence(name, place, reason));
+  }
 
   /// The point itself; broken if a coordinate is infinite or not a number.
   [[nodiscard]] const Eigen::Vector3d& finite(Place place, const Eigen::Vector3d& point) const {
     if (!point.allFinite()) broken(place, "a coordinate is not a finite number");
     return point;
-  }
-
- private:
-  [[nodiscard]] std::string sentence(Place place, const std::string& reason) const {
-    return name + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) + ": " +
-           reason;
   }
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "geometry/io/place.h"
 #include "geometry/shapes/mesh.h"
 
 namespace touchstone {
@@ -22,8 +24,13 @@ enum class OnFault { Refuse, Skip };
 
 struct ReadMesh {
   Mesh mesh;
-  std::vector<std::string> left_out;  ///< one sentence for each part left out; empty with OnFault::Refuse
+  std::vector<io::Place> places;      ///< where in the file each face of the mesh stands
+  std::vector<std::string> left_out;  ///< a sentence for each of the first kMostSentences parts left out
+  std::size_t parts_left_out = 0;     ///< all of them; 0 with OnFault::Refuse
 };
+
+/// So that a file of nothing but faults does not fill the memory with what is said of them.
+inline constexpr std::size_t kMostSentences = 1000;
 
 /// Reads Wavefront OBJ, Geomview OFF, STL (text and binary) or PLY (text, binary of either byte order).
 ///
@@ -34,8 +41,8 @@ struct ReadMesh {
 /// Throws BrokenMesh if the file cannot be opened, has an unknown extension, is truncated, or has a number that is
 /// malformed or beyond the finite doubles, an index out of range, a face of fewer than three vertices, or a wrong
 /// count. With OnFault::Skip a wrong line, vertex or face is left out and named, and faces that need a vertex left
-/// out are left out too; a file whose structure is lost (a bad header, truncation in binary data) keeps what came before.
-/// Cost: linear in the size of the file.
+/// out are left out too; a file whose structure is lost (a bad header, truncation in binary data) keeps what came
+/// before. Cost: time and memory linear in the size of the file, whatever counts it holds.
 [[nodiscard]] ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault = OnFault::Refuse);
 
 }  // namespace touchstone

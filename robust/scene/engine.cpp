@@ -2,15 +2,25 @@
 #include "robust/scene/engine.h"
 
 namespace touchstone::scene {
+namespace {
 
-const Engine& engine() {
+bool has_avx2() {
 #if defined(TOUCHSTONE_HAS_AVX2)
-  static const Engine& fastest =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? avx2_engine() : baseline_engine();
-  return fastest;
+  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return has;
 #else
-  return baseline_engine();
+  return false;
 #endif
 }
+
+}  // namespace
+
+#if !defined(TOUCHSTONE_HAS_AVX2)
+const Walks<NoTally>& avx2_engine() { return baseline_engine(); }
+const Walks<Tally>& avx2_counted_engine() { return baseline_counted_engine(); }
+#endif
+
+const Walks<NoTally>& engine(NoTally) { return has_avx2() ? avx2_engine() : baseline_engine(); }
+const Walks<Tally>& engine(const Tally&) { return has_avx2() ? avx2_counted_engine() : baseline_counted_engine(); }
 
 }  // namespace touchstone::scene

@@ -8,27 +8,35 @@
 #include "robust/scene/face_sets.h"
 #include "robust/scene/nearest_face.h"
 #include "robust/scene/scene.h"
+#include "robust/scene/tally.h"
 
 namespace touchstone::scene {
 
-/// The walks, compiled once for each instruction set. All give the same answers.
+/// The walks through an object, for one way of counting (NoTally, Tally).
 ///
 /// Requires round to nearest, without flush-to-zero.
-struct Engine {
-  bool (*touches_triangle)(const Ball&, const TriangleSet&);
-  bool (*touches_polygon)(const Ball&, const PolygonSet&);
+template <class T>
+struct Walks {
+  /// With a Tally the answer is `answered`, not what is returned: the walk goes on and counts what is left.
+  bool (*touches_triangle)(const Ball&, const TriangleSet&, T&);
+  bool (*touches_polygon)(const Ball&, const PolygonSet&, T&);
   /// Adds the faces that the ball touches, in no order; the set's first face is given.
-  void (*touched_triangles)(const Ball&, const TriangleSet&, FaceId first, std::vector<FaceId>&);
-  void (*touched_polygons)(const Ball&, const PolygonSet&, FaceId first, std::vector<FaceId>&);
+  void (*touched_triangles)(const Ball&, const TriangleSet&, FaceId first, std::vector<FaceId>&, T&);
+  void (*touched_polygons)(const Ball&, const PolygonSet&, FaceId first, std::vector<FaceId>&, T&);
   /// Shows every face to the search that is not farther than what it has found.
-  void (*nearest_triangle)(const TriangleSet&, NearestSearch&);
-  void (*nearest_polygon)(const PolygonSet&, NearestSearch&);
+  void (*nearest_triangle)(const TriangleSet&, NearestSearch&, T&);
+  void (*nearest_polygon)(const PolygonSet&, NearestSearch&, T&);
 };
 
-[[nodiscard]] const Engine& baseline_engine();
-[[nodiscard]] const Engine& avx2_engine();
+// Compiled once for each instruction set; all give the same answers.
+[[nodiscard]] const Walks<NoTally>& baseline_engine();
+[[nodiscard]] const Walks<NoTally>& avx2_engine();
+// In translation units of their own, so that counting changes nothing for those who do not count.
+[[nodiscard]] const Walks<Tally>& baseline_counted_engine();
+[[nodiscard]] const Walks<Tally>& avx2_counted_engine();
 
 /// The fastest engine that this machine can run.
-[[nodiscard]] const Engine& engine();
+[[nodiscard]] const Walks<NoTally>& engine(NoTally);
+[[nodiscard]] const Walks<Tally>& engine(const Tally&);
 
 }  // namespace touchstone::scene

@@ -6,7 +6,7 @@
 
 namespace touchstone::scene {
 
-const Engine& avx2_engine() { return kEngine; }
+const Walks<NoTally>& avx2_engine() { return kWalks<NoTally>; }
 
 }  // namespace touchstone::scene
 #endif

@@ -3,6 +3,6 @@
 
 namespace touchstone::scene {
 
-const Engine& baseline_engine() { return kEngine; }
+const Walks<NoTally>& baseline_engine() { return kWalks<NoTally>; }
 
 }  // namespace touchstone::scene

@@ -9,55 +9,77 @@
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
-TOUCHSTONE_INLINE bool touches(const Ball& ball, const Triangle& triangle) {
+TOUCHSTONE_INLINE bool touches(const Ball& ball, const Triangle& triangle, NoTally) {
   filtered::NoCounts counts;
   return filtered::contact(filtered::question(ball, triangle), counts);
 }
 
-inline bool touches_triangle(const Ball& ball, const TriangleSet& set) {
-  const Reach reach(ball, set.tree);
-  return walk<false>(set.tree, reach, [&](std::uint32_t place) { return touches(ball, set.triangles[place]); });
+TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, NoTally) {
+  return filtered::contact(ball, polygon);
 }
 
-inline bool touches_polygon(const Ball& ball, const PolygonSet& set) {
-  const Reach reach(ball, set.tree);
-  return walk<false>(set.tree, reach, [&](std::uint32_t place) {
-    return filtered::contact(ball, set.prepared[set.tree.order()[place]]);
-  });
+/// Is the answer known with this face, and nothing more to be done?
+template <class Face>
+TOUCHSTONE_INLINE bool ends(const Ball& ball, const Face& face, NoTally tally) {
+  return touches(ball, face, tally);
 }
 
-inline void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces) {
+template <class T>
+bool touches_triangle(const Ball& ball, const TriangleSet& set, T& tally) {
+  tally.ask(set.triangles.size(), set.edge_count());
+  const Reach reach(ball, set.tree);
+  return walk<false>(set.tree, reach, [&](std::uint32_t place) { return ends(ball, set.triangles[place], tally); });
+}
+
+template <class T>
+bool touches_polygon(const Ball& ball, const PolygonSet& set, T& tally) {
+  tally.ask(set.polygons.size(), set.edge_count());
+  const Reach reach(ball, set.tree);
+  return walk<false>(set.tree, reach,
+                     [&](std::uint32_t place) { return ends(ball, set.prepared[set.tree.order()[place]], tally); });
+}
+
+template <class T>
+void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
+  tally.ask(set.triangles.size(), set.edge_count());
   const Reach reach(ball, set.tree);
   walk<false>(set.tree, reach, [&](std::uint32_t place) {
-    if (touches(ball, set.triangles[place])) faces.push_back({first.object, first.face + set.tree.order()[place]});
+    if (touches(ball, set.triangles[place], tally))
+      faces.push_back({first.object, first.face + set.tree.order()[place]});
     return false;
   });
 }
 
-inline void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces) {
+template <class T>
+void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
+  tally.ask(set.polygons.size(), set.edge_count());
   const Reach reach(ball, set.tree);
   walk<false>(set.tree, reach, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];
-    if (filtered::contact(ball, set.prepared[number])) faces.push_back({first.object, first.face + number});
+    if (touches(ball, set.prepared[number], tally)) faces.push_back({first.object, first.face + number});
     return false;
   });
 }
 
-inline void nearest_triangle(const TriangleSet& set, NearestSearch& search) {
+template <class T>
+void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
+  tally.ask(set.triangles.size(), set.edge_count());
   Reach reach(search.ball(), set.tree);
   walk<true>(set.tree, reach, [&](std::uint32_t place) {
-    if (!touches(search.ball(), set.triangles[place])) return false;
+    if (!touches(search.ball(), set.triangles[place], tally)) return false;
     search.meet(set.triangles[place], set.tree.order()[place]);
     reach.set_radius(search.ball().radius, set.tree);
     return false;
   });
 }
 
-inline void nearest_polygon(const PolygonSet& set, NearestSearch& search) {
+template <class T>
+void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
+  tally.ask(set.polygons.size(), set.edge_count());
   Reach reach(search.ball(), set.tree);
   walk<true>(set.tree, reach, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];
-    if (!filtered::contact(search.ball(), set.prepared[number])) return false;
+    if (!touches(search.ball(), set.prepared[number], tally)) return false;
     search.meet(set.polygons[number], number);
     reach.set_radius(search.ball().radius, set.tree);
     return false;
@@ -65,8 +87,9 @@ inline void nearest_polygon(const PolygonSet& set, NearestSearch& search) {
 }
 
 /// The engine of the target that this is compiled for.
-inline constexpr Engine kEngine{touches_triangle, touches_polygon,  touched_triangles,
-                                touched_polygons, nearest_triangle, nearest_polygon};
+template <class T>
+inline constexpr Walks<T> kWalks{touches_triangle<T>, touches_polygon<T>,  touched_triangles<T>,
+                                 touched_polygons<T>, nearest_triangle<T>, nearest_polygon<T>};
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::scene

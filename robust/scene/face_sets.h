@@ -21,6 +21,7 @@ struct TriangleSet {
   TriangleSet(const TriangleSet& other, const Pose& pose);
 
   [[nodiscard]] std::size_t memory() const;
+  [[nodiscard]] std::size_t edge_count() const { return 3 * triangles.size(); }
 
   BoxTree tree;
   std::vector<Triangle> triangles;                     ///< by place in tree.order()
@@ -34,10 +35,13 @@ struct PolygonSet {
   /// As for triangles.
   PolygonSet(const PolygonSet& other, const Pose& pose);
 
+  [[nodiscard]] std::size_t edge_count() const { return edges; }
+
   std::vector<Polygon> polygons;
   std::shared_ptr<const std::vector<Polygon>> model;  ///< what is posed; none where that changes nothing
   PreparedPolygons prepared;
   BoxTree tree;
+  std::size_t edges;  ///< of all polygons
 };
 
 /// Thrown for a face that is none under a pose.

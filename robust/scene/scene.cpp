@@ -108,33 +108,40 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
   return false;
 }
 
-bool Scene::touches(const Ball& ball, const Objects& objects) const {
+template <class T>
+bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  return any_of(objects, [&](std::uint32_t, const Object& object) {
-    return engine().touches_triangle(ball, object.triangles) || engine().touches_polygon(ball, object.polygons);
-  });
+  const auto& walks = engine(tally);
+  return any_of(objects,
+                [&](std::uint32_t, const Object& object) {
+                  return walks.touches_triangle(ball, object.triangles, tally) ||
+                         walks.touches_polygon(ball, object.polygons, tally);
+                }) ||
+         tally.answered();
 }
 
-std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
+template <class T>
+std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
-    engine().touched_triangles(ball, object.triangles, object.first_triangle(number), result);
-    engine().touched_polygons(ball, object.polygons, object.first_polygon(number), result);
+    engine(tally).touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
+    engine(tally).touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
     return false;
   });
   std::sort(result.begin(), result.end());
   return result;
 }
 
-std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
+template <class T>
+std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
   NearestSearch search(ball.center);
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    engine().nearest_triangle(object.triangles, search);
+    engine(tally).nearest_triangle(object.triangles, search, tally);
     search.enter(object.first_polygon(number));
-    engine().nearest_polygon(object.polygons, search);
+    engine(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
   // Faces that no ball reaches: farther than the largest double.
@@ -150,6 +157,32 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   if (!search.found()) return std::nullopt;
   const auto& [id, face, answer] = *search.found();
   return NearestFace{id, answer.nearest, answer.point, answer.distance};
+}
+
+bool Scene::touches(const Ball& ball, const Objects& objects) const {
+  NoTally none;
+  return touches(ball, objects, none);
+}
+std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
+  NoTally none;
+  return touched(ball, objects, none);
+}
+std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
+  NoTally none;
+  return nearest(ball, objects, none);
+}
+
+bool Scene::touches(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  return touches(ball, objects, tally);
+}
+std::vector<FaceId> Scene::touched(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  return touched(ball, objects, tally);
+}
+std::optional<NearestFace> Scene::nearest(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  return nearest(ball, objects, tally);
 }
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {

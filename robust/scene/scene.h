@@ -16,6 +16,7 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/scene/counts.h"
 
 /// Many faces at once: exact contact questions about whole scenes, at a price that grows with what a ball is near.
 ///
@@ -99,6 +100,12 @@ class Scene {
   /// The face nearest to the ball's centre; none where there is no face.
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects = {}) const;
 
+  /// The same questions; what became of each face is added to the counts. Cost: twice the time or more.
+  [[nodiscard]] bool touches(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
+  [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
+  [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, FaceCounts& counts,
+                                                   const Objects& objects = {}) const;
+
   /// The same for many balls, by all cores of the machine: answer i is that of ball i.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
@@ -115,6 +122,14 @@ class Scene {
   /// Calls f(number, object) for each of these, ascending; stops where it returns true, and returns that.
   template <class F>
   bool any_of(const Objects& objects, const F& f) const;
+
+  // The questions for one way of counting.
+  template <class T>
+  bool touches(const Ball& ball, const Objects& objects, T& tally) const;
+  template <class T>
+  std::vector<FaceId> touched(const Ball& ball, const Objects& objects, T& tally) const;
+  template <class T>
+  std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects, T& tally) const;
 
   std::vector<std::unique_ptr<const Object>> objects_;
 };

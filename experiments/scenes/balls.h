@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/scene/box.h"
+#include "geometry/shapes/ball.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scenes {
+
+struct NamedBall {
+  std::string id;
+  Ball ball;
+};
+
+/// Reads one ball a line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, as in a case of the contract, or four
+/// numbers, x y z r, between blanks, `#` before a comment. Other keys mean nothing, so that a file of cases or of
+/// answers serves. A ball without an id has the number of its line. Lines of white space are skipped; "-" is standard
+/// input.
+///
+/// Throws std::runtime_error, which names file and line, for what cannot be read and for a ball that the contract
+/// rejects.
+[[nodiscard]] std::vector<NamedBall> read_balls(const std::string& file);
+
+/// Random balls for a scene: every other one near a point of a random face, with a radius of up to twice its distance
+/// from that point; the others anywhere in or near the box of all faces.
+class RandomBalls {
+ public:
+  /// Requires one face at least.
+  explicit RandomBalls(const std::vector<scene::Faces>& objects);
+
+  /// A function of the faces, seed and index.
+  [[nodiscard]] NamedBall draw(std::uint64_t seed, std::uint64_t index) const;
+
+ private:
+  [[nodiscard]] Ball near_a_face(std::uint64_t seed, std::uint64_t index) const;
+  [[nodiscard]] Ball anywhere(std::uint64_t seed, std::uint64_t index) const;
+
+  std::vector<Triangle> corners_;  ///< of each face the first three vertices
+  Box box_;
+};
+
+}  // namespace touchstone::scenes

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace touchstone::io {
+
+/// A line of a text file (from 1) or a byte of a binary one (from 0).
+struct Place {
+  enum class Unit { Line, Byte };
+  Unit unit;
+  std::size_t number;
+};
+
+/// `arm.stl: line 12: reason`.
+[[nodiscard]] inline std::string sentence(const std::string& file, Place place, const std::string& reason) {
+  return file + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) + ": " +
+         reason;
+}
+
+}  // namespace touchstone::io

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "experiments/commands.h"
+#include "experiments/run/write_file.h"
+#include "experiments/scenes/balls.h"
+#include "experiments/scenes/unit.h"
+#include "robust/scene/scene.h"
+#include "tests/run/scratch.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using run_tests::Scratch;
+using run_tests::text_of;
+
+struct Run {
+  int status;
+  std::string out, err;
+
+  [[nodiscard]] std::vector<nlohmann::json> lines() const {
+    std::vector<nlohmann::json> lines;
+    std::istringstream stream(out);
+    for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
+    return lines;
+  }
+};
+
+/// Runs `touchstone scene` with these arguments; what is thrown stands in `err` as main would print it.
+Run touchstone_scene(std::vector<std::string> arguments) {
+  CLI::App app("test");
+  Run run{0, "", ""};
+  commands::add_scene(app, run.status);
+  arguments.insert(arguments.begin(), "scene");
+  std::reverse(arguments.begin(), arguments.end());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::string thrown;
+  try {
+    app.parse(arguments);
+  } catch (const std::exception& error) {
+    run.status = 2;
+    thrown = error.what();
+  }
+  run.out = testing::internal::GetCapturedStdout();
+  run.err = testing::internal::GetCapturedStderr() + thrown;
+  return run;
+}
+
+/// A unit cube of quads and, above it at height 3, a triangle.
+constexpr const char* kCube =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+constexpr const char* kRoof = "OFF 5 3 0\n0 0 3\n2 0 3\n0 2 3\n2 2 3\n5 5 5\n3 0 1 2\n4 0 1 3 2\n3 1 3 2\n";
+
+class SceneCommand : public testing::Test {
+ protected:
+  SceneCommand() {
+    write("cube.obj", kCube);
+    write("roof.off", kRoof);
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    run::write_file(scratch.path / name, text);
+    return path(name);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
+  /// As objects of the scene are named.
+  [[nodiscard]] std::string object(const std::string& stem) const {
+    return scratch.path.filename().string() + "/" + stem;
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(SceneCommand, NamesTheFacesThatAreTouchedByObjectAndByTheirNumbersInTheMesh) {
+  const std::string balls = write("balls.txt", "# x y z r\n0.5 0.5 2 1   # touches both\n\n9 9 9 0.5\n");
+  const Run run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const auto lines = run.lines();
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0]["id"], "2") << "the number of the line";
+  const auto face = [&](const char* stem, int number) {
+    return nlohmann::json{{"object", object(stem)}, {"face", number}};
+  };
+  // In the scene triangles come first; in the file the quad stands between them.
+  EXPECT_EQ(lines[0]["touched"], nlohmann::json({face("cube", 1), face("roof", 0), face("roof", 1)}));
+  EXPECT_EQ(lines[1]["touched"], nlohmann::json::array());
+  EXPECT_NE(run.err.find("2 balls, 2 objects of 9 faces, 0 parts of files left out"), std::string::npos) << run.err;
+}
+
+TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
+  const std::string balls =
+      write("balls.jsonl", R"({"id":"above","ball":{"center":[0.5,0.5,2.25],"radius":1},"polygon":{}})");
+  const auto ask = [&](const std::string& question, const std::string& name) {
+    const Run run =
+        touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, question, "--objects", object(name)});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.lines().at(0);
+  };
+  EXPECT_EQ(ask("--any", "cube")["touches"], false);
+  EXPECT_EQ(ask("--any", "roof")["touches"], true);
+  EXPECT_EQ(ask("--all", "cube")["touched"].size(), 0U);
+  EXPECT_EQ(ask("--nearest", "cube")["nearest"],
+            nlohmann::json::parse(R"({"object":")" + object("cube") +
+                                  R"(","face":1,"feature":{"kind":"face"},"point":[0.5,0.5,1.0],"distance":1.25})"));
+  EXPECT_EQ(ask("--nearest", "roof")["nearest"]["distance"], 0.75);
+  const Run unknown = touchstone_scene({path("cube.obj"), "--balls", balls, "--objects", "cone"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("no object \"cone\"; there are " + object("cube")), std::string::npos) << unknown.err;
+}
+
+// The lines of answers serve as balls again, and give the same answers.
+TEST_F(SceneCommand, GivesTheSameBytesForAnyThreadsAndForItsOwnAnswersAsBalls) {
+  for (const std::string question : {"--any", "--all", "--nearest"}) {
+    const auto ask = [&](const std::vector<std::string>& more) {
+      std::vector<std::string> arguments{path("cube.obj"), path("roof.off"), question, "--counts"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Run run = touchstone_scene(arguments);
+      EXPECT_EQ(run.status, 0) << run.err;
+      return run.out;
+    };
+    const std::string one = ask({"--random", "100", "--threads", "1"});
+    EXPECT_EQ(one, ask({"--random", "100", "--threads", "3"}));
+    EXPECT_NE(one, ask({"--random", "100", "--seed", "2"}));
+    EXPECT_EQ(one, ask({"--balls", write("again.jsonl", one)}));
+    EXPECT_TRUE(one.starts_with(ask({"--random", "40"}))) << "a ball depends on seed and index alone";
+  }
+}
+
+TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
+  const std::string folder = path("it's new/results");
+  const Run run =
+      touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "50", "--counts", "--output", folder});
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::map<std::string, std::uint64_t> sums;
+  std::istringstream answers(text_of(folder + "/answers.jsonl"));
+  std::size_t balls = 0, touched = 0;
+  for (std::string line; std::getline(answers, line); ++balls) {
+    const auto answer = nlohmann::json::parse(line);
+    for (const auto& [what, count] : answer["counts"].items()) sums[what] += count.get<std::uint64_t>();
+    touched += answer["touched"].size();
+  }
+  EXPECT_EQ(balls, 50U);
+  EXPECT_EQ(sums["faces"], 50U * 9);
+  EXPECT_EQ(sums["touched"], touched);
+  EXPECT_GT(touched, 0U);
+  EXPECT_EQ(sums["faces"],
+            sums["box"] + sums["known"] + sums["slab"] + sums["foot"] + sums["edges_missed"] + sums["touched"]);
+  std::istringstream table(text_of(folder + "/counts.csv"));
+  std::string line;
+  std::getline(table, line);
+  std::getline(table, line);
+  EXPECT_EQ(line, "balls,50");
+  std::size_t rows = 0;
+  for (; std::getline(table, line); ++rows)
+    EXPECT_EQ(line, line.substr(0, line.find(',')) + "," + std::to_string(sums[line.substr(0, line.find(','))]));
+  EXPECT_EQ(rows, sums.size());
+  const auto record = nlohmann::json::parse(text_of(folder + "/run.json"));
+  EXPECT_EQ(record["samples_done"], 50);
+  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --all --method filtered"),
+            std::string::npos);
+}
+
+// Any method: exact agrees on every ball; single floats do not where a radius is a double below the distance.
+TEST_F(SceneCommand, HoldsAnotherMethodAgainstFiltered) {
+  for (const std::string question : {"--any", "--all", "--nearest"}) {
+    const Run run =
+        touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question, "--method", "exact"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("exact answers otherwise than filtered to 0 of 60 balls"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question}).out);
+  }
+  const std::string balls = write("balls.txt", "0.5 0.5 2 0.99999999999\n0.5 0.5 2 0.5\n");
+  const Run run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
+  EXPECT_NE(run.err.find("fast-float answers otherwise than filtered to 1 of 2 balls"), std::string::npos) << run.err;
+  EXPECT_EQ(run.lines()[0]["touched"].size(), 1U) << "the answer of the method";
+}
+
+TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
+  const std::string balls = write("balls.txt", "12.7 12.7 50.8 25.4\n");
+  const auto nearest = [&](const std::vector<std::string>& units) {
+    std::vector<std::string> arguments{path("cube.obj"), "--balls", balls, "--nearest"};
+    arguments.insert(arguments.end(), units.begin(), units.end());
+    const Run run = touchstone_scene(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.lines().at(0)["nearest"]["distance"].get<double>();
+  };
+  EXPECT_EQ(nearest({"--unit", "inch", "--scene-unit", "mm"}), 50.8 - 25.4);
+  EXPECT_EQ(nearest({"--unit", "mm"}), nearest({})) << "in one unit nothing changes";
+  const Run two = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--unit", "mm,m,inch"});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_NE(two.err.find("3 were given for 2 meshes"), std::string::npos) << two.err;
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--unit", "ell"})
+                .err.find("there is no unit \"ell\"; there are um, mm, cm, m, inch, foot"),
+            std::string::npos);
+}
+
+// Against integers of 128 bits.
+TEST(Unit, RoundsOnce) {
+  using scenes::converted;
+  using scenes::find_unit;
+  const auto mm = find_unit("mm"), m = find_unit("m"), inch = find_unit("inch"), foot = find_unit("foot");
+  EXPECT_EQ(converted(0.1, mm, mm), 0.1);
+  EXPECT_EQ(converted(3, mm, m), 0.003);
+  EXPECT_EQ(converted(0.003, m, mm), 3);
+  EXPECT_EQ(converted(1, inch, mm), 25.4);
+  EXPECT_EQ(converted(25.4, mm, inch), 1);
+  EXPECT_EQ(converted(-2, foot, inch), -24);
+
+  std::uint64_t bits = 12345;
+  for (int i = 0; i < 10'000; ++i) {
+    bits = bits * 6364136223846793005U + 1442695040888963407U;
+    const std::uint64_t whole = (bits >> 12) | (std::uint64_t{1} << 52);
+    const auto product = static_cast<unsigned __int128>(whole) * 127 << 20;
+    // 60 bits of quotient and a sticky one: the conversion rounds once.
+    const auto quotient =
+        static_cast<std::uint64_t>(product / 5 >> 22) | (product % (std::uint64_t{5} << 22) != 0 ? 1 : 0);
+    EXPECT_EQ(converted(static_cast<double>(whole), inch, mm), static_cast<double>(quotient) * 4) << whole;
+  }
+}
+
+TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
+  const auto fault = [&](const std::string& text) {
+    const Run run = touchstone_scene({path("cube.obj"), "--balls", write("balls", "0 0 0 1\n" + text + "\n")});
+    EXPECT_EQ(run.status, 2) << text;
+    const std::string prefix = path("balls") + ": line 2: ";
+    EXPECT_TRUE(run.err.starts_with(prefix)) << run.err;
+    return run.err.substr(std::min(prefix.size(), run.err.size()));
+  };
+  EXPECT_EQ(fault("1 2 3"), "expected four numbers, x y z r, found 3");
+  EXPECT_EQ(fault("1 2 3 4 5"), "expected four numbers, x y z r, found 5");
+  EXPECT_EQ(fault("1 2 x 4"), "'x' is not a number");
+  EXPECT_EQ(fault("1,2,3,4"), "'1,2,3,4' is not a number");
+  EXPECT_NE(fault("1 2 nan 4"), "");
+  EXPECT_NE(fault("1 2 3 1e400"), "");
+  EXPECT_NE(fault("1 2 3 -1"), "");
+  EXPECT_TRUE(fault("{\"ball\":").starts_with("not JSON: "));
+  EXPECT_EQ(fault("{}"), "the line has no key \"ball\"");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2],"radius":1}})"), "ball.center is not a point of three numbers");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,"3"],"radius":1}})"), "a coordinate of ball.center is not a number");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3]}})"), "ball has no key \"radius\"");
+  EXPECT_EQ(fault(R"({"id":7,"ball":{"center":[1,2,3],"radius":1}})"), "id is not a string");
+  EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("stands twice"), std::string::npos);
+  const Run absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
+  EXPECT_EQ(absent.status, 2);
+  EXPECT_EQ(absent.err, path("absent") + ": cannot be read");
+}
+
+TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
+  // A face without area at line 15, an index out of range at line 16.
+  const std::string bad = write("bad.obj", std::string(kCube) + "f 1 2 1\nf 1 2 99\nf 1 2 3\n");
+  const Run refused = touchstone_scene({bad, "--random", "3"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("bad.obj: line 16: vertex 99 is out of range"), std::string::npos) << refused.err;
+  const Run skipped = touchstone_scene({bad, "--random", "3", "--skip-bad", "--output", path("results")});
+  EXPECT_EQ(skipped.status, 0) << skipped.err;
+  EXPECT_NE(skipped.err.find("left out: " + bad + ": line 16: "), std::string::npos) << skipped.err;
+  EXPECT_NE(skipped.err.find("left out: " + bad + ": line 15: face 6: "), std::string::npos) << skipped.err;
+  EXPECT_NE(skipped.out.find("1 objects of 7 faces, 2 parts of files left out"), std::string::npos) << skipped.out;
+  EXPECT_NE(text_of(path("results/left-out.txt")).find("line 15"), std::string::npos);
+
+  const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\n");
+  const Run degenerate = touchstone_scene({path("cube.obj"), flat, "--random", "3"});
+  EXPECT_EQ(degenerate.status, 2);
+  EXPECT_NE(degenerate.err.find("flat.obj: line 5: face 0: zero-normal: "), std::string::npos) << degenerate.err;
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), path("absent.stl"), "--random", "3", "--skip-bad"}).status, 2);
+  const Run nothing = touchstone_scene({flat, "--random", "3", "--skip-bad"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("--random needs a mesh with a face"), std::string::npos) << nothing.err;
+}
+
+TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
+  EXPECT_EQ(touchstone_scene({path("cube.obj")}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--balls", "x"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--any", "--nearest"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "-1"}).status, 2);
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--method", "guess"}).err.find("guess"),
+            std::string::npos);
+}
+
+// Half the balls lie near a face; a fair share touches something and a fair share does not.
+TEST(RandomBalls, TouchAndMiss) {
+  const std::vector<scene::Faces> objects{{{{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {{0, 0, 9}, {8, 0, 9}, {0, 8, 9}}}, {}}};
+  scene::Scene scene;
+  scene.add("two", objects.front());
+  const scenes::RandomBalls random(objects);
+  int touching[2] = {0, 0};
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const Ball ball = random.draw(1, i).ball;
+    EXPECT_FALSE(find_fault(ball));
+    touching[i % 2] += scene.touches(ball) ? 1 : 0;
+  }
+  EXPECT_GT(touching[0], 80);
+  EXPECT_LT(touching[0], 195);
+  EXPECT_GT(touching[1], 5);
+  EXPECT_LT(touching[1], 150);
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests
