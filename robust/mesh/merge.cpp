@@ -140,12 +140,11 @@ class Merger {
     }
     if (auto conflict = parts_.torn_edge(part)) return std::move(*conflict);
     Parts::Loops loops = parts_.boundary(part);
-    if (auto conflict = parts_.pinch(loops)) return std::move(*conflict);
 
     const FacePlane& first = *faces_.planes[faces[0]];
     const Polygon polygon = with_outer_loop_first(loops, first);
     const auto between = [&](HalfEdge a, HalfEdge b) { return conflict_of(faces, graph_.face(a), graph_.face(b)); };
-    if (const auto rejection = exact::validate(polygon)) {
+    if (exact::validate(polygon)) {
       const auto [a, b] = meeting(polygon, loops);
       return between(a, b);
     }

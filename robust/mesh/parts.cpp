@@ -2,7 +2,6 @@
 #include "robust/mesh/parts.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace touchstone::mesh {
@@ -72,32 +71,6 @@ std::optional<Conflict> Parts::torn_edge(std::uint32_t part) const {
     }
   }
   return std::nullopt;
-}
-
-std::optional<Conflict> Parts::pinch(const Loops& boundary) const {
-  // The boundary comes to a vertex by `in` and leaves it by `out`.
-  struct Visit {
-    std::uint32_t vertex;
-    HalfEdge in, out;
-  };
-  std::vector<Visit> visits;
-  for (const auto& loop : boundary)
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      visits.push_back({graph_->origin(loop[k]), loop[k == 0 ? loop.size() - 1 : k - 1], loop[k]});
-  std::sort(visits.begin(), visits.end(),
-            [](const Visit& a, const Visit& b) { return std::tie(a.vertex, a.out) < std::tie(b.vertex, b.out); });
-  const auto same = [](const Visit& a, const Visit& b) { return a.vertex == b.vertex; };
-  const auto found = std::adjacent_find(visits.begin(), visits.end(), same);
-  if (found == visits.end()) return std::nullopt;
-
-  Conflict conflict;
-  for (auto visit = found; visit != visits.end() && same(*visit, *found); ++visit) {
-    auto& fan = conflict.emplace_back();
-    HalfEdge h = graph_->next(visit->in);
-    for (fan.push_back(graph_->face(h)); h != visit->out; fan.push_back(graph_->face(h)))
-      h = graph_->next(graph_->twin(h));
-  }
-  return conflict;
 }
 
 }  // namespace touchstone::mesh

@@ -49,8 +49,6 @@ class Parts {
 
   /// An edge of several faces of the part that is not shared; the first of the first such face.
   [[nodiscard]] std::optional<Conflict> torn_edge(std::uint32_t part) const;
-  /// The lowest vertex through which the boundary runs more than once: the fans of faces about it.
-  [[nodiscard]] std::optional<Conflict> pinch(const Loops& boundary) const;
 
  private:
   const FaceGraph* graph_;

@@ -17,14 +17,17 @@ using workloads::Random;
 
 constexpr std::uint64_t kSeed = 2026;
 
-/// Columns of random heights 0 to 2, their tops and the walls between them; a face here and there is left out,
-/// flipped, doubled or folded back.
+/// Columns of random heights, most of them 0, their tops and the walls between them; a face here and there is left out,
+/// flipped, doubled, folded back or has another face without area beside it.
 Mesh draw_mesh(std::uint64_t index) {
   Random random(kSeed, index);
-  const auto columns = static_cast<int>(random.integer(1, 6)), rows = static_cast<int>(random.integer(1, 6));
-  const std::int64_t highest = random.integer(0, 2), rare = random.integer(2, 12);
+  const auto columns = static_cast<int>(random.integer(1, 7)), rows = static_cast<int>(random.integer(1, 7));
+  const std::int64_t highest = random.integer(0, 2), rare = random.integer(4, 40);
   std::vector<int> heights;
-  for (int k = 0; k < columns * rows; ++k) heights.push_back(static_cast<int>(random.integer(0, highest)));
+  for (int k = 0; k < columns * rows; ++k) {
+    const bool raised = random.integer(0, 3) == 0;
+    heights.push_back(raised ? static_cast<int>(random.integer(0, highest)) : 0);
+  }
   const auto height = [&](int i, int j) {
     return i < 0 || j < 0 || i >= columns || j >= rows ? 0 : heights[static_cast<std::size_t>(j * columns + i)];
   };
@@ -47,6 +50,7 @@ Mesh draw_mesh(std::uint64_t index) {
     if (random.integer(0, 4 * rare) == 0) std::swap(faces[0][0], faces[0][1]);
     if (random.integer(0, 4 * rare) == 0) faces.push_back(faces[1]);
     if (random.integer(0, 4 * rare) == 0) faces.push_back({n[2], n[1], n[0]});
+    if (random.integer(0, 4 * rare) == 0) faces.push_back({n[0], n[1], n[1]});
     mesh.faces.insert(mesh.faces.end(), faces.begin(), faces.end());
   };
   for (int i = -1; i < columns; ++i)
