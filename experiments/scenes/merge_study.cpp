@@ -51,7 +51,6 @@ Counts count(const Mesh& mesh, const mesh::MergedMesh& merged) {
 struct Answers {
   bool any;
   std::vector<std::uint32_t> all;  ///< merged faces
-  friend bool operator==(const Answers&, const Answers&) = default;
 };
 
 class Contender {
