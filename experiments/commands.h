@@ -12,6 +12,7 @@ void add_judge(CLI::App& app, int& status);
 void add_methods(CLI::App& app);
 void add_near_edge(CLI::App& app, int& status);
 void add_mesh_contact(CLI::App& app, int& status);
+void add_merge(CLI::App& app, int& status);
 void add_cases(CLI::App& app);
 void add_bench(CLI::App& app, int& status);
 void add_soak(CLI::App& app, int& status);

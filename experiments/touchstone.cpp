@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   touchstone::commands::add_methods(app);
   touchstone::commands::add_near_edge(app, status);
   touchstone::commands::add_mesh_contact(app, status);
+  touchstone::commands::add_merge(app, status);
   touchstone::commands::add_cases(app);
   touchstone::commands::add_bench(app, status);
   touchstone::commands::add_soak(app, status);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "experiments/commands.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
+#include "experiments/scenes/merge_output.h"
+#include "experiments/scenes/merge_study.h"
+#include "geometry/io/read_mesh.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace merging;
+
+struct Options {
+  std::vector<std::string> files;
+  Settings settings;
+  bool skip_bad = false;
+  std::string output = "results/merge";
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "touchstone merge";
+  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  const Settings& s = options.settings;
+  line += fmt::format(" --tolerance {} --compare {} --least {} --repetitions {} --seed {} --output {}", s.tolerance,
+                      s.balls, s.least, s.repetitions, s.seed, run::shell_quoted(options.output));
+  if (options.skip_bad) line += " --skip-bad";
+  return line;
+}
+
+/// The file without its extension and the folder that it lies in, numbered where several have the same:
+/// `puma/puma_link1`.
+std::string short_name(const std::filesystem::path& file, std::map<std::string, int>& seen) {
+  const auto folder = file.parent_path().filename();
+  const std::string name = (folder.empty() || folder == "." ? file.stem() : folder / file.stem()).string();
+  const int number = ++seen[name];
+  return number == 1 ? name : fmt::format("{}#{}", name, number);
+}
+
+int run(const Options& options) {
+  constexpr int kBadInput = 2;
+  const std::filesystem::path folder = options.output;
+  run::make_folder(folder);
+  const auto begin = std::chrono::steady_clock::now();
+  const run::Interrupt interrupt;
+  std::vector<MeshResult> results;
+  std::map<std::string, int> seen;
+  bool all_read = true;
+  {
+    run::ProgressLine line("merge", options.files.size());
+    std::uint64_t done = 0;
+    for (const std::string& file : options.files) {
+      if (interrupt.requested()) break;
+      try {
+        const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+        for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
+        results.push_back(study(options.settings, short_name(file, seen), mesh.mesh));
+      } catch (const BrokenMesh& broken) {
+        fmt::print(stderr, "touchstone: {}\n", broken.what());
+        all_read = false;
+      }
+      line(++done);
+    }
+  }
+  if (results.empty() && !interrupt.requested()) return kBadInput;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  write_counts(folder, results);
+  write_times(folder, results);
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .seed = options.settings.seed,
+                                 .samples_asked = options.files.size(),
+                                 .samples_done = results.size(),
+                                 .samples_missing = options.files.size() - results.size(),
+                                 .seconds = seconds,
+                                 .interrupted = interrupt.requested()});
+  fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
+             table(options.settings, results), results.size(), options.files.size(), seconds,
+             options.settings.tolerance, options.settings.balls, options.settings.seed, folder.string());
+  std::fflush(stdout);
+  if (interrupt.requested() && results.size() < options.files.size()) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(),
+               results.size(), options.files.size());
+    return run::kInterrupted;
+  }
+  return all_read ? 0 : kBadInput;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand(
+      "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
+  auto options = std::make_shared<Options>();
+  Settings& settings = options->settings;
+  command->add_option("MESH", options->files, "Mesh files")->required();
+  command
+      ->add_option("--tolerance", settings.tolerance,
+                   "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")
+      ->check(CLI::Range(0.0, 1e300))
+      ->capture_default_str();
+  command->add_option("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes")
+      ->check(run::whole_number(0, 10'000'000))
+      ->capture_default_str();
+  command->add_option("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least")
+      ->check(run::whole_number(2))
+      ->capture_default_str();
+  command->add_option("--repetitions", settings.repetitions, "Of every timing")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--seed", settings.seed, "Any number; the same gives the same bytes, times apart")
+      ->check(run::whole_number(0))
+      ->capture_default_str();
+  command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, and say what");
+  command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::commands

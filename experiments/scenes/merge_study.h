@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/mesh.h"
+#include "robust/mesh/merge.h"
+
+/// The study of meshes whose coplanar faces are merged into polygons: `touchstone merge`.
+namespace touchstone::merging {
+
+struct Settings {
+  double tolerance = 0;        ///< in the meshes' own unit
+  std::uint64_t balls = 1000;  ///< a mesh that scenes are asked about; 0: scenes are not compared
+  std::size_t least = 8;       ///< faces that a polygon of the mixed scene stands for, at least
+  unsigned repetitions = 7;    ///< of every timing
+  std::uint64_t seed = 1;
+};
+
+/// The scenes that are compared, all of the same faces.
+enum class Kind {
+  Faces,   ///< as the mesh has them
+  Merged,  ///< every merged face as one polygon
+  Mixed,   ///< only those of at least `least` faces
+};
+inline constexpr std::array kKinds{Kind::Faces, Kind::Merged, Kind::Mixed};
+
+/// The questions that scenes are asked.
+enum class Question { Any, All, Nearest };
+inline constexpr std::array kQuestions{Question::Any, Question::All, Question::Nearest};
+
+[[nodiscard]] std::string_view word(Kind kind);
+[[nodiscard]] std::string_view word(Question question);
+
+/// What merging made of a mesh: a function of the mesh and the tolerance.
+struct Counts {
+  std::size_t faces = 0, rejected = 0;  ///< of the mesh
+  std::size_t polygons = 0;             ///< merged faces
+  std::size_t single = 0;               ///< of these, of one face
+  std::size_t holes = 0, vertices = 0;  ///< of all merged faces
+  std::size_t largest = 0;              ///< vertices of the largest
+  std::size_t splits = 0;
+  mesh::EdgeCounts edges;
+  double off_plane = 0;  ///< the largest
+
+  Counts& operator+=(const Counts& other);
+};
+
+/// A scene of one kind.
+struct Measured {
+  std::size_t triangles = 0, polygons = 0;
+  std::size_t memory = 0;                               ///< bytes, as the C library counts what is allocated
+  double seconds = 0;                                   ///< to build it
+  std::array<double, kQuestions.size()> nanoseconds{};  ///< a ball, median of the repetitions
+};
+
+/// Answers that are not those of the scene of faces.
+struct Differences {
+  std::array<std::uint64_t, kQuestions.size()> asked{}, differ{};  ///< of both other scenes together
+  double distance = 0;                                             ///< the largest difference of nearest distances
+};
+
+struct MeshResult {
+  std::string name;
+  Counts counts;
+  double merge_seconds = 0;
+  std::array<Measured, kKinds.size()> measured{};  ///< zeros where scenes are not compared
+  Differences differences;
+};
+
+/// A ball near the surface: a point of a random face, moved by 2^-11 to 2^-1 of the mesh's size; the radius is between
+/// half and one and a half times that. A function of the arguments. Requires a face that is not rejected.
+[[nodiscard]] Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t seed, std::uint64_t index);
+
+/// Merges, and asks the scenes. `nearest` is asked about every tenth ball. Nothing but times and memory differs between
+/// two runs.
+[[nodiscard]] MeshResult study(const Settings& settings, std::string name, const Mesh& mesh);
+
+}  // namespace touchstone::merging

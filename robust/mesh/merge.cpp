@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mesh/merge.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "robust/exact/dropped_axis.h"
+#include "robust/exact/edge_sweep.h"
+#include "robust/exact/validate.h"
+#include "robust/floating_point_state.h"
+#include "robust/mesh/face_graph.h"
+#include "robust/mesh/face_plane.h"
+#include "robust/mesh/parts.h"
+#include "robust/mesh/weld.h"
+
+namespace touchstone::mesh {
+namespace {
+
+/// What single faces are, whatever their neighbours.
+struct Faces {
+  explicit Faces(const Mesh& mesh) : accepted(mesh.faces.size()), planes(mesh.faces.size()) {
+    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) look_at(mesh, face);
+  }
+
+  std::vector<bool> accepted;
+  std::vector<std::optional<FacePlane>> planes;  ///< of those that are accepted and planar
+  std::vector<RejectedFace> rejected;
+
+ private:
+  void look_at(const Mesh& mesh, std::uint32_t face) {
+    try {
+      const Polygon polygon = polygon_of(mesh, face);
+      if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
+      accepted[face] = true;
+      const FacePlane plane(polygon);
+      const auto on_it = [&](std::uint32_t vertex) { return plane.contains(mesh.vertices[vertex]); };
+      if (polygon.vertex_count() == 3 || std::ranges::all_of(mesh.faces[face], on_it)) planes[face] = plane;
+    } catch (const Rejected& reason) {
+      rejected.push_back({face, reason.rejection()});
+    }
+  }
+
+ public:
+  static Polygon polygon_of(const Mesh& mesh, std::uint32_t face) {
+    Loop loop;
+    for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
+    return Polygon(loop);
+  }
+};
+
+class Merger {
+ public:
+  Merger(const Mesh& welded, double tolerance)
+      : mesh_(welded),
+        tolerance_(tolerance),
+        faces_(welded),
+        graph_(welded, faces_.accepted),
+        parts_(graph_, welded.faces.size()) {}
+
+  MergedMesh run() {
+    grow();
+    MergedMesh result;
+    for (std::uint32_t part = 0; part < parts_.count(); ++part) {
+      // The part's first group keeps its number, so it is looked at again.
+      for (;;) {
+        auto outcome = polygon_of(part);
+        if (auto* face = std::get_if<MergedFace>(&outcome)) {
+          result.faces.push_back(std::move(*face));
+          break;
+        }
+        parts_.split(part, std::get<Conflict>(outcome));
+        ++result.splits;
+      }
+    }
+    std::ranges::sort(result.faces, {}, [](const MergedFace& face) { return face.faces.front(); });
+    result.edges = counts();
+    result.rejected = std::move(faces_.rejected);
+    return result;
+  }
+
+ private:
+  void grow() {
+    std::vector<std::uint32_t> plane_of(mesh_.vertices.size(), Parts::kNone);  // the last part whose plane it is on
+    for (const std::uint32_t seed : seeds()) {
+      if (parts_.taken(seed)) continue;
+      if (!faces_.planes[seed]) {
+        parts_.grow(seed, [](std::uint32_t) { return false; });
+        continue;
+      }
+      const FacePlane& plane = *faces_.planes[seed];
+      const int axis = plane.dropped_axis(), turn = plane.turn(axis);
+      const auto on_it = [&, part = parts_.count()](std::uint32_t vertex) {
+        if (plane_of[vertex] == part) return true;
+        const Eigen::Vector3d& point = mesh_.vertices[vertex];
+        const bool near = tolerance_ > 0 && plane.approximate_height(point) <= tolerance_;
+        if (!near && !plane.contains(point)) return false;
+        plane_of[vertex] = part;
+        return true;
+      };
+      parts_.grow(seed, [&](std::uint32_t face) {
+        return faces_.planes[face] && std::ranges::all_of(mesh_.faces[face], on_it) &&
+               faces_.planes[face]->turn(axis) == turn;
+      });
+    }
+  }
+
+  /// In which order regions are begun; without a tolerance any order gives the same regions.
+  [[nodiscard]] std::vector<std::uint32_t> seeds() const {
+    std::vector<std::uint32_t> order;
+    std::vector<double> size(mesh_.faces.size());  // four times the square of the area
+    for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face) {
+      if (!faces_.accepted[face]) continue;
+      order.push_back(face);
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      const auto& corners = mesh_.faces[face];
+      const Eigen::Vector3d& first = mesh_.vertices[corners[0]];
+      for (std::size_t i = 2; i < corners.size(); ++i)
+        sum += (mesh_.vertices[corners[i - 1]] - first).cross(mesh_.vertices[corners[i]] - first);
+      size[face] = std::isfinite(sum.squaredNorm()) ? sum.squaredNorm() : 0;
+    }
+    if (tolerance_ > 0) std::ranges::stable_sort(order, std::greater(), [&](std::uint32_t face) { return size[face]; });
+    return order;
+  }
+
+  /// The polygon of a part, or why there is none.
+  [[nodiscard]] std::variant<MergedFace, Conflict> polygon_of(std::uint32_t part) const {
+    std::vector<std::uint32_t> faces = parts_.faces(part);
+    if (faces.size() == 1) {
+      Polygon face = Faces::polygon_of(mesh_, faces[0]);
+      const double off = faces_.planes[faces[0]] ? 0 : off_plane(face, points_of(faces));
+      return MergedFace{std::move(face), std::move(faces), off};
+    }
+    if (auto conflict = parts_.torn_edge(part)) return std::move(*conflict);
+    Parts::Loops loops = parts_.boundary(part);
+
+    const FacePlane& first = *faces_.planes[faces[0]];
+    const Polygon polygon = with_outer_loop_first(loops, first);
+    const auto between = [&](HalfEdge a, HalfEdge b) { return conflict_of(faces, graph_.face(a), graph_.face(b)); };
+    if (exact::validate(polygon)) {
+      const auto [a, b] = meeting(polygon, loops);
+      return between(a, b);
+    }
+    // How many faces lie over a point, seen along the dropped axis, is how often the loops wind about it, if all faces
+    // turn one way; and that is once in the region and never outside, if the holes turn the other way.
+    const int axis = exact::dropped_axis(polygon).value(), outer = turn(polygon, 0, axis);
+    for (std::size_t loop = 1; loop < loops.size(); ++loop)
+      if (turn(polygon, loop, axis) != -outer) return between(loops[0][0], loops[loop][0]);
+    for (const std::uint32_t face : faces)
+      if (faces_.planes[face]->turn(axis) != outer) return conflict_of(faces, faces[0], face);
+    const double off = tolerance_ > 0 ? off_plane(polygon, points_of(faces)) : 0;
+    if (off > tolerance_) return conflict_of(faces, faces.front(), faces.back());
+    std::ranges::sort(faces);
+    return MergedFace{polygon, std::move(faces), off};
+  }
+
+  /// Two faces that must not be together; if they are one, the first and the last of the part.
+  [[nodiscard]] static Conflict conflict_of(const std::vector<std::uint32_t>& faces, std::uint32_t a, std::uint32_t b) {
+    if (a == b) return {{faces.front()}, {faces.back()}};
+    return {{a}, {b}};
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector3d> points_of(const std::vector<std::uint32_t>& faces) const {
+    std::vector<std::uint32_t> vertices;
+    for (const std::uint32_t face : faces)
+      vertices.insert(vertices.end(), mesh_.faces[face].begin(), mesh_.faces[face].end());
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::vector<Eigen::Vector3d> points;
+    for (const std::uint32_t vertex : vertices) points.push_back(mesh_.vertices[vertex]);
+    return points;
+  }
+
+  [[nodiscard]] Polygon polygon_of(const Parts::Loops& loops) const {
+    std::vector<Loop> points;
+    for (const auto& loop : loops) {
+      auto& here = points.emplace_back();
+      for (const HalfEdge h : loop) here.push_back(mesh_.vertices[graph_.origin(h)]);
+    }
+    return Polygon(points[0], {points.begin() + 1, points.end()});
+  }
+
+  /// The outer loop is the first that turns as the faces do.
+  [[nodiscard]] Polygon with_outer_loop_first(Parts::Loops& loops, const FacePlane& plane) const {
+    const Polygon polygon = polygon_of(loops);
+    const int axis = plane.dropped_axis(), as_faces = plane.turn(axis);
+    std::size_t outer = 0;
+    while (outer < loops.size() && turn(polygon, outer, axis) != as_faces) ++outer;
+    if (outer == 0 || outer == loops.size()) return polygon;
+    std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outer),
+                loops.begin() + static_cast<std::ptrdiff_t>(outer) + 1);
+    return polygon_of(loops);
+  }
+
+  /// Two sides of a polygon that was rejected, which meet if any do.
+  [[nodiscard]] static std::pair<HalfEdge, HalfEdge> meeting(const Polygon& polygon, const Parts::Loops& loops) {
+    const auto side = [&](std::size_t i) {
+      const std::size_t loop = polygon.loop_of(i);
+      return loops[loop][i - polygon.loop_begin(loop)];
+    };
+    if (const auto axis = exact::dropped_axis(polygon))
+      if (const auto found = exact::find_meeting({polygon, *axis}, 0, polygon.vertex_count()))
+        return {side(found->first), side(found->second)};
+    return {side(0), side(0)};
+  }
+
+  [[nodiscard]] EdgeCounts counts() const {
+    EdgeCounts counts;
+    for (std::size_t i = 0; i < graph_.edge_count(); ++i) {
+      const auto [kind, half_edges] = graph_.edge(i);
+      switch (kind) {
+        case FaceGraph::EdgeKind::Border: ++counts.border; break;
+        case FaceGraph::EdgeKind::NonManifold: ++counts.non_manifold; break;
+        case FaceGraph::EdgeKind::Inconsistent: ++counts.inconsistent; break;
+        case FaceGraph::EdgeKind::Shared: ++row(counts, half_edges[0]); break;
+      }
+    }
+    return counts;
+  }
+
+  [[nodiscard]] std::size_t& row(EdgeCounts& counts, HalfEdge shared) const {
+    if (parts_.inside(shared)) return counts.merged;
+    const std::uint32_t a = graph_.face(shared), b = graph_.face(graph_.twin(shared));
+    const auto &plane = faces_.planes[a], &other = faces_.planes[b];
+    const auto on_it = [&](std::uint32_t vertex) { return plane->contains(mesh_.vertices[vertex]); };
+    if (!plane || !other || !std::ranges::all_of(mesh_.faces[b], on_it)) return counts.crease;
+    const int axis = plane->dropped_axis();
+    return plane->turn(axis) == other->turn(axis) ? counts.kept_apart : counts.folded;
+  }
+
+  const Mesh& mesh_;
+  double tolerance_;
+  Faces faces_;
+  FaceGraph graph_;
+  Parts parts_;
+};
+
+}  // namespace
+
+MergedMesh merge_faces(const Mesh& mesh, double tolerance) {
+  if (!(tolerance >= 0) || std::isinf(tolerance))
+    throw std::invalid_argument("the tolerance of a merge must be a finite number that is not negative, not " +
+                                std::to_string(tolerance));
+  const FloatingPointState nearest;
+  return Merger(weld(mesh), tolerance).run();
+}
+
+}  // namespace touchstone::mesh

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/scenes/merge_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "experiments/scenes/merge_output.h"
+#include "robust/mesh/scene_faces.h"
+#include "robust/scene/scene.h"
+#include "tests/mesh/random_meshes.h"
+#include "tests/run/scratch.h"
+
+namespace touchstone::mesh_tests {
+namespace {
+
+using merging::Kind;
+using merging::MeshResult;
+
+const merging::Settings kQuick{.balls = 60, .least = 3, .repetitions = 1};
+
+Mesh plate_and_cube() {
+  Mesh mesh = grid(4, 4, [](int i, int j) { return i != 1 || j != 1; });
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const Mesh box = cube();
+  for (const auto& vertex : box.vertices) mesh.vertices.emplace_back(vertex + Eigen::Vector3d(9, 9, 9));
+  for (auto face : box.faces) {
+    for (std::uint32_t& vertex : face) vertex += first;
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+TEST(MergeStudy, AsksScenesThatAnswerAlike) {
+  const MeshResult result = study(kQuick, "plate and cube", plate_and_cube());
+  EXPECT_EQ(result.counts.faces, 42U);
+  EXPECT_EQ(result.counts.polygons, 7U);
+  EXPECT_EQ(result.counts.holes, 1U);
+  EXPECT_EQ(result.counts.largest, 20U);
+  const auto kind = [&](Kind k) { return result.measured[static_cast<std::size_t>(k)]; };
+  EXPECT_EQ(kind(Kind::Faces).triangles, 42U);
+  EXPECT_EQ(kind(Kind::Merged).polygons, 7U);
+  EXPECT_EQ(kind(Kind::Mixed).polygons, 1U);  // the plate
+  EXPECT_EQ(kind(Kind::Mixed).triangles, 12U);
+  EXPECT_GT(kind(Kind::Merged).memory, kind(Kind::Mixed).memory);
+  EXPECT_EQ(result.differences.asked, (std::array<std::uint64_t, 3>{120, 120, 12}));
+  EXPECT_EQ(result.differences.differ, (std::array<std::uint64_t, 3>{}));
+}
+
+// A merge that covers more than the faces must be seen.
+TEST(MergeStudy, SeesAnswersThatDiffer) {
+  merging::Settings rough = kQuick;
+  rough.tolerance = 0.2;
+  const MeshResult result = study(rough, "dented", shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
+  EXPECT_LT(result.counts.polygons, 36U);
+  EXPECT_GT(result.differences.differ[2], 0U);
+  EXPECT_GT(result.differences.distance, 0);
+  EXPECT_LE(result.differences.distance, result.counts.off_plane);
+}
+
+TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
+  const Mesh mesh = plate_and_cube();
+  const mesh::MergedMesh merged = mesh::merge_faces(mesh);
+  scene::Scene scene;
+  scene.add("mesh", mesh::scene_faces(mesh, merged).faces);
+  int touching = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) touching += scene.touches(merging::draw_ball(mesh, merged, 1, i)) ? 1 : 0;
+  EXPECT_GT(touching, 20);
+  EXPECT_LT(touching, 95);
+}
+
+TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
+  const run_tests::Scratch scratch;
+  const std::vector<MeshResult> once{study(kQuick, "a, b", plate_and_cube())};
+  const std::vector<MeshResult> again{study(kQuick, "a, b", plate_and_cube())};
+  write_counts(scratch.path, once);
+  const std::string text = run_tests::text_of(scratch.path / "merge.csv");
+  write_counts(scratch.path, again);
+  EXPECT_EQ(run_tests::text_of(scratch.path / "merge.csv"), text);
+  write_times(scratch.path, once);
+  for (const char* name : {"merge.csv", "merge-times.csv"}) {
+    std::istringstream lines(run_tests::text_of(scratch.path / name));
+    std::string header, line;
+    std::getline(lines, header);
+    const auto names = std::ranges::count(header, ',');
+    while (std::getline(lines, line)) EXPECT_EQ(std::ranges::count(line, ','), names + 1) << line;  // one in "a, b"
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::mesh_tests
