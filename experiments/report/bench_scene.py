@@ -8,8 +8,9 @@ import sys
 
 from style import STYLES, plt, save
 
-QUESTIONS = {"any": "does it touch any?", "all": "which does it touch?", "nearest": "which is nearest?"}
-BALLS = {"near": "balls near the surface", "anywhere": "balls anywhere", "touching": "balls at one double\nfrom contact"}
+QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
+BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
+BYTES = [20, 50, 100, 200, 500, 1000]  # that are drawn as numbers
 
 
 def read(path):
@@ -32,8 +33,9 @@ def draw_lines(axes, rows, libraries, value):
         spots = sorted((int(row["triangles"]), value(row)) for row in rows if row["library"] == library)
         axes.plot(*zip(*spots), **looks(library, libraries))
     axes.set_xscale("log")
-    axes.grid(color="#dddddd", linewidth=0.5)
+    axes.set_yscale("log")
     axes.minorticks_off()
+    axes.grid(color="#dddddd", linewidth=0.5)
 
 
 def draw_queries(rows, libraries, scene, folder):
@@ -49,18 +51,17 @@ def draw_queries(rows, libraries, scene, folder):
                 axes.set_axis_off()
                 continue
             draw_lines(axes, chosen, libraries, lambda row: float(row["nanoseconds"]) / 1000)
-            axes.set_yscale("log")
-            axes.set_title(f"{BALLS[ball]}: {QUESTIONS[question]}".replace("\n", " "))
-            axes.xaxis.set_tick_params(labelbottom=i == len(balls) - 1 or not any(
-                row["balls"] == balls[i + 1] and row["question"] == question for row in rows))
-            if axes.xaxis.get_tick_params()["labelbottom"]:
+            axes.set_title(f"{BALLS[ball]}: {QUESTIONS[question]}")
+            lowest = not any(row["question"] == question and balls.index(row["balls"]) > i for row in rows)
+            axes.xaxis.set_tick_params(labelbottom=lowest)
+            if lowest:
                 axes.set_xlabel("triangles")
             if j == 0:
                 axes.set_ylabel("a query, microseconds")
             handles = max(handles, axes.get_legend_handles_labels()[0], key=len)
     place = next((axes for axes in grid.flat if not axes.axison), None)
-    if place is None:
-        figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False)
+    if place is None:  # a run that was interrupted
+        grid[0][0].legend(handles=handles, fontsize=6)
     else:
         place.legend(handles=handles, loc="center", frameon=False)
     figure.suptitle(f"{scene}: time of a query against the size of the scene", fontsize=10)
@@ -69,18 +70,19 @@ def draw_queries(rows, libraries, scene, folder):
 
 def draw_builds(rows, libraries, folder):
     scenes = distinct(rows, "scene")
-    figure, grid = plt.subplots(len(scenes), 2, figsize=(7.6, 2.6 * len(scenes) + 0.6), squeeze=False,
-                                layout="constrained")
+    figure, grid = plt.subplots(len(scenes), 3, figsize=(9, 2.6 * len(scenes) + 0.3), squeeze=False,
+                                layout="constrained", gridspec_kw={"width_ratios": [3, 3, 1.6]})
     for axes, scene in zip(grid, scenes):
         chosen = [row for row in rows if row["scene"] == scene]
         draw_lines(axes[0], chosen, libraries, lambda row: 1e6 * float(row["seconds"]) / float(row["triangles"]))
         draw_lines(axes[1], chosen, libraries, lambda row: float(row["bytes_a_triangle"]))
         for one, name in zip(axes, ("build, microseconds a triangle", "memory, bytes a triangle")):
-            one.set_yscale("log")
             one.set_title(f"{scene}: {name.split(',')[0]}")
             one.set_xlabel("triangles")
             one.set_ylabel(name)
-    figure.legend(handles=grid[0][0].get_legend_handles_labels()[0], loc="outside right center", frameon=False)
+        axes[1].set_yticks(BYTES, BYTES)
+        axes[2].set_axis_off()
+    grid[0][2].legend(handles=grid[0][0].get_legend_handles_labels()[0], loc="center left", frameon=False)
     save(figure, folder, "builds")
 
 

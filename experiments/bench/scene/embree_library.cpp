@@ -53,7 +53,8 @@ class EmbreeScene : public BuiltScene {
     return search.nearest;
   }
 
-  [[nodiscard]] std::size_t bytes_beside_malloc() const override { return static_cast<std::size_t>(bytes_.load()); }
+  /// It has nodes that it did not get from malloc.
+  [[nodiscard]] std::optional<std::size_t> bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
 
  private:
   struct Search {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,8 +30,8 @@ class BuiltScene {
   /// The triangle that is nearest to the centre, or one of these. Throws std::logic_error where the library does not
   /// know this question.
   virtual std::uint32_t nearest(const Eigen::Vector3d& center);
-  /// Memory that it holds and `malloc` does not know of, in bytes.
-  [[nodiscard]] virtual std::size_t bytes_beside_malloc() const { return 0; }
+  /// The memory that it holds, in bytes, where it knows that better than `malloc`.
+  [[nodiscard]] virtual std::optional<std::size_t> bytes() const { return std::nullopt; }
 };
 
 /// A way to ask about scenes.

@@ -123,7 +123,8 @@ Embree and the R-tree find boxes; fast, careful plain doubles, then asks the tri
 is nearest. CGAL, FCL and Bullet ask their own; CGAL (EPICK) means the ball's surface, Bullet knows no nearest.
 Wrong: answers that differ from those of Scene. Those of Scene: what differs from exact, asked triangle by triangle. A
 nearest triangle is right where its distance, correctly rounded, is the least. Not timed.
-Memory: what malloc handed out, and what Embree says of itself; the triangles that were given are not counted.
+Memory: what malloc handed out, or, of Embree, what it says itself, with its copy of the triangles in floats; the
+triangles that were given are not counted.
 )";
 }
 

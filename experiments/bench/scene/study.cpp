@@ -42,8 +42,9 @@ Built build(const Library& library, const std::vector<Triangle>& triangles, Buil
     built.scene = library.build(triangles);
     record.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     spent += record.seconds.back();
-    record.bytes = (allocated_bytes() - before + static_cast<double>(built.scene->bytes_beside_malloc())) /
-                   static_cast<double>(triangles.size());
+    const auto known = built.scene->bytes();
+    const double bytes = known ? static_cast<double>(*known) : allocated_bytes() - before;
+    record.bytes = bytes / static_cast<double>(triangles.size());
   } while (spent < kEnough && record.seconds.size() < kMostTimes);
   return built;
 }
