@@ -13,6 +13,7 @@
 
 #include "experiments/bench/families.h"
 #include "experiments/bench/output.h"
+#include "experiments/bench/scene/command.h"
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/processes.h"
@@ -32,6 +33,8 @@ struct Options {
   unsigned repetitions = 11;
   std::string json = "results/bench/bench.json";
   std::string count;
+  bool scene = false;
+  SceneOptions scenes;
 };
 
 // Throws CLI::ValidationError, which names what is unknown.
@@ -173,10 +176,40 @@ int count(const Options& options) {
   return 0;
 }
 
+int scenes(const Options& options) {
+  SceneOptions scenes = options.scenes;
+  scenes.settings.samples = options.settings.samples;
+  scenes.settings.seed = options.settings.seed;
+  scenes.settings.repetitions = options.repetitions;
+  return measure_scenes(scenes);
+}
+
 constexpr const char* kFooter = R"(
 Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
   cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
 A missed goal does not change the exit status. For instructions a query: experiments/bench/instructions.py.)";
+
+/// What families do not know.
+void add_scene_options(CLI::App& command, Options& options) {
+  constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
+  auto* scene = command.add_flag("--scene", options.scene,
+                                 "Instead of families: scenes of 1000 and more triangles, beside other libraries");
+  for (const char* other : {"--family", "--json", "--count"}) scene->excludes(other);
+  command
+      .add_option("--most-faces", options.scenes.most_triangles,
+                  "With --scene: triangles of the largest one, up to 10000000 (which takes 12 GiB)")
+      ->check(run::whole_number(kFewest, kMost))
+      ->needs(scene)
+      ->capture_default_str();
+  command
+      .add_option("--meshes", options.scenes.meshes,
+                  "With --scene: a folder of meshes, also measured, once and replicated")
+      ->needs(scene);
+  command.add_option("--output", options.scenes.output, "With --scene: the folder for tables and pictures")
+      ->needs(scene)
+      ->capture_default_str();
+  command.add_flag("--no-pictures", options.scenes.no_pictures, "With --scene: draw nothing")->needs(scene);
+}
 
 }  // namespace
 
@@ -202,8 +235,12 @@ void add_bench(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--count", options->count,
                       "Time nothing: have this contestant of one family asked all queries, for a profiler");
+  add_scene_options(*command, *options);
   command->callback([options, &status] {
-    status = run::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
+    status = run::run_alone([&] {
+      if (options->scene) return scenes(*options);
+      return options->count.empty() ? measure_all(*options) : count(*options);
+    });
   });
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ struct Contestant {
   /// Makes ready to be asked the first so many; not timed. May be empty.
   std::function<void(std::size_t)> before;
   std::optional<Comparison> comparison;
+  /// Its wrong answers are counted among so many of those that the contest checks, where that is costly.
+  std::size_t most_checked = std::numeric_limits<std::size_t>::max();
 };
 
 /// Contestants that answer the same queries.

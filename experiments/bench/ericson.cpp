@@ -42,7 +42,11 @@ Vector from_closest_point(const Vector& center, const Triangle& triangle) {
 }  // namespace
 
 bool ericson_contact(const Ball& ball, const Triangle& triangle) {
-  return from_closest_point(ball.center, triangle).squaredNorm() <= ball.radius * ball.radius;
+  return ericson_squared_distance(ball.center, triangle) <= ball.radius * ball.radius;
+}
+
+double ericson_squared_distance(const Eigen::Vector3d& center, const Triangle& triangle) {
+  return from_closest_point(center, triangle).squaredNorm();
 }
 
 }  // namespace touchstone::bench

@@ -81,7 +81,8 @@ Result measure(const std::string& family, const Contest& contest, unsigned repet
   }
   for (std::size_t k = 0; k < contestants.size() && contest.checked > 0 && !stop; ++k) {
     if (!contestants[k].count_wrong) continue;
-    result.contestants[k].wrong = {contestants[k].count_wrong(contest.checked), contest.checked};
+    const std::size_t checked = std::min(contest.checked, contestants[k].most_checked);
+    result.contestants[k].wrong = {contestants[k].count_wrong(checked), checked};
   }
   find_ratios(result.contestants);
   return result;
