@@ -162,7 +162,8 @@ TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
   for (const SceneContest& contest : result.contests)
     EXPECT_GT(find(contest, "planted").wrong->count, 0U) << title(contest);
   ASSERT_FALSE(result.disputes.empty());
-  EXPECT_EQ(result.disputes.front().rfind("torus, 400 triangles, near, any, seed 3, ball ", 0), 0U);
+  EXPECT_EQ(result.disputes.front().rfind("torus, 400 triangles, near, any, seed 3, ball ", 0), 0U)
+      << result.disputes.front();
 }
 
 TEST(SceneBench, NobodyExactIsRefused) {

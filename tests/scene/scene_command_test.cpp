@@ -13,6 +13,7 @@
 #include "experiments/run/write_file.h"
 #include "experiments/scenes/balls.h"
 #include "experiments/scenes/unit.h"
+#include "robust/filtered/numbers/integer.h"
 #include "robust/scene/scene.h"
 #include "tests/run/scratch.h"
 
@@ -22,7 +23,7 @@ namespace {
 using run_tests::Scratch;
 using run_tests::text_of;
 
-struct Run {
+struct Ran {
   int status;
   std::string out, err;
 
@@ -35,9 +36,9 @@ struct Run {
 };
 
 /// Runs `touchstone scene` with these arguments; what is thrown stands in `err` as main would print it.
-Run touchstone_scene(std::vector<std::string> arguments) {
+Ran touchstone_scene(std::vector<std::string> arguments) {
   CLI::App app("test");
-  Run run{0, "", ""};
+  Ran run{0, "", ""};
   commands::add_scene(app, run.status);
   arguments.insert(arguments.begin(), "scene");
   std::reverse(arguments.begin(), arguments.end());
@@ -82,7 +83,7 @@ class SceneCommand : public testing::Test {
 
 TEST_F(SceneCommand, NamesTheFacesThatAreTouchedByObjectAndByTheirNumbersInTheMesh) {
   const std::string balls = write("balls.txt", "# x y z r\n0.5 0.5 2 1   # touches both\n\n9 9 9 0.5\n");
-  const Run run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
+  const Ran run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
   EXPECT_EQ(run.status, 0) << run.err;
   const auto lines = run.lines();
   ASSERT_EQ(lines.size(), 2U);
@@ -100,7 +101,7 @@ TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
   const std::string balls =
       write("balls.jsonl", R"({"id":"above","ball":{"center":[0.5,0.5,2.25],"radius":1},"polygon":{}})");
   const auto ask = [&](const std::string& question, const std::string& name) {
-    const Run run =
+    const Ran run =
         touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, question, "--objects", object(name)});
     EXPECT_EQ(run.status, 0) << run.err;
     return run.lines().at(0);
@@ -112,7 +113,7 @@ TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
             nlohmann::json::parse(R"({"object":")" + object("cube") +
                                   R"(","face":1,"feature":{"kind":"face"},"point":[0.5,0.5,1.0],"distance":1.25})"));
   EXPECT_EQ(ask("--nearest", "roof")["nearest"]["distance"], 0.75);
-  const Run unknown = touchstone_scene({path("cube.obj"), "--balls", balls, "--objects", "cone"});
+  const Ran unknown = touchstone_scene({path("cube.obj"), "--balls", balls, "--objects", "cone"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("no object \"cone\"; there are " + object("cube")), std::string::npos) << unknown.err;
 }
@@ -123,7 +124,7 @@ TEST_F(SceneCommand, GivesTheSameBytesForAnyThreadsAndForItsOwnAnswersAsBalls) {
     const auto ask = [&](const std::vector<std::string>& more) {
       std::vector<std::string> arguments{path("cube.obj"), path("roof.off"), question, "--counts"};
       arguments.insert(arguments.end(), more.begin(), more.end());
-      const Run run = touchstone_scene(arguments);
+      const Ran run = touchstone_scene(arguments);
       EXPECT_EQ(run.status, 0) << run.err;
       return run.out;
     };
@@ -137,7 +138,7 @@ TEST_F(SceneCommand, GivesTheSameBytesForAnyThreadsAndForItsOwnAnswersAsBalls) {
 
 TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
   const std::string folder = path("it's new/results");
-  const Run run =
+  const Ran run =
       touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "50", "--counts", "--output", folder});
   EXPECT_EQ(run.status, 0) << run.err;
   std::map<std::string, std::uint64_t> sums;
@@ -172,14 +173,14 @@ TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
 // Any method: exact agrees on every ball; single floats do not where a radius is a double below the distance.
 TEST_F(SceneCommand, HoldsAnotherMethodAgainstFiltered) {
   for (const std::string question : {"--any", "--all", "--nearest"}) {
-    const Run run =
+    const Ran run =
         touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question, "--method", "exact"});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.err.find("exact answers otherwise than filtered to 0 of 60 balls"), std::string::npos) << run.err;
     EXPECT_EQ(run.out, touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question}).out);
   }
   const std::string balls = write("balls.txt", "0.5 0.5 2 0.99999999999\n0.5 0.5 2 0.5\n");
-  const Run run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
+  const Ran run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
   EXPECT_NE(run.err.find("fast-float answers otherwise than filtered to 1 of 2 balls"), std::string::npos) << run.err;
   EXPECT_EQ(run.lines()[0]["touched"].size(), 1U) << "the answer of the method";
 }
@@ -189,13 +190,13 @@ TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
   const auto nearest = [&](const std::vector<std::string>& units) {
     std::vector<std::string> arguments{path("cube.obj"), "--balls", balls, "--nearest"};
     arguments.insert(arguments.end(), units.begin(), units.end());
-    const Run run = touchstone_scene(arguments);
+    const Ran run = touchstone_scene(arguments);
     EXPECT_EQ(run.status, 0) << run.err;
     return run.lines().at(0)["nearest"]["distance"].get<double>();
   };
   EXPECT_EQ(nearest({"--unit", "inch", "--scene-unit", "mm"}), 50.8 - 25.4);
   EXPECT_EQ(nearest({"--unit", "mm"}), nearest({})) << "in one unit nothing changes";
-  const Run two = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--unit", "mm,m,inch"});
+  const Ran two = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--unit", "mm,m,inch"});
   EXPECT_EQ(two.status, 2);
   EXPECT_NE(two.err.find("3 were given for 2 meshes"), std::string::npos) << two.err;
   EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--unit", "ell"})
@@ -212,14 +213,14 @@ TEST(Unit, RoundsOnce) {
   EXPECT_EQ(converted(3, mm, m), 0.003);
   EXPECT_EQ(converted(0.003, m, mm), 3);
   EXPECT_EQ(converted(1, inch, mm), 25.4);
-  EXPECT_EQ(converted(25.4, mm, inch), 1);
+  EXPECT_EQ(converted(25.4, mm, inch), 1 - 0x1p-53);  // as a double 25.4 is less
   EXPECT_EQ(converted(-2, foot, inch), -24);
 
   std::uint64_t bits = 12345;
   for (int i = 0; i < 10'000; ++i) {
     bits = bits * 6364136223846793005U + 1442695040888963407U;
     const std::uint64_t whole = (bits >> 12) | (std::uint64_t{1} << 52);
-    const auto product = static_cast<unsigned __int128>(whole) * 127 << 20;
+    const auto product = static_cast<filtered::Uint128>(whole) * 127 << 20;
     // 60 bits of quotient and a sticky one: the conversion rounds once.
     const auto quotient =
         static_cast<std::uint64_t>(product / 5 >> 22) | (product % (std::uint64_t{5} << 22) != 0 ? 1 : 0);
@@ -229,7 +230,7 @@ TEST(Unit, RoundsOnce) {
 
 TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   const auto fault = [&](const std::string& text) {
-    const Run run = touchstone_scene({path("cube.obj"), "--balls", write("balls", "0 0 0 1\n" + text + "\n")});
+    const Ran run = touchstone_scene({path("cube.obj"), "--balls", write("balls", "0 0 0 1\n" + text + "\n")});
     EXPECT_EQ(run.status, 2) << text;
     const std::string prefix = path("balls") + ": line 2: ";
     EXPECT_TRUE(run.err.starts_with(prefix)) << run.err;
@@ -249,7 +250,7 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3]}})"), "ball has no key \"radius\"");
   EXPECT_EQ(fault(R"({"id":7,"ball":{"center":[1,2,3],"radius":1}})"), "id is not a string");
   EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("stands twice"), std::string::npos);
-  const Run absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
+  const Ran absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
   EXPECT_EQ(absent.status, 2);
   EXPECT_EQ(absent.err, path("absent") + ": cannot be read");
 }
@@ -257,11 +258,11 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
 TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   // A face without area at line 15, an index out of range at line 16.
   const std::string bad = write("bad.obj", std::string(kCube) + "f 1 2 1\nf 1 2 99\nf 1 2 3\n");
-  const Run refused = touchstone_scene({bad, "--random", "3"});
+  const Ran refused = touchstone_scene({bad, "--random", "3"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_NE(refused.err.find("bad.obj: line 16: vertex 99 is out of range"), std::string::npos) << refused.err;
-  const Run skipped = touchstone_scene({bad, "--random", "3", "--skip-bad", "--output", path("results")});
+  const Ran skipped = touchstone_scene({bad, "--random", "3", "--skip-bad", "--output", path("results")});
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 16: "), std::string::npos) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 15: face 6: "), std::string::npos) << skipped.err;
@@ -269,11 +270,11 @@ TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   EXPECT_NE(text_of(path("results/left-out.txt")).find("line 15"), std::string::npos);
 
   const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\n");
-  const Run degenerate = touchstone_scene({path("cube.obj"), flat, "--random", "3"});
+  const Ran degenerate = touchstone_scene({path("cube.obj"), flat, "--random", "3"});
   EXPECT_EQ(degenerate.status, 2);
   EXPECT_NE(degenerate.err.find("flat.obj: line 5: face 0: zero-normal: "), std::string::npos) << degenerate.err;
   EXPECT_EQ(touchstone_scene({path("cube.obj"), path("absent.stl"), "--random", "3", "--skip-bad"}).status, 2);
-  const Run nothing = touchstone_scene({flat, "--random", "3", "--skip-bad"});
+  const Ran nothing = touchstone_scene({flat, "--random", "3", "--skip-bad"});
   EXPECT_EQ(nothing.status, 2);
   EXPECT_NE(nothing.err.find("--random needs a mesh with a face"), std::string::npos) << nothing.err;
 }

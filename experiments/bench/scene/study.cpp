@@ -175,7 +175,8 @@ Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, con
     if (b.library->exact) {
       contestant.most_checked = brute_force_count(scene.triangles.size(), contest.checked);
       if (embree) contestant.comparison = {kEmbree, goal_of(scene.triangles.size(), place, question)};
-      contestant.count_wrong = [&, asking, one = b.scene, name = contest.name](std::size_t count) {
+      contestant.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
+                                name = contest.name](std::size_t count) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < count; ++i) {
           if (!asking->disputed(*one, i)) continue;
