@@ -12,7 +12,11 @@ namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
 /// Numerators are known to 24 units of their maxima, squared lengths to 40 units, a unit being 2^-103: in all well
-/// below 2^-94 of what the errors below multiply it with.
+/// below 2^-94, 512 units, of what the errors below multiply it with.
+///
+/// The normal N of a triangle is known to 4.1 units of m_N in each component, so to 7.1 m_N as a vector: the projection
+/// of `from`, at most sqrt(3) m_w long, onto its direction moves by 2 sqrt(3) m_w 7.1 m_N / |N| at most, 25 units of
+/// m_w m_N / |N|. Since |N| <= sqrt(3) m_N, the 24, the 40 and the roundings of the quotient are 200 units of it.
 inline constexpr double kRelative = 0x1p-94;
 
 /// A double-double and how far it may be from what it stands for.
@@ -36,38 +40,41 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // Below these sizes squares or steps may underflow, and what is said of errors does not hold.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// A coordinate of the feature's point that is closest to the ball's centre, as the nearest double.
-template <class Counts>
-double closest_point(const ExactEdges<Counts>& edges, const Feature& feature, int axis) {
-  const PreparedPolygon::Parts& parts = edges.parts();
+/// A coordinate of the feature's point that is closest to the centre, as the nearest double. `edges` are those of a
+/// prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
+template <class Edges>
+double closest_point(const Edges& edges, const Feature& feature, int axis) {
   const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
-  const bool moved = !parts.unlimited.planar() && axis == parts.unlimited.dropped_axis();
-  if (vertex && !moved) return parts.polygon.vertex(feature.index)[axis];
+  const bool moved = edges.lifts(axis);
+  if (vertex && !moved) return edges.given_vertex(feature.index, axis);
 
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const int exponent = parts.frame->exponent;
+    const int exponent = edges.exponent();
     DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
-    if (moved && !face) start = start + parts.lifted.lifts[feature.index];
+    if (moved && !face) start = start + edges.lift(feature.index);
     const double lift_error = moved ? 0x1p-98 : 0;  // lifts are known to 2^-99
     if (vertex) return rounded({start, lift_error + 0x1p-102 * std::abs(start.high)}, exponent);
 
     // The start and a share of a direction, the share a quotient with an error of a few units of its maxima.
     const auto seen = edges.seen(feature.index);
-    const Vector3<DoubleDouble>& direction = face ? seen.polygon.normal : seen.edge;
+    using Seen = decltype(seen);
+    const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
     const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
     if (maximum < kShortestDirection) return std::nullopt;
-    // Nothing is added, if the component is not one that scaling has made zero.
-    if (!moved && direction[axis].high == 0)  // exact
-      return !face || parts.lifted.exact_normal ? rounded({start, 0}, exponent) : std::nullopt;
+    if (!moved && direction[axis].high == 0) {  // exact
+      if (!face || seen.no_normal(axis)) return rounded({start, 0}, exponent);
+      if (Seen::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
+    }
     const DoubleDouble length_squared = dot(direction, direction);
     const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
     const DoubleDouble value = face ? start - step : start + step;
-    if (std::abs(value.high) < kSmallestResult) return std::nullopt;
-    const double error =
-        kRelative * (seen.maxima.from * maximum * std::abs(direction[axis].high) / length_squared.high) +
-        kRelative * (seen.lifted ? seen.maxima.edge : 0) + 0x1p-102 * (std::abs(start.high) + std::abs(value.high)) +
-        lift_error;
+    if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
+    const double share = std::abs(direction[axis].high) / length_squared.high +
+                         (face ? Seen::kNormalError / std::sqrt(length_squared.high) : 0);
+    const double error = kRelative * (seen.maxima.from * maximum * share) +
+                         kRelative * (seen.lifted ? seen.maxima.edge : 0) +
+                         0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, exponent);
   };
   if (const auto result = in_doubles()) {
@@ -75,13 +82,12 @@ double closest_point(const ExactEdges<Counts>& edges, const Feature& feature, in
     return *result;
   }
   edges.counts().count(Stage::Unlimited);
-  return parts.unlimited.point(edges.ball(), feature, axis);
+  return edges.unlimited_point(feature, axis);
 }
 
 /// The distance of the ball's centre from the feature's plane, line or point, as the nearest double.
-template <class Counts>
-double distance(const ExactEdges<Counts>& edges, const Feature& feature) {
-  const PreparedPolygon::Parts& parts = edges.parts();
+template <class Edges>
+double distance(const Edges& edges, const Feature& feature) {
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
     const auto seen = edges.seen(feature.index);
@@ -91,25 +97,25 @@ double distance(const ExactEdges<Counts>& edges, const Feature& feature) {
         return {value, kRelative * (value.high + (seen.lifted ? seen.maxima.from : 0))};
       }
       const bool face = feature.kind == Feature::Kind::Face;
-      const Vector3<DoubleDouble>& direction = face ? seen.polygon.normal : seen.edge;
+      const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
       const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
       if (maximum < kShortestDirection) return {};
-      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(seen.polygon.normal, seen.from);
+      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(seen.normal, seen.from);
       const auto moment = cross(seen.from, seen.edge);
       const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
       const DoubleDouble value = product / length;
       return {value, kRelative * (seen.maxima.from * maximum / length.high + value.high)};
     }();
     if (is_zero(seen.from) && !seen.lifted) return 0;
-    if (enclosed.value.high < kSmallestResult) return std::nullopt;
-    return rounded(enclosed, parts.frame->exponent);
+    if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
+    return rounded(enclosed, edges.exponent());
   };
   if (const auto result = in_doubles()) {
     edges.counts().count(Stage::DoubleDouble);
     return *result;
   }
   edges.counts().count(Stage::Unlimited);
-  return parts.unlimited.distance(edges.ball(), feature);
+  return edges.unlimited_distance(feature);
 }
 
 }  // namespace TOUCHSTONE_TARGET

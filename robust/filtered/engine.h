@@ -14,6 +14,10 @@ template <class Counts>
 struct Questions {
   using Parts = PreparedPolygon::Parts;
   bool (*triangle_contact)(const TriangleQuestion&, Counts&);
+  /// Of a question with radius 0: the feature that holds the closest point; its distance and its closest point.
+  Feature (*triangle_nearest)(const TriangleQuestion&, Counts&);
+  double (*triangle_distance)(const TriangleQuestion&, const Feature&, Counts&);
+  void (*triangle_point)(const TriangleQuestion&, const Feature&, double (&point)[3], Counts&);
   bool (*contact)(const Ball&, const Parts&, Counts&);
   Relation (*relation)(const Ball&, const Parts&, Counts&);
   PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);

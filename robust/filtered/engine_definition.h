@@ -4,7 +4,7 @@
 #include "robust/exact/exact.h"
 #include "robust/filtered/engine.h"
 #include "robust/filtered/polygon_questions.h"
-#include "robust/filtered/triangle_contact.h"
+#include "robust/filtered/triangle_closest.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -35,6 +35,9 @@ Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts
 template <class Counts>
 inline constexpr Questions<Counts> kQuestions{
     .triangle_contact = contact<Counts>,
+    .triangle_nearest = nearest_feature<Counts>,
+    .triangle_distance = feature_distance<Counts>,
+    .triangle_point = feature_point<Counts>,
     .contact = ask<&PolygonQuestion<Counts>::contact,
                    static_cast<bool (*)(const Ball&, const exact::PreparedPolygon&)>(exact::contact), bool, Counts>,
     .relation =

@@ -24,15 +24,28 @@ class ExactEdges {
     }
   }
 
-  [[nodiscard]] const Ball& ball() const { return ball_; }
-  [[nodiscard]] const PreparedPolygon::Parts& parts() const { return parts_; }
   [[nodiscard]] Counts& counts() const { return counts_; }
 
-  /// The centre in the frame's unit of length, exact where `scales`.
+  /// The centre in the frame's unit of length, 2^exponent, exact where `scales`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }
-  /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length.
-  [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(parts_.polygon.coordinates(axis)[i]); }
+  [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
+  /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length; and as it was given.
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
+  [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
+  /// Are vertices lifted along this axis? How far, to 2^-99.
+  [[nodiscard]] bool lifts(int axis) const {
+    return !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
+  }
+  [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
+
+  /// The last word on closest points and distances.
+  [[nodiscard]] double unlimited_point(const Feature& feature, int axis) const {
+    return parts_.unlimited.point(ball_, feature, axis);
+  }
+  [[nodiscard]] double unlimited_distance(const Feature& feature) const {
+    return parts_.unlimited.distance(ball_, feature);
+  }
 
   template <SignKind kind>
   [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
@@ -54,14 +67,18 @@ class ExactEdges {
   /// An edge as seen from the ball.
   struct Seen {
     Vector3<DoubleDouble> from, edge;
-    const LiftedPolygon& polygon;
+    const Vector3<DoubleDouble>& normal;
     double radius;
     Maxima maxima;
-    bool lifted;
+    bool lifted, exact_normal;
 
     [[nodiscard]] EdgeInQuestion question(int axis) const {
-      return {from, edge, polygon.normal, radius, axis, maxima, lifted, nullptr, polygon.exact_normal};
+      return {from, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
     }
+    /// Is this component of the normal zero?
+    [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
+    /// How far its components may be off: within what is said of maxima.
+    static constexpr double kNormalError = 0;
   };
 
   [[nodiscard]] Seen seen(std::size_t edge) const {
@@ -71,10 +88,11 @@ class ExactEdges {
     Seen s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
            {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
             two_difference(vertex(next, 2), p[2])},
-           lifted,
+           lifted.normal,
            radius_,
            {radius_, 0, lifted.normal_maximum},
-           !lifted.lifts.empty()};
+           !lifted.lifts.empty(),
+           lifted.exact_normal};
     s.maxima.edge = largest(s.edge);
     if (s.lifted) {
       // What is known to 2^-99, or to 2^-99 of the edge, is known to 2^-103 of maxima 32 times as large.

@@ -11,6 +11,17 @@ namespace {
 
 NoCounts uncounted;
 
+template <class Counts>
+ClosestPoint closest(const Questions<Counts>& ask, const Eigen::Vector3d& center, const Triangle& triangle,
+                     Counts& counts) {
+  const Ball point_ball{center, 0};
+  const TriangleQuestion asked = question(point_ball, triangle);
+  const Feature feature = ask.triangle_nearest(asked, counts);
+  double point[3];
+  ask.triangle_point(asked, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(asked, feature, counts)};
+}
+
 }  // namespace
 
 bool contact(const Ball& ball, const PreparedPolygon& polygon) {
@@ -65,6 +76,13 @@ bool contact(const Ball& ball, const Triangle& triangle) {
 }
 bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts) {
   return engine().counted.triangle_contact(question(ball, triangle), counts);
+}
+
+ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) {
+  return closest(engine().plain, center, triangle, uncounted);
+}
+ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts) {
+  return closest(engine().counted, center, triangle, counts);
 }
 
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches) {

@@ -81,6 +81,19 @@ class PreparedPolygon {
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle);
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts);
 
+/// The point of a triangle that is closest to a centre.
+struct ClosestPoint {
+  Feature feature;        ///< that holds it
+  Eigen::Vector3d point;  ///< as Answer has it
+  double distance;        ///< likewise
+
+  friend bool operator==(const ClosestPoint&, const ClosestPoint&) = default;
+};
+
+/// As `answer` has them. Nothing is prepared. Constant cost, about 0.5 us.
+[[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle);
+[[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts);
+
 /// Many balls against one polygon: touches[i] says whether balls[i] does. Requires spans of equal length.
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches);
 /// One ball against many triangles: touches[i] says whether it touches triangles[i]. Requires spans of equal length.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/contact/answer.h"
 #include "robust/filtered/sign_ladder.h"
 #include "robust/filtered/triangle_filter.h"
 #include "robust/filtered/unlimited_sign.h"
@@ -21,6 +22,45 @@ class UnsureTriangle {
   [[nodiscard]] bool tiny() const { return std::max(sure_.from[0], largest_edge()) < 0x1p-30; }
 
   [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
+
+  /// The feature that holds the point of the triangle closest to the centre; the radius does not matter.
+  [[nodiscard]] Feature nearest() const {
+    const auto side = [this](int i) { return sign<SignKind::Side>(sure_.side, i); };
+    const auto along = [this](int i) { return sign<SignKind::Along>(sure_.along, i); };
+    const auto beyond = [this](int i) { return sign<SignKind::Beyond>(sure_.beyond, i); };
+    bool inner[3];
+    for (int i = 0; i < 3; ++i) inner[i] = side(i) > 0;
+    if (inner[0] && inner[1] && inner[2]) return {Feature::Kind::Face, 0};
+    // A triangle is convex: it has one closest point, at the edge beyond whose line the foot is and between whose ends
+    // it projects, or at the vertex from which both edges lead away.
+    for (int i = 0; i < 3; ++i)
+      if (!inner[i] && along(i) > 0 && beyond(i) < 0) return {Feature::Kind::Edge, static_cast<std::size_t>(i)};
+    for (int i = 0; i < 2; ++i)
+      if (along(i) <= 0 && beyond((i + 2) % 3) >= 0) return {Feature::Kind::Vertex, static_cast<std::size_t>(i)};
+    return {Feature::Kind::Vertex, 2};
+  }
+
+  /// Exact differences; the normal is known to bounds::kNormal.
+  struct Seen {
+    Vector3<DoubleDouble> from, edge, normal;
+    Maxima maxima;
+    bool no_normals[3];
+    static constexpr bool lifted = false;
+    /// How far the components of the normal may be off, in units of kRelative times the maximum.
+    static constexpr double kNormalError = 1;
+    /// Is this component of the normal surely zero?
+    [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
+  };
+  [[nodiscard]] Seen seen(int i) const {
+    const double longest = largest_edge();
+    const Vector3<DoubleDouble> u = edge(0), v = edge(1);
+    const auto zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };  // exact
+    return {difference(question_.center, question_.vertex[i]),
+            edge(i),
+            signs::normal(u, v),
+            {sure_.from[i], longest, 2 * longest * longest},
+            {zero(u.y, v.z) && zero(u.z, v.y), zero(u.z, v.x) && zero(u.x, v.z), zero(u.x, v.y) && zero(u.y, v.x)}};
+  }
 
  private:
   static Vector3<DoubleDouble> difference(const double* a, const double* b) {
@@ -99,6 +139,8 @@ class ScaledTriangle {
   }
   /// No bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
+  /// The numbers are those of the question times 2^-exponent.
+  [[nodiscard]] int exponent() const { return exponent_; }
   [[nodiscard]] TriangleQuestion question() const { return {vertex_, center_, radius_}; }
 
  private:

@@ -10,9 +10,11 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Does the ball touch the triangle, if doubles can tell? `signs` is written where they cannot.
+/// Does the ball touch the triangle, if doubles can tell? `signs` is written where they cannot, or always, but never
+/// where the answer is Beyond.
 ///
 /// Holds in every rounding direction and under flush-to-zero. No flag but INEXACT and UNDERFLOW is raised.
+template <bool always = false>
 TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, TriangleSigns& signs) {
   Vector3<Pack> vertex;
   load_three_points(question.vertex[0], vertex.x, vertex.y, vertex.z);
@@ -64,7 +66,7 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   const unsigned missed = lanes(plane_out.positive), cut = lanes(plane_out.negative);
   const bool yes = (lanes(edge_in) != 0) | ((inside == all) & (cut != 0));
   const bool no = (missed != 0) | ((outside != 0) & (lanes(edge_out) == all));
-  if (yes | no) [[likely]]
+  if (!always && (yes | no)) [[likely]]
     return yes ? Sure::Yes : Sure::No;
   const auto both = [&](const Signs& s) { return SureSigns{lanes(s.positive), lanes(s.negative)}; };
   signs.vertex = both(vertex_out), signs.line = both(line_out);
@@ -72,7 +74,7 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   signs.side = {inside, outside}, signs.plane = {missed, cut};
   store(signs.from, m_from);
   store(signs.edge, m_edge);
-  return Sure::Unsure;
+  return yes ? Sure::Yes : no ? Sure::No : Sure::Unsure;
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -14,7 +14,7 @@ namespace touchstone::scene {
 ///
 /// Slab to Touched are decided exactly: they depend on the ball and the face alone, but for Foot and Edges of polygons,
 /// which depend on the polygon's own hierarchy too. For `nearest` the ball is the one about the centre that has shrunk
-/// to the nearest face found so far.
+/// to little more than the distance of the nearest face met so far.
 enum class Fate {
   Box,      ///< never come to: some box of the object's hierarchy misses the ball
   Known,    ///< no box misses the ball, but the answer was known by then (`touches` alone)
@@ -23,7 +23,7 @@ enum class Fate {
             ///< not reach that line. Polygon: the part of the plane in the ball meets no leaf of the edges' hierarchy,
             ///< and the foot is outside
   Edges,    ///< the foot is outside, and the edges that were looked at are out of the ball
-  Touched,  ///< the ball touches the face; for `nearest` the exact distance was computed then
+  Touched,  ///< the ball touches the face; for `nearest` it was a candidate then
 };
 inline constexpr std::size_t kFates = 6;
 

@@ -64,6 +64,8 @@ void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std
 template <class T>
 void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.triangles.size(), set.edge_count());
+  if (set.triangles.empty()) return;
+  search.expect(set.triangles.front());
   Reach reach(search.ball(), set.tree);
   walk<true>(set.tree, reach, [&](std::uint32_t place) {
     if (!touches(search.ball(), set.triangles[place], tally)) return false;
@@ -80,7 +82,7 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   walk<true>(set.tree, reach, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];
     if (!touches(search.ball(), set.prepared[number], tally)) return false;
-    search.meet(set.polygons[number], number);
+    search.meet(set.prepared[number], number);
     reach.set_radius(search.ball().radius, set.tree);
     return false;
   });

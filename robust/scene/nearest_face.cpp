@@ -1,36 +1,153 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/nearest_face.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "robust/exact/exact.h"
+#include "robust/filtered/engine.h"
+#include "robust/filtered/prepared.h"
 
 namespace touchstone::scene {
+namespace {
 
-NearestSearch::NearestSearch(const Eigen::Vector3d& center) : ball_{center, std::numeric_limits<double>::max()} {}
+using Eigen::Vector3d;
 
-void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
-  meet(Polygon({triangle.a, triangle.b, triangle.c}), number);
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+filtered::NoCounts uncounted;
+
+Vector3d corner(const Triangle& triangle, std::size_t i) {
+  return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
 }
 
-void NearestSearch::meet(const Polygon& polygon, std::uint32_t number) {
-  const exact::PreparedPolygon prepared(polygon);
-  Answer answer = exact::answer({ball_.center, 0}, prepared);
-  const FaceId id{first_.object, first_.face + number};
-  if (found_) {
-    // Distances whose doubles differ are in the same order.
-    const double known = found_->answer.distance;
-    const int order = answer.distance != known
-                          ? (answer.distance < known ? -1 : 1)
-                          : exact::compare_distances(ball_, prepared, exact::PreparedPolygon(found_->face));
-    if (order > 0 || (order == 0 && id > found_->id)) return;
+/// About a triangle's distance, or a little more; anything for numbers whose squares leave the doubles.
+double guess(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
+  const Vector3d u = triangle.b - triangle.a, v = triangle.c - triangle.b, from_a = center - triangle.a;
+  const double lengths = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>() + from_a.lpNorm<Eigen::Infinity>();
+  const auto distance = [&]() -> double {
+    const Vector3d from = center - corner(triangle, feature.index);
+    if (feature.kind == Feature::Kind::Vertex) return from.norm();
+    if (feature.kind == Feature::Kind::Edge) {
+      const Vector3d edge = corner(triangle, (feature.index + 1) % 3) - corner(triangle, feature.index);
+      return std::sqrt(edge.cross(from).squaredNorm() / edge.squaredNorm());
+    }
+    const Vector3d normal = u.cross(v);
+    return std::abs(normal.dot(from_a)) / normal.norm();
+  };
+  return distance() + 0x1p-40 * lengths;
+}
+
+Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
+  const Ball point{center, 0};
+  return filtered::engine().plain.triangle_nearest(filtered::question(point, triangle), uncounted);
+}
+
+double feature_distance(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
+  const Ball point{center, 0};
+  return filtered::engine().plain.triangle_distance(filtered::question(point, triangle), feature, uncounted);
+}
+
+/// Where a feature of a triangle is: of an edge its ends, of a vertex itself twice. Equal for equal places.
+std::pair<Vector3d, Vector3d> place(const Triangle& triangle, const Feature& feature) {
+  Vector3d first = corner(triangle, feature.index);
+  if (feature.kind == Feature::Kind::Vertex) return {first, first};
+  Vector3d second = corner(triangle, (feature.index + 1) % 3);
+  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
+  return {first, second};
+}
+
+bool same_place(const Triangle& a, const Feature& of_a, const Triangle& b, const Feature& of_b) {
+  if (of_a.kind != of_b.kind || of_a.kind == Feature::Kind::Face) return false;
+  return place(a, of_a) == place(b, of_b);  // exact: coordinates as they were given
+}
+
+}  // namespace
+
+NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
+
+bool NearestSearch::touched(const Met& met) const {
+  if (ball_.radius == kLargest) return true;  // exact: it has never shrunk
+  return met.triangle != nullptr ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
+}
+
+void NearestSearch::shrink_to(double distance) {
+  ball_.radius = std::min(ball_.radius, std::nextafter(distance, std::numeric_limits<double>::infinity()));
+}
+
+void NearestSearch::shrink(const Triangle& triangle, const Feature& feature) {
+  const double radius = guess(ball_.center, triangle, feature);
+  if (radius >= ball_.radius && std::isfinite(radius)) return;
+  if (radius < ball_.radius && filtered::contact({ball_.center, radius}, triangle))
+    ball_.radius = radius;
+  else
+    shrink_to(feature_distance(ball_.center, triangle, feature));
+}
+
+void NearestSearch::expect(const Triangle& triangle) {
+  if (ball_.radius == kLargest) shrink(triangle, nearest_feature(ball_.center, triangle));  // exact: never shrunk
+}
+
+void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
+  const Feature feature = nearest_feature(ball_.center, triangle);
+  met_.push_back({{first_.object, first_.face + number}, feature, &triangle, nullptr, std::nullopt});
+  shrink(triangle, feature);
+}
+
+void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {
+  const Answer answer = filtered::answer({ball_.center, 0}, polygon);
+  met_.push_back({{first_.object, first_.face + number},
+                  answer.nearest,
+                  nullptr,
+                  &polygon,
+                  filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
+  shrink_to(answer.distance);
+}
+
+double NearestSearch::distance(const Met& met) const {
+  if (met.closest) return met.closest->distance;
+  return feature_distance(ball_.center, *met.triangle, met.feature);
+}
+
+int NearestSearch::compare(const Met& first, double first_distance, const Met& second, double second_distance) const {
+  // Distances whose doubles differ are in the same order.
+  if (first_distance != second_distance) return first_distance < second_distance ? -1 : 1;
+  const auto polygon = [](const Met& met) {
+    if (met.polygon != nullptr) return met.polygon->parts().polygon;
+    return Polygon({met.triangle->a, met.triangle->b, met.triangle->c});
+  };
+  const Polygon a = polygon(first), b = polygon(second);
+  return exact::compare_distances(ball_, exact::PreparedPolygon(a), exact::PreparedPolygon(b));
+}
+
+std::optional<NearestFace> NearestSearch::nearest() const {
+  const Met* best = nullptr;
+  std::optional<double> least;  // the distance of the best
+  for (const Met& met : met_) {
+    if (!touched(met)) continue;
+    if (best == nullptr) {
+      best = &met;
+      continue;
+    }
+    const bool both = best->triangle != nullptr && met.triangle != nullptr;
+    int order = 0;
+    std::optional<double> here = least;
+    if (!both || !same_place(*met.triangle, met.feature, *best->triangle, best->feature)) {
+      if (!least) least = distance(*best);
+      here = distance(met);
+      order = compare(met, *here, *best, *least);
+    }
+    if (order < 0 || (order == 0 && met.id < best->id)) best = &met, least = here;
   }
-  ball_.radius = std::min(std::nextafter(answer.distance, std::numeric_limits<double>::infinity()),
-                          std::numeric_limits<double>::max());
-  found_.emplace(Found{id, polygon, std::move(answer)});
+  if (best == nullptr) return std::nullopt;
+  if (best->closest) return NearestFace{best->id, best->feature, best->closest->point, best->closest->distance};
+  const Ball at{ball_.center, 0};
+  double point[3];
+  filtered::engine().plain.triangle_point(filtered::question(at, *best->triangle), best->feature, point, uncounted);
+  return NearestFace{best->id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
 }
 
 }  // namespace touchstone::scene

@@ -144,19 +144,17 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
     engine(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
+  if (auto found = search.nearest()) return found;
   // Faces that no ball reaches: farther than the largest double.
-  if (!search.found())
-    any_of(objects, [&](std::uint32_t number, const Object& object) {
-      search.enter(object.first_triangle(number));
-      for (std::uint32_t place = 0; place < object.triangle_count(); ++place)
-        search.meet(object.triangles.triangles[place], object.triangles.tree.order()[place]);
-      search.enter(object.first_polygon(number));
-      for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.polygons[i], i);
-      return false;
-    });
-  if (!search.found()) return std::nullopt;
-  const auto& [id, face, answer] = *search.found();
-  return NearestFace{id, answer.nearest, answer.point, answer.distance};
+  any_of(objects, [&](std::uint32_t number, const Object& object) {
+    search.enter(object.first_triangle(number));
+    for (std::uint32_t place = 0; place < object.triangle_count(); ++place)
+      search.meet(object.triangles.triangles[place], object.triangles.tree.order()[place]);
+    search.enter(object.first_polygon(number));
+    for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.prepared[i], i);
+    return false;
+  });
+  return search.nearest();
 }
 
 bool Scene::touches(const Ball& ball, const Objects& objects) const {

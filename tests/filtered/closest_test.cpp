@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The closest point of a triangle that is not prepared: the answers of exact, by every engine, seldom by big integers.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/engine.h"
+#include "tests/contact/printing.h"
+#include "tests/filtered/hard_cases.h"
+
+namespace touchstone::filtered_tests {
+namespace {
+
+using filtered::ClosestPoint;
+
+ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {
+  const Answer answer = exact::answer({center, 0}, Polygon({t.a, t.b, t.c}));
+  return {answer.nearest, answer.point, answer.distance};
+}
+
+template <class Counts>
+ClosestPoint closest(const filtered::Questions<Counts>& ask, const Eigen::Vector3d& center, const Triangle& triangle) {
+  Counts counts;
+  const Ball point_ball{center, 0};
+  const auto question = filtered::question(point_ball, triangle);
+  const Feature feature = ask.triangle_nearest(question, counts);
+  double point[3];
+  ask.triangle_point(question, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(question, feature, counts)};
+}
+
+void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
+  const ClosestPoint truth = exact_closest(center, triangle);
+  filtered::StageCounts counts;
+  RC_ASSERT(filtered::closest(center, triangle) == truth);
+  RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
+  RC_ASSERT(closest(filtered::baseline_engine().plain, center, triangle) == truth);
+  RC_ASSERT(closest(filtered::engine().counted, center, triangle) == truth);
+}
+
+RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
+  const Case c = *hard_triangles();
+  const Triangle t = triangle_of(c.polygon);
+  for (const Triangle& order : {Triangle{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.b, t.a}})
+    expect_exact(c.ball.center, order);
+}
+
+/// A point of a small lattice: what lies on lines, planes and vertices is not rare, nor are right angles.
+Eigen::Vector3d lattice_point(int size) {
+  const auto coordinate = [size] { return static_cast<double>(*rc::gen::inRange(-size, size + 1)); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+RC_GTEST_PROP(FilteredClosest, IsExactOnSmallLatticesOfEveryScale, ()) {
+  const int size = *rc::gen::inRange(1, 6), exponent = *rc::gen::inRange(-1074, 1020);
+  const auto scaled = [exponent](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+    return v.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  };
+  const Triangle t{scaled(lattice_point(size)), scaled(lattice_point(size)), scaled(lattice_point(size))};
+  const Eigen::Vector3d ab = t.b - t.a;
+  RC_PRE(ab != Eigen::Vector3d::Zero() && t.a != t.c && t.b != t.c);
+  RC_PRE(!exact::validate(Polygon({t.a, t.b, t.c})));
+  expect_exact(scaled(lattice_point(size)), t);
+}
+
+/// Needles: the third vertex is some doubles off the line of the others, so that most bits of the normal are lost.
+RC_GTEST_PROP(FilteredClosest, IsExactForNeedles, ()) {
+  const auto real = [] { return static_cast<double>(*rc::gen::inRange(-1'000'000, 1'000'000)) / 7e5; };
+  const auto point = [&real] {
+    const double x = real(), y = real(), z = real();
+    return Eigen::Vector3d(x, y, z);
+  };
+  const Eigen::Vector3d a = point(), b = point(), center = point();
+  Eigen::Vector3d c = a + (b - a) * (real() / 3 + 0.5);
+  const int bits = *rc::gen::inRange(0, 53);
+  c[*rc::gen::inRange(0, 3)] += std::ldexp(1.0, -bits);
+  RC_PRE(a != b && b != c && a != c);
+  RC_PRE(!exact::validate(Polygon({a, b, c})));
+  for (const Triangle& t : {Triangle{a, b, c}, {b, c, a}, {c, a, b}}) {
+    expect_exact(center, t);
+    expect_exact(a + (center - a) * 1e-9, t);
+  }
+}
+
+// The double-doubles would be of no use if they were seldom sure.
+RC_GTEST_PROP(FilteredClosest, NeedsNoBigIntegersForOrdinaryTriangles, ()) {
+  const auto real = [] { return static_cast<double>(*rc::gen::inRange(-1'000'000, 1'000'000)) / 7e5; };
+  const int exponent = *rc::gen::element(0, -900, 900);
+  const auto point = [&] {
+    const double x = real(), y = real(), z = real();
+    return Eigen::Vector3d(std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(z, exponent));
+  };
+  const Triangle t{point(), point(), point()};
+  const Eigen::Vector3d unit = (t.b - t.a) * std::ldexp(1.0, -exponent),
+                        other = (t.c - t.a) * std::ldexp(1.0, -exponent);
+  RC_PRE(unit.squaredNorm() * other.squaredNorm() - std::pow(unit.dot(other), 2) > 1e-6);
+  filtered::StageCounts counts;
+  (void)filtered::closest(point(), t, counts);
+  RC_ASSERT(counts.decided_by(filtered::Stage::Unlimited) == 0U);
+  RC_ASSERT(counts.decided_by(filtered::Stage::DoubleDouble) > 0U);
+}
+
+}  // namespace
+}  // namespace touchstone::filtered_tests
