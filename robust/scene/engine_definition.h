@@ -9,7 +9,21 @@
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
+/// Does the ball surely miss the triangle's box along some axis? What most triangles of a leaf are passed over by.
+///
+/// The vertices' sides are looked at one by one: a difference that is at most r in magnitude is so when it is rounded.
+/// Requires round to nearest, without flush-to-zero.
+TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
+  const filtered::Pack center = filtered::load_three(ball.center.data()), radius = filtered::all_lanes(ball.radius);
+  const filtered::Pack a = center - filtered::load_three(triangle.a.data());
+  const filtered::Pack b = center - filtered::load_three(triangle.b.data());
+  const filtered::Pack c = center - filtered::load_three(triangle.c.data());
+  const filtered::Pack below = maximum(a, maximum(b, c)) + radius, above = radius - minimum(a, minimum(b, c));
+  return (negative_lanes(below | above) & 0b111) != 0;
+}
+
 TOUCHSTONE_INLINE bool touches(const Ball& ball, const Triangle& triangle, NoTally) {
+  if (misses_box(ball, triangle)) return false;
   filtered::NoCounts counts;
   return filtered::contact(filtered::question(ball, triangle), counts);
 }

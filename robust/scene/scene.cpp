@@ -41,6 +41,8 @@ struct Scene::Object {
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.triangles.size()); }
 
   static FaceId first_triangle(std::uint32_t number) { return {number, 0}; }
+  [[nodiscard]] bool has_triangles() const { return !triangles.triangles.empty(); }
+  [[nodiscard]] bool has_polygons() const { return !polygons.polygons.empty(); }
   [[nodiscard]] FaceId first_polygon(std::uint32_t number) const { return {number, triangle_count()}; }
 
   std::string name;
@@ -114,8 +116,8 @@ bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
   const auto& walks = engine(tally);
   return any_of(objects,
                 [&](std::uint32_t, const Object& object) {
-                  return walks.touches_triangle(ball, object.triangles, tally) ||
-                         walks.touches_polygon(ball, object.polygons, tally);
+                  return (object.has_triangles() && walks.touches_triangle(ball, object.triangles, tally)) ||
+                         (object.has_polygons() && walks.touches_polygon(ball, object.polygons, tally));
                 }) ||
          tally.answered();
 }
@@ -123,10 +125,13 @@ bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
 template <class T>
 std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
+  const auto& walks = engine(tally);
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
-    engine(tally).touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
-    engine(tally).touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
+    if (object.has_triangles())
+      walks.touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
+    if (object.has_polygons())
+      walks.touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
     return false;
   });
   std::sort(result.begin(), result.end());

@@ -15,9 +15,9 @@
 ///
 /// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3, what follows each corner of a triangle;
 /// `previous_of_three` moves lanes 2, 0, 1, 2 there, what comes before it.
-/// + - * and `maximum` are those of each lane alone. Sums of products are fused where the target can: there values
-/// differ between targets, within what bounds.h allows for. A truth value of a lane
-/// is its sign bit: set in x - y where x < y; &, | and ^ combine such bits, `negative_lanes` reads them.
+/// + - *, `minimum` and `maximum` are those of each lane alone. Sums of products are fused where the target can: there
+/// values differ between targets, within what bounds.h allows for. A truth value of a lane is its sign bit: set in x -
+/// y where x < y; &, | and ^ combine such bits, `negative_lanes` reads them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -33,6 +33,9 @@ struct Pack {
 TOUCHSTONE_INLINE Pack pack(double a, double b, double c, double d) { return {_mm256_set_pd(d, c, b, a)}; }
 TOUCHSTONE_INLINE Pack all_lanes(double value) { return {_mm256_set1_pd(value)}; }
 TOUCHSTONE_INLINE Pack load(const double* four) { return {_mm256_loadu_pd(four)}; }
+TOUCHSTONE_INLINE Pack load_three(const double* three) {
+  return {_mm256_maskload_pd(three, _mm256_set_epi64x(0, -1, -1, -1))};
+}
 TOUCHSTONE_INLINE Pack load(const float* four) { return {_mm256_cvtps_pd(_mm_loadu_ps(four))}; }
 TOUCHSTONE_INLINE void store(double* four, const Pack& a) { _mm256_storeu_pd(four, a.lanes); }
 TOUCHSTONE_INLINE Pack operator+(const Pack& a, const Pack& b) { return {_mm256_add_pd(a.lanes, b.lanes)}; }
@@ -41,6 +44,7 @@ TOUCHSTONE_INLINE Pack operator*(const Pack& a, const Pack& b) { return {_mm256_
 TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) { return {_mm256_and_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) { return {_mm256_or_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) { return {_mm256_xor_pd(a.lanes, b.lanes)}; }
+TOUCHSTONE_INLINE Pack minimum(const Pack& a, const Pack& b) { return {_mm256_min_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) { return {_mm256_max_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes)}; }
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) { return static_cast<unsigned>(_mm256_movemask_pd(a.lanes)); }
@@ -82,6 +86,7 @@ struct Pack {
 TOUCHSTONE_INLINE Pack pack(double a, double b, double c, double d) { return {_mm_set_pd(b, a), _mm_set_pd(d, c)}; }
 TOUCHSTONE_INLINE Pack all_lanes(double value) { return {_mm_set1_pd(value), _mm_set1_pd(value)}; }
 TOUCHSTONE_INLINE Pack load(const double* four) { return {_mm_loadu_pd(four), _mm_loadu_pd(four + 2)}; }
+TOUCHSTONE_INLINE Pack load_three(const double* three) { return {_mm_loadu_pd(three), _mm_load_sd(three + 2)}; }
 TOUCHSTONE_INLINE Pack load(const float* four) {
   const __m128 floats = _mm_loadu_ps(four);
   return {_mm_cvtps_pd(floats), _mm_cvtps_pd(_mm_movehl_ps(floats, floats))};
@@ -107,6 +112,9 @@ TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) {
   return {_mm_xor_pd(a.low, b.low), _mm_xor_pd(a.high, b.high)};
+}
+TOUCHSTONE_INLINE Pack minimum(const Pack& a, const Pack& b) {
+  return {_mm_min_pd(a.low, b.low), _mm_min_pd(a.high, b.high)};
 }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
   return {_mm_max_pd(a.low, b.low), _mm_max_pd(a.high, b.high)};
@@ -143,6 +151,7 @@ TOUCHSTONE_INLINE Pack all_lanes(double value) { return {{value, value, value, v
 TOUCHSTONE_INLINE Pack load(const double* four) {
   return each_lane([&](int i) { return four[i]; });
 }
+TOUCHSTONE_INLINE Pack load_three(const double* three) { return {{three[0], three[1], three[2], 0}}; }
 TOUCHSTONE_INLINE Pack load(const float* four) {
   return each_lane([&](int i) { return static_cast<double>(four[i]); });
 }
@@ -166,6 +175,9 @@ TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return std::signbit(a.lanes[i]) != std::signbit(b.lanes[i]) ? -1.0 : 1.0; });
+}
+TOUCHSTONE_INLINE Pack minimum(const Pack& a, const Pack& b) {
+  return each_lane([&](int i) { return a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
 }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return a.lanes[i] > b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
