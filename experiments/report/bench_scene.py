@@ -11,6 +11,7 @@ from style import STYLES, plt, save
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
 BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
 BYTES = [20, 50, 100, 200, 500, 1000]  # that are drawn as numbers
+MICROSECONDS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10]
 
 
 def read(path):
@@ -80,6 +81,7 @@ def draw_builds(rows, libraries, folder):
             one.set_title(f"{scene}: {name.split(',')[0]}")
             one.set_xlabel("triangles")
             one.set_ylabel(name)
+        axes[0].set_yticks(MICROSECONDS, MICROSECONDS)
         axes[1].set_yticks(BYTES, BYTES)
         axes[2].set_axis_off()
     grid[0][2].legend(handles=grid[0][0].get_legend_handles_labels()[0], loc="center left", frameon=False)
