@@ -92,6 +92,8 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
 template <class T>
 void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
+  if (set.polygons.empty()) return;
+  search.expect(set.prepared[0]);
   Reach reach(search.ball(), set.tree);
   walk<true>(set.tree, reach, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];

@@ -51,20 +51,6 @@ double feature_distance(const Vector3d& center, const Triangle& triangle, const 
   return filtered::engine().plain.triangle_distance(filtered::question(point, triangle), feature, uncounted);
 }
 
-/// Where a feature of a triangle is: of an edge its ends, of a vertex itself twice. Equal for equal places.
-std::pair<Vector3d, Vector3d> place(const Triangle& triangle, const Feature& feature) {
-  Vector3d first = corner(triangle, feature.index);
-  if (feature.kind == Feature::Kind::Vertex) return {first, first};
-  Vector3d second = corner(triangle, (feature.index + 1) % 3);
-  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
-  return {first, second};
-}
-
-bool same_place(const Triangle& a, const Feature& of_a, const Triangle& b, const Feature& of_b) {
-  if (of_a.kind != of_b.kind || of_a.kind == Feature::Kind::Face) return false;
-  return place(a, of_a) == place(b, of_b);  // exact: coordinates as they were given
-}
-
 }  // namespace
 
 NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
@@ -91,6 +77,14 @@ void NearestSearch::expect(const Triangle& triangle) {
   if (ball_.radius == kLargest) shrink(triangle, nearest_feature(ball_.center, triangle));  // exact: never shrunk
 }
 
+void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
+  if (ball_.radius < kLargest) return;
+  const Vector3d vertex = polygon.parts().polygon.vertex(0);
+  const Ball around{ball_.center,
+                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + polygon.parts().unlimited.off_plane()};
+  if (around.radius < kLargest && filtered::contact(around, polygon)) ball_.radius = around.radius;
+}
+
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
   const Feature feature = nearest_feature(ball_.center, triangle);
   met_.push_back({{first_.object, first_.face + number}, feature, &triangle, nullptr, std::nullopt});
@@ -105,6 +99,20 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
                   &polygon,
                   filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
   shrink_to(answer.distance);
+}
+
+std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met) {
+  if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
+  if (met.polygon != nullptr && !met.polygon->parts().unlimited.planar()) return std::nullopt;
+  const auto vertex = [&met](std::size_t i) {
+    return met.triangle != nullptr ? corner(*met.triangle, i) : met.polygon->parts().polygon.vertex(i);
+  };
+  const std::size_t i = met.feature.index;
+  Vector3d first = vertex(i);
+  if (met.feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
+  Vector3d second = vertex(met.triangle != nullptr ? (i + 1) % 3 : met.polygon->parts().polygon.next(i));
+  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
+  return std::pair(first, second);
 }
 
 double NearestSearch::distance(const Met& met) const {
@@ -132,10 +140,9 @@ std::optional<NearestFace> NearestSearch::nearest() const {
       best = &met;
       continue;
     }
-    const bool both = best->triangle != nullptr && met.triangle != nullptr;
     int order = 0;
     std::optional<double> here = least;
-    if (!both || !same_place(*met.triangle, met.feature, *best->triangle, best->feature)) {
+    if (const auto at = place(met); !at || at != place(*best)) {  // exact: coordinates as they were given
       if (!least) least = distance(*best);
       here = distance(met);
       order = compare(met, *here, *best, *least);

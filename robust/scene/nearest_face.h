@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/contact/answer.h"
@@ -25,8 +26,9 @@ class NearestSearch {
 
   /// The first of the faces that come next.
   void enter(FaceId first) { first_ = first; }
-  /// A triangle that will be met if it is near: a beginning for the ball, if it has none.
+  /// A face that will be met if it is near: a beginning for the ball, if it has none.
   void expect(const Triangle& triangle);
+  void expect(const filtered::PreparedPolygon& polygon);
   /// A face that the ball touches, by its place after the first; it stays where it is. Cost: some 0.2 us a triangle,
   /// that of filtered::answer a polygon.
   void meet(const Triangle& triangle, std::uint32_t number);
@@ -45,6 +47,9 @@ class NearestSearch {
     std::optional<filtered::ClosestPoint> closest;  ///< of a polygon, from the beginning
   };
   [[nodiscard]] bool touched(const Met& met) const;
+  /// Where the feature is: the ends of an edge in lexicographical order, a vertex twice. Features in one place are
+  /// equally far. None for a face, nor where vertices are lifted.
+  [[nodiscard]] static std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> place(const Met& met);
   void shrink_to(double distance);
   /// Shrinks the ball to little more than the triangle's distance.
   void shrink(const Triangle& triangle, const Feature& feature);

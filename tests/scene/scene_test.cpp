@@ -140,6 +140,25 @@ TEST(Scene, LooksForPolygonsWhereTheyAreLiftedTo) {
   EXPECT_FALSE(scene.touches({{1, 0, 0}, 0}));
 }
 
+// Either side of a ridge is off its plane by so little that both distances are one double; the ridge, which they share
+// as it was given, is lifted away from the centre on one side and towards it on the other.
+TEST(Scene, TellsLiftedEdgesApartThatWereGivenInOnePlace) {
+  const double off = 0x1p-60;
+  const Polygon left({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, off}});
+  const Polygon right({{1, 0, 0}, {2, 0, -1 + off}, {2, 1, -1}, {1, 1, 0}});
+  const Ball center{{1.125, 0.25, 1}, 0};
+  const exact::PreparedPolygon exact_left(left), exact_right(right);
+  ASSERT_EQ(exact::answer(center, left).nearest, (Feature{Feature::Kind::Edge, 1}));
+  ASSERT_EQ(exact::answer(center, right).nearest, (Feature{Feature::Kind::Edge, 3}));
+  ASSERT_EQ(exact::answer(center, left).distance, exact::answer(center, right).distance);
+  const int order = exact::compare_distances(center, exact_left, exact_right);
+  ASSERT_NE(order, 0);
+  const std::vector<Polygon> nearer_last = order > 0 ? std::vector{left, right} : std::vector{right, left};
+  Scene scene;
+  scene.add("ridge", {{}, nearer_last});
+  EXPECT_EQ(scene.nearest(center)->face, (FaceId{0, 1}));
+}
+
 // The balls of no scene reach so far: the largest double is less than the distance.
 TEST(Scene, FindsTheNearestFaceBeyondTheLargestDouble) {
   Scene scene;
