@@ -53,7 +53,7 @@ struct Link {
 struct Robot {
   std::string name;
   std::filesystem::path urdf;
-  Pose base;  ///< of links[0] in the cell
+  Pose base;  ///< of links[0] in the cell: moved up, not turned
   std::vector<Link> links;
   std::vector<Joint> joints;
   std::vector<Coupling> couplings;
@@ -92,6 +92,9 @@ struct Station {
   [[nodiscard]] double azimuth() const { return home + angle; }
 };
 
+/// The station's column as a part, in its frame. Requires one.
+[[nodiscard]] Solid column_of(const Station& station);
+
 /// The piece that is moved: its frame's origin is the middle of its underside, z is up.
 struct Material {
   Solid solid;
@@ -112,7 +115,7 @@ struct Cell {
   /// one.
   std::map<std::string, Label> labels;
 
-  /// The label of the value at a path. Requires a path of the file.
+  /// The label of the value at a path. Throws std::out_of_range where there is none.
   [[nodiscard]] Label label(const std::string& path) const;
 };
 
