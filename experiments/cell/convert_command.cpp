@@ -36,7 +36,11 @@ int run(const Options& options) {
   if (!options.force && std::filesystem::exists(options.to))
     throw BadConversion(options.to + ": is there already; --force writes over it");
   LinkModel model = read_model(options.from);
-  if (!options.name.empty()) model.name = options.name;
+  if (!options.name.empty()) {
+    // A mesh is one part of the link's name.
+    if (model.parts.size() == 1 && model.parts[0].name == model.name) model.parts[0].name = options.name;
+    model.name = options.name;
+  }
   const Preparation preparation = options.merge  ? Preparation::Merge
                                   : options.weld ? Preparation::Weld
                                                  : Preparation::None;
@@ -51,7 +55,7 @@ int run(const Options& options) {
   run::write_file(options.to, text);
   const LinkModel read = read_model(options.to);
 
-  fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "(3 corners)",
+  fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "triangles",
              "holes", "points", "bounds");
   fmt::print("{}{}{}", row("read", counts_of(model)), row("written", counts_of(written)),
              row("read again", counts_of(read)));

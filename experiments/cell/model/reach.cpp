@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/cell_entry.h"
@@ -15,7 +16,7 @@ namespace {
 void check(const Cell& cell, const Station& station, const char* key, const Reach& reach) {
   const Eigen::AlignedBox3d material = bounds_of(cell.material.solid);
   const double around = cell.gripper.sphere.radius + material.diagonal().norm() / 2;
-  const double azimuth = station.azimuth() * EIGEN_PI / 180;
+  const double azimuth = station.azimuth() * std::numbers::pi / 180;
   for (const Slot& slot : station.slots) {
     const Eigen::Vector3d middle = slot.place + material.center();
     const double x = station.radius + middle.x(), y = middle.y();
