@@ -2,107 +2,40 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "experiments/cell/cell_commands.h"
-#include "experiments/cell/model/link_model.h"
 #include "experiments/cell/model/model.h"
-#include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/show_output.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::cell {
 namespace {
 
 struct Options {
-  std::string file, meshes, models;
+  std::string file, meshes, output;
 };
 
-std::string parts_table(const std::vector<ModelPart>& parts) {
-  std::string text = fmt::format("{:<28} {:>6} {:>6} {:>9} {:>10} {:>13}  {}\n", "part", "faces", "holes", "vertices",
-                                 "off_plane", "volume", "bounds in the frame of what it moves with");
-  for (const ModelPart& part : parts) {
-    Eigen::AlignedBox3d bounds;
-    for (const Face& face : part.faces.faces)
-      for (std::size_t i = 0; i < face.polygon.vertex_count(); ++i) bounds.extend(face.polygon.vertex(i));
-    const Eigen::Vector3d &a = bounds.min(), &b = bounds.max();
-    text += fmt::format("{:<28} {:>6} {:>6} {:>9} {:>10.3g} {:>13}  [{:g}, {:g}] x [{:g}, {:g}] x [{:g}, {:g}]\n",
-                        part.name, part.faces.faces.size(), part.faces.holes(), part.faces.vertices(),
-                        part.faces.off_plane(),
-                        part.faces.volume ? fmt::format("{:.8g}", *part.faces.volume)
-                                          : fmt::format("of {} faces", part.faces.merged_from),
-                        a.x(), b.x(), a.y(), b.y(), a.z(), b.z());
-  }
-  return text;
-}
-
-std::string joints_table(const Robot& robot) {
-  std::string text = fmt::format("{:<12} {:<12} {:>24} {:>18} {:>16} {:>8}\n", "joint", "carries", "origin", "axis",
-                                 "limits (deg)", "home");
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const Joint& joint = robot.joints[i];
-    const Eigen::Vector3d &at = joint.origin.translation, &axis = joint.axis;
-    text += fmt::format("{:<12} {:<12} {:>24} ", joint.name, robot.links[i + 1].name,
-                        fmt::format("{:g} {:g} {:g}", at.x(), at.y(), at.z()));
-    text += joint.kind == Joint::Kind::Fixed
-                ? fmt::format("{:>18}\n", "fixed")
-                : fmt::format("{:>18} {:>16} {:>8g}\n", fmt::format("{:g} {:g} {:g}", axis.x(), axis.y(), axis.z()),
-                              fmt::format("{:g} to {:g}", joint.lower, joint.upper), joint.home);
-  }
-  for (const Coupling& coupling : robot.couplings)
-    text += fmt::format("{} turns by {:g} times what {} is commanded, too\n", robot.joints[coupling.joint].name,
-                        coupling.factor, robot.joints[coupling.leader].name);
-  return text;
-}
-
-std::string station_line(const char* name, const Station& station) {
-  return fmt::format("{}: at {:g} {:+g} degrees, radius {:g}, height {:g}, {} slots\n", name, station.home,
-                     station.angle, station.radius, station.height, station.slots.size());
-}
-
-std::string labels_lines(const Cell& cell) {
-  constexpr std::array<std::pair<Label, const char*>, 4> kWords{{{Label::Text, "the thesis's text"},
-                                                                 {Label::Source, "another source"},
-                                                                 {Label::Derived, "derived"},
-                                                                 {Label::Chosen, "chosen"}}};
-  std::string text = "where values come from (the nearest path above a value counts):\n";
-  for (const auto& [label, words] : kWords) {
-    std::string paths;
-    for (const auto& [path, its_label] : cell.labels)
-      if (its_label == label) paths.append(paths.empty() ? "" : ", ").append(path);
-    if (!paths.empty()) text += fmt::format("  {}: {}\n", words, paths);
-  }
-  return text;
-}
-
-/// By file: all parts of a link in one, every other part in one of its own.
-std::map<std::string, LinkModel> models_of(const std::vector<ModelPart>& parts) {
-  std::map<std::string, LinkModel> models;
-  for (const ModelPart& part : parts) {
-    const std::size_t slash = part.name.find('/');
-    const std::string owner = part.name.substr(0, slash);
-    const std::string own = slash == std::string::npos ? part.name : part.name.substr(slash + 1);
-    const bool stands = part.carrier == Carrier::Storage || part.carrier == Carrier::Machine;
-    const std::string file = part.carrier == Carrier::Link ? owner : stands ? owner + "-" + own : own;
-    LinkModel& model = models[file];
-    model.name = file;
-    model.parts.push_back(link_part(own, part.faces));
-  }
-  return models;
+std::string command_line(const Options& options) {
+  std::string line = "touchstone cell show " + run::shell_quoted(options.file);
+  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
+  return line + " --output " + run::shell_quoted(options.output);
 }
 
 int run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = options.output;
+  if (!options.output.empty()) run::make_folder(folder / "models");
   const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
   std::vector<ModelPart> parts;
   {
@@ -112,25 +45,16 @@ int run(const Options& options) {
       (*line)(done);
     });
   }
-  const Reach reach = reach_of(cell);
-  fmt::print(
-      "{} ({}, degrees)\n\n{}\n{}: base at height {:g}; second joint on a circle of radius {:g} at height {:g}, "
-      "sphere {:g} to {:g} from there\n{}",
-      cell.name, cell.unit.name, parts_table(parts), cell.robot.name, cell.robot.base.translation.z(), reach.radius,
-      reach.height, reach.inner, reach.outer, joints_table(cell.robot));
-  const Eigen::Vector3d& at = cell.gripper.sphere.center;
-  fmt::print("gripper: sphere of radius {:g} at ({:g}, {:g}, {:g}) of {}\n", cell.gripper.sphere.radius, at.x(), at.y(),
-             at.z(), cell.robot.flange().name);
-  fmt::print("{}{}material: in slot {}, to be taken to {}; step {:g} degrees\n\n{}",
-             station_line("storage", cell.storage), station_line("machine", cell.machine),
-             cell.storage.slots[cell.material.slot].name, cell.machine.slots[cell.material.machine_slot].name,
-             cell.step, labels_lines(cell));
-  if (options.models.empty()) return 0;
-  run::make_folder(options.models);
-  const auto models = models_of(parts);
-  for (const auto& [name, model] : models)
-    run::write_file(std::filesystem::path(options.models) / (name + ".txt"), link_model_text(model));
-  fmt::print("\n{} model files are in {}\n", models.size(), options.models);
+  fmt::print("{}", summary(cell, parts));
+  if (options.output.empty()) return 0;
+  write_faces(folder, parts);
+  const std::size_t models = write_models(folder / "models", parts);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .samples_asked = parts.size(),
+                                 .samples_done = parts.size(),
+                                 .seconds = seconds});
+  fmt::print("\nfaces.csv and {} model files: {}\n", models, folder.string());
   return 0;
 }
 
@@ -139,9 +63,11 @@ int run(const Options& options) {
 void add_show(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("show", "Check a cell file, build its model, and say what there is");
   auto options = std::make_shared<Options>();
-  command->add_option("CELL", options->file, "A cell file (JSON)")->required();
+  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      ->required();
   command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
-  command->add_option("--models", options->models, "A folder to write the model files (.txt) of all links into");
+  command->add_option("--output", options->output,
+                      "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

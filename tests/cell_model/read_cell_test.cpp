@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/run/write_file.h"
@@ -259,6 +260,9 @@ TEST_F(BadCells, SolidsAreNamed) {
             "material.solid.turn.degrees: must be a multiple of 90 from -360 to 360");
   EXPECT_EQ(fault("/material/solid", {{"mesh", {{"file", "none.stl"}, {"unit", "mm"}}}}),
             "material.solid.mesh.file: there is no file " + (scratch.path / "none.stl").string());
+  EXPECT_EQ(fault("/machine/parts/1/name", "../bottom"),
+            "machine.parts[1].name: must be a name of letters, digits, '-' and '_'");
+  EXPECT_EQ(fault("/gripper/parts/0/name", "Axis1"), "gripper.parts[0].name: a link, or another thing, has this name");
   EXPECT_EQ(fault("/machine/parts/1/name", "bottom"), "machine.parts[1].name: the name \"bottom\" is taken");
 }
 
@@ -303,6 +307,30 @@ TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_NE(urdf_fault("<link name=\"Axis3\"/>", ""), "");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.2\"/>", "<origin xyz=\"0.1 0 0.2\"/>"),
             "robot.urdf: the first joint, \"base\", does not turn about the z axis of the first link");
+}
+
+// Sizes in metres become half above and half below the origin in mm, turned and moved.
+TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
+  ASSERT_EQ(
+      urdf_fault("<link name=\"Base\"/>",
+                 "<link name=\"Base\"><visual><geometry><sphere radius=\"1\"/></geometry></visual>"
+                 "<collision name=\"foot\"><origin xyz=\"0 0 0.05\" rpy=\"1.5707963267948966 0 0\"/>"
+                 "<geometry><box size=\"0.2 0.1 0.3\"/></geometry></collision>"
+                 "<collision><geometry><cylinder radius=\"0.025\" length=\"0.4\"/></geometry></collision></link>"),
+      "");
+  whole["robot"]["links"].erase("Base");
+  run::write_file(scratch.path / "cell.json", whole.dump());
+  const Cell cell = cell::read_cell(scratch.path / "cell.json");
+  const std::vector<cell::Part>& parts = cell.robot.links[0].parts;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].name, "foot");
+  EXPECT_EQ(parts[1].name, "collision1");
+  const Eigen::AlignedBox3d foot = cell::bounds_of(parts[0].solid), rod = cell::bounds_of(parts[1].solid);
+  EXPECT_EQ(foot.min(), Eigen::Vector3d(-100, -150, 0));
+  EXPECT_EQ(foot.max(), Eigen::Vector3d(100, 150, 100));
+  EXPECT_EQ(rod.min(), Eigen::Vector3d(-25, -25, -200));
+  EXPECT_EQ(cell::faces_of(parts[0].solid, "foot").volume, 200.0 * 100 * 300);
+  EXPECT_EQ(cell::faces_of(parts[1].solid, "rod").faces.size(), 26U);
 }
 
 TEST_F(BadCells, WhatIsOutOfReachIsNamed) {

@@ -8,6 +8,11 @@
 
 namespace touchstone::cell {
 
+bool is_name(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") ==
+                              std::string_view::npos;
+}
+
 void CellEntry::bad(const std::string& reason) const {
   throw BadCell(fmt::format("{}: {}: {}", file_, path_.empty() ? "the whole" : path_, reason));
 }
@@ -49,6 +54,12 @@ std::vector<CellEntry> CellEntry::items() const {
 std::string CellEntry::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) bad("must be a text that is not empty");
   return value_->get<std::string>();
+}
+
+std::string CellEntry::name() const {
+  std::string name = text();
+  if (!is_name(name)) bad("must be a name of letters, digits, '-' and '_'");
+  return name;
 }
 
 double CellEntry::number() const {

@@ -20,6 +20,9 @@ class BadCell : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Letters, digits, '-' and '_', at least one: what may name a part, and the file that it is written to.
+[[nodiscard]] bool is_name(std::string_view word);
+
 /// A value of a cell file with the path of keys that leads there, such as `storage.slots[2].place`. What is taken from
 /// it is checked; what is wrong is thrown as BadCell.
 class CellEntry {
@@ -44,6 +47,7 @@ class CellEntry {
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
 
   [[nodiscard]] std::string text() const;     ///< not empty
+  [[nodiscard]] std::string name() const;     ///< `is_name`
   [[nodiscard]] double number() const;        ///< finite
   [[nodiscard]] double positive() const;      ///< > 0
   [[nodiscard]] double not_negative() const;  ///< >= 0

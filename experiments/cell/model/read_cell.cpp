@@ -101,6 +101,17 @@ Robot read_robot(const CellEntry& entry, const std::filesystem::path& folder, co
   return robot;
 }
 
+/// Parts are told apart by the link or thing that they belong to: none may share its name with another.
+void check_names(const Cell& cell, const CellEntry& whole) {
+  std::set<std::string> names{"gripper", "storage", "machine", "material"};
+  for (const Link& link : cell.robot.links)
+    if (!names.insert(link.name).second)
+      whole.at("robot").at("urdf").bad(fmt::format("\"{}\" is no name for a link", link.name));
+  const auto parts = whole.at("gripper").at("parts").items();
+  for (const CellEntry& part : parts)
+    if (names.count(part.at("name").name()) > 0) part.at("name").bad("a link, or another thing, has this name");
+}
+
 Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {
   entry.has_only({"parts", "sphere"});
   const CellEntry sphere = entry.at("sphere");
@@ -213,6 +224,7 @@ Cell read_cell(const std::filesystem::path& file, const std::optional<std::files
   material.has_only({"solid", "slot", "machine_slot"});
   cell.material = {read_solid(material.at("solid"), context), slot_named(cell.storage, material.at("slot")),
                    slot_named(cell.machine, material.at("machine_slot"))};
+  check_names(cell, whole);
   read_labels(cell, whole);
   check_reach(cell);
   return cell;

@@ -104,8 +104,8 @@ std::vector<Part> read_parts(const CellEntry& entry, const SolidContext& context
   std::set<std::string> names;
   for (const CellEntry& item : entry.items()) {
     const CellEntry name = item.at("name");
-    if (!names.insert(name.text()).second) name.bad(fmt::format("the name \"{}\" is taken", name.text()));
-    parts.push_back({name.text(), read_shape(item, context)});
+    if (!names.insert(name.name()).second) name.bad(fmt::format("the name \"{}\" is taken", name.name()));
+    parts.push_back({name.name(), read_shape(item, context)});
   }
   if (parts.empty()) entry.bad("must not be empty");
   return parts;

@@ -104,40 +104,39 @@ class Reader {
                           given.scale.y, given.scale.z));
   }
 
-  [[nodiscard]] Solid solid(const Place& place, const urdf::Geometry& geometry, const urdf::Pose& origin) const {
+  [[nodiscard]] decltype(Solid::shape) shape(const Place& place, const urdf::Geometry& geometry) const {
     const auto positive = [&](double metres) {
       if (!(metres > 0)) place.bad(fmt::format("a size must be positive, is {}", metres));
       return length(place, metres);
     };
-    Solid result{Box{}, pose(place, origin)};
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const urdf::Vector3& size = static_cast<const urdf::Box&>(geometry).dim;
         const Eigen::Vector3d half = Eigen::Vector3d(positive(size.x), positive(size.y), positive(size.z)) / 2;
-        result.shape = Box{-half, half};
-        break;
+        return Box{-half, half};
       }
       case urdf::Geometry::CYLINDER: {
         const auto& given = static_cast<const urdf::Cylinder&>(geometry);
         const double half = positive(given.length) / 2;
-        result.shape = Cylinder{2, {0, 0, -half}, {0, 0, half}, positive(given.radius), sides_};
-        break;
+        return Cylinder{2, {0, 0, -half}, {0, 0, half}, positive(given.radius), sides_};
       }
-      case urdf::Geometry::MESH: result.shape = mesh(place, static_cast<const urdf::Mesh&>(geometry)); break;
-      case urdf::Geometry::SPHERE: place.bad("a sphere has no planar faces");
+      case urdf::Geometry::MESH: return mesh(place, static_cast<const urdf::Mesh&>(geometry));
+      case urdf::Geometry::SPHERE: break;
     }
-    return result;
+    place.bad("a sphere has no planar faces");
   }
 
   [[nodiscard]] Link link(const urdf::Link& given) const {
     Link link{given.name, {}};
+    if (!is_name(given.name)) Place{file_, "link " + given.name}.bad("a name must be of letters, digits, '-' and '_'");
     const auto add = [&](const auto& elements, const char* kind) {
       for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& element = *elements[i];
         std::string name = element.name.empty() ? fmt::format("{}{}", kind, i) : element.name;
         const Place place{file_, fmt::format("link {}: {}", given.name, name)};
+        if (!is_name(name)) place.bad("a name must be of letters, digits, '-' and '_'");
         if (!element.geometry) place.bad("has no geometry");
-        link.parts.push_back({std::move(name), solid(place, *element.geometry, element.origin)});
+        link.parts.push_back({std::move(name), {shape(place, *element.geometry), pose(place, element.origin)}});
       }
     };
     if (given.collision_array.empty())
