@@ -51,9 +51,9 @@ class CellCommand : public testing::Test {
 TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
   const Ran ran = touchstone_cell({"show", aristo, "--output", path("")});
   ASSERT_EQ(ran.status, 0) << ran.err;
-  EXPECT_NE(ran.out.find("faces.csv and 17 model files: "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("faces.csv and 18 model files: "), std::string::npos) << ran.out;
   const std::string faces = run_tests::text_of(path("faces.csv"));
-  EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 570);
+  EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 576);
   EXPECT_NE(faces.find("\nstorage/deck,storage,20,"), std::string::npos);
   EXPECT_NE(run_tests::text_of(path("run.json")).find("touchstone cell show "), std::string::npos);
   const cell::LinkModel axis1 = cell::read_link_model(path("models/Axis1.txt"));

@@ -67,8 +67,8 @@ TEST(Aristo, MovesAsItsDenavitHartenbergTableDoes) {
     std::vector<double> q;
     for (const cell::Joint& joint : cell.robot.joints)
       q.push_back(joint.lower + random.unit() * (joint.upper - joint.lower));
-    const Eigen::Isometry3d table = step(q[0], 90, 0, 322) * step(90 - q[1], 0, 300, 0) * step(180 - q[2], 90, 0, 0) *
-                                    step(0 - q[3], 90, 0, -375) * step(90 + q[4], 90, 0, 0) * step(0 + q[5], 0, 0, 63);
+    const Eigen::Isometry3d table = step(q[0], 90, 0, 322) * step(90 - q[1], 0, 300, 0) * step(180 + q[2], 90, 0, 0) *
+                                    step(q[3], 90, 0, -375) * step(90 - q[4], 90, 0, 0) * step(q[5], 0, 0, 63);
     const Eigen::Isometry3d flange = links_at(cell.robot, q).back();
     EXPECT_LT((flange.translation() - table.translation()).norm(), 1e-9) << i;
     // The table's last frame points out of the hand along z, the cell's is parallel to the cell at home.
@@ -90,11 +90,11 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
 
   std::map<std::string, cell::SolidFaces> parts;
   for (cell::ModelPart& part : cell::build_model(cell)) parts.emplace(part.name, std::move(part.faces));
-  EXPECT_EQ(parts.size(), 19U);
-  EXPECT_EQ(parts.at("gripper/Gripper1").volume, 90.0 * 30 * 95 - 50 * 30 * 60);
+  EXPECT_EQ(parts.size(), 20U);
+  EXPECT_EQ(parts.at("gripper/Gripper1").volume, 90.0 * 30 * 75 - 50 * 30 * 45);
   EXPECT_EQ(parts.at("gripper/Gripper1").faces.size(), 10U);
   EXPECT_EQ(parts.at("storage/deck").holes(), 3U);
-  EXPECT_EQ(parts.at("storage/column").volume, 80.0 * 80 * 380);
+  EXPECT_EQ(parts.at("storage/stand").volume, 80.0 * 80 * 392);
   for (const auto& [name, faces] : parts) EXPECT_LT(faces.off_plane(), 1e-13) << name;
 }
 
@@ -215,7 +215,7 @@ TEST_F(BadCells, TheOriginalIsGood) { EXPECT_EQ(fault(whole.dump()), ""); }
 
 TEST_F(BadCells, KeysAreNamed) {
   EXPECT_EQ(fault("/machine/hight", 5),
-            "machine.hight: is an unknown key; there are home, angle, radius, height, slots, parts, column");
+            "machine.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand");
   EXPECT_EQ(fault("/machine/height", nullptr), "machine: the key \"height\" is missing");
   EXPECT_EQ(fault("/machine/height", -1), "machine.height: must not be negative, is -1");
   EXPECT_EQ(fault("/machine/height", "high"), "machine.height: must be a number");
@@ -229,7 +229,7 @@ TEST_F(BadCells, KeysAreNamed) {
   EXPECT_EQ(fault("/material/slot", "Z"), "material.slot: there is no slot \"Z\"");
   EXPECT_EQ(fault("/storage/slots/1/name", "A"), "storage.slots[1].name: this name is taken");
   EXPECT_EQ(fault("/storage/slots", json::array()), "storage.slots: must not be empty");
-  EXPECT_EQ(fault("/storage/column/top", -400), "storage.column.top: lies at or below the floor");
+  EXPECT_EQ(fault("/storage/stand/top", -412), "storage.stand.top: lies at or below the floor");
   EXPECT_EQ(fault("/meshes", "nowhere"), "meshes: there is no folder " + (scratch.path / "nowhere").string());
   EXPECT_EQ(fault("[]"), "the whole: must be an object");
   EXPECT_EQ(fault("{\"name\":1,\"name\":2}"), "the key \"name\" is there twice");
@@ -262,19 +262,19 @@ TEST_F(BadCells, SolidsAreNamed) {
             "material.solid.mesh.file: there is no file " + (scratch.path / "none.stl").string());
   EXPECT_EQ(fault("/machine/parts/1/name", "../bottom"),
             "machine.parts[1].name: must be a name of letters, digits, '-' and '_'");
+  EXPECT_EQ(fault("/machine/parts/1/name", "stand"), "machine.parts[1].name: only the stand has this name");
   EXPECT_EQ(fault("/gripper/parts/0/name", "Axis1"), "gripper.parts[0].name: a link, or another thing, has this name");
   EXPECT_EQ(fault("/machine/parts/1/name", "bottom"), "machine.parts[1].name: the name \"bottom\" is taken");
 }
 
 TEST_F(BadCells, RobotsAreNamed) {
   EXPECT_EQ(fault("/robot/urdf", "none.urdf"), "robot.urdf: there is no file " + (scratch.path / "none.urdf").string());
-  EXPECT_EQ(fault("/robot/home/elbow", 121),
-            "robot.home.elbow: crosses a limit of the joint: 121 is not within -120 to 120 degrees");
-  EXPECT_EQ(fault("/robot/home/elbow", 120), "");
-  // The elbow follows the shoulder by -1: its angle is 60 - (-61).
-  EXPECT_EQ(
-      fault("/robot/home", {{"base", 0}, {"shoulder", -61}, {"elbow", 60}, {"forearm", 0}, {"wrist", 0}, {"hand", 0}}),
-      "robot.home.elbow: crosses a limit of the joint: 121 is not within -120 to 120 degrees");
+  // The elbow follows the shoulder, which is at 23.8.
+  EXPECT_EQ(fault("/robot/home/elbow", 97),
+            "robot.home.elbow: crosses a limit of the joint: 120.8 is not within -120 to 120 degrees");
+  EXPECT_EQ(fault("/robot/home/elbow", 96), "");
+  EXPECT_EQ(fault("/robot/home/shoulder", 90.5),
+            "robot.home.shoulder: crosses a limit of the joint: 90.5 is not within -90 to 90 degrees");
   EXPECT_EQ(fault("/robot/home/elbow", nullptr), "robot.home: the key \"elbow\" is missing");
   EXPECT_EQ(fault("/robot/home/knee", 0), "robot.home.knee: the robot has no joint of this name that turns");
   EXPECT_EQ(fault("/robot/coupling/0/follows", "knee"),
@@ -286,9 +286,9 @@ TEST_F(BadCells, RobotsAreNamed) {
 TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_EQ(urdf_fault("lower=\"-1.570796326794897\" upper=\"1.570796326794897\"", "lower=\"1\" upper=\"-1\""),
             "joint shoulder: limits are crossed: lower 57.295779513 and upper -57.295779513 degrees");
-  EXPECT_EQ(urdf_fault("name=\"wrist\" type=\"revolute\"", "name=\"wrist\" type=\"prismatic\""),
-            "joint wrist: is neither revolute, continuous nor fixed");
-  EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "joint hand: has no axis");
+  EXPECT_EQ(urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"prismatic\""),
+            "joint wrist_pitch: is neither revolute, continuous nor fixed");
+  EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "joint hand_roll: has no axis");
   EXPECT_EQ(urdf_fault("<parent link=\"Axis5\"/>", "<parent link=\"Axis4\"/>"),
             "link Axis4: has more than one child; a serial arm is expected");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.3\"/>", "<origin xyz=\"0 0 0.3\"/><mimic joint=\"shoulder\"/>"),
@@ -342,7 +342,7 @@ TEST_F(BadCells, WhatIsOutOfReachIsNamed) {
   json changed = whole;
   changed["gripper"]["sphere"]["at"] = {0, 0, -1000};
   changed["storage"]["radius"] = 100;
-  changed["machine"]["radius"] = 700;
+  changed["storage"]["height"] = 300;
   EXPECT_TRUE(fault(changed.dump()).starts_with("storage.radius: out of reach: ")) << fault(changed.dump());
 }
 

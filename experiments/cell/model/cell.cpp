@@ -13,9 +13,9 @@ Label Cell::label(const std::string& path) const {
   throw std::out_of_range("nothing is said of where " + path + " comes from");
 }
 
-Solid column_of(const Station& station) {
-  const Station::Column& column = station.column.value();
-  return {Box{{column.lower.x(), column.lower.y(), -station.height}, {column.upper.x(), column.upper.y(), column.top}}};
+Solid stand_of(const Station& station) {
+  const Station::Stand& stand = station.stand.value();
+  return {Box{{stand.lower.x(), stand.lower.y(), -station.height}, {stand.upper.x(), stand.upper.y(), stand.top}}};
 }
 
 }  // namespace touchstone::cell

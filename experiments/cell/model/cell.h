@@ -83,17 +83,17 @@ struct Station {
   std::vector<Slot> slots;
   std::vector<Part> parts;
   /// A column from the floor up to z = `top` in the station's frame: it grows and shrinks with the height.
-  struct Column {
+  struct Stand {
     Eigen::Vector2d lower, upper;
     double top;
   };
-  std::optional<Column> column;
+  std::optional<Stand> stand;
 
   [[nodiscard]] double azimuth() const { return home + angle; }
 };
 
-/// The station's column as a part, in its frame. Requires one.
-[[nodiscard]] Solid column_of(const Station& station);
+/// The stand as a part, in its frame. Requires that there is one.
+[[nodiscard]] Solid stand_of(const Station& station);
 
 /// The piece that is moved: its frame's origin is the middle of its underside, z is up.
 struct Material {

@@ -24,7 +24,7 @@ std::vector<Named> solids_of(const Cell& cell) {
   const auto add_station = [&](Carrier carrier, const Station& station) {
     const std::string owner(word(carrier));
     add(carrier, 0, owner, station.parts);
-    if (station.column) result.push_back({carrier, 0, owner + "/column", column_of(station)});
+    if (station.stand) result.push_back({carrier, 0, owner + "/stand", stand_of(station)});
   };
   add_station(Carrier::Storage, cell.storage);
   add_station(Carrier::Machine, cell.machine);

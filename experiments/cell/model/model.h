@@ -21,7 +21,7 @@ enum class Carrier { Link, Gripper, Storage, Machine, Material };
 struct ModelPart {
   Carrier carrier;
   std::size_t link;  ///< place in Robot::links; that of the flange for the gripper, 0 of what is no part of the robot
-  std::string name;  ///< `Axis1/body`, `gripper/jaws`, `storage/deck`, `storage/column`, `machine/bed`, `material`
+  std::string name;  ///< `Axis1/body`, `gripper/jaws`, `storage/deck`, `storage/stand`, `machine/bed`, `material`
   SolidFaces faces;
 };
 

@@ -120,7 +120,7 @@ Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {
 }
 
 Station read_station(const CellEntry& entry, const SolidContext& context) {
-  entry.has_only({"home", "angle", "radius", "height", "slots", "parts", "column"});
+  entry.has_only({"home", "angle", "radius", "height", "slots", "parts", "stand"});
   Station station{entry.at("home").number(),
                   entry.at("angle").number(),
                   entry.at("radius").positive(),
@@ -128,6 +128,8 @@ Station read_station(const CellEntry& entry, const SolidContext& context) {
                   {},
                   read_parts(entry.at("parts"), context),
                   {}};
+  for (const CellEntry& item : entry.at("parts").items())
+    if (item.at("name").name() == "stand") item.at("name").bad("only the stand has this name");
   std::set<std::string> names;
   for (const CellEntry& item : entry.at("slots").items()) {
     item.has_only({"name", "place"});
@@ -135,13 +137,13 @@ Station read_station(const CellEntry& entry, const SolidContext& context) {
     if (!names.insert(station.slots.back().name).second) item.at("name").bad("this name is taken");
   }
   if (station.slots.empty()) entry.at("slots").bad("must not be empty");
-  if (const auto column = entry.find("column")) {
-    column->has_only({"from", "to", "top"});
-    station.column = {column->at("from").point2(), column->at("to").point2(), column->at("top").number()};
-    const Station::Column& given = *station.column;
+  if (const auto stand = entry.find("stand")) {
+    stand->has_only({"from", "to", "top"});
+    station.stand = {stand->at("from").point2(), stand->at("to").point2(), stand->at("top").number()};
+    const Station::Stand& given = *station.stand;
     if (!(given.lower.x() < given.upper.x() && given.lower.y() < given.upper.y()))
-      column->bad("\"from\" must be less than \"to\" in each coordinate");
-    if (!(given.top > -station.height)) column->at("top").bad("lies at or below the floor");
+      stand->bad("\"from\" must be less than \"to\" in each coordinate");
+    if (!(given.top > -station.height)) stand->at("top").bad("lies at or below the floor");
   }
   return station;
 }

@@ -21,7 +21,7 @@ namespace touchstone::cell {
 ///             place of what the URDF says that a link consists of
 ///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link
 ///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}]; parts; of
-///             choice: column: {from: [x, y], to: [x, y], top: z}
+///             choice: stand: {from: [x, y], to: [x, y], top: z}
 ///   material  solid; slot: of the storage; machine_slot: of the machine
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
