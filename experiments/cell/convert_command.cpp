@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/model/convert.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::string from, to, name;
+  bool weld = false, merge = false, force = false;
+};
+
+std::string row(const char* what, const ModelCounts& counts) {
+  std::string bounds = "none";
+  if (!counts.bounds.isEmpty()) {
+    const Eigen::Vector3d &a = counts.bounds.min(), &b = counts.bounds.max();
+    bounds = fmt::format("[{}, {}] x [{}, {}] x [{}, {}]", a.x(), b.x(), a.y(), b.y(), a.z(), b.z());
+  }
+  return fmt::format("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", what, counts.parts, counts.vertices,
+                     counts.polygons, counts.triangles, counts.holes, counts.points, bounds);
+}
+
+int run(const Options& options) {
+  constexpr int kDiffers = 1;
+  if (!options.force && std::filesystem::exists(options.to))
+    throw BadConversion(options.to + ": is there already; --force writes over it");
+  LinkModel model = read_model(options.from);
+  if (!options.name.empty()) {
+    // A mesh is one part of the link's name.
+    if (model.parts.size() == 1 && model.parts[0].name == model.name) model.parts[0].name = options.name;
+    model.name = options.name;
+  }
+  const Preparation preparation = options.merge  ? Preparation::Merge
+                                  : options.weld ? Preparation::Weld
+                                                 : Preparation::None;
+  LinkModel written;
+  std::string text;
+  try {
+    written = prepared(model, preparation, options.to);
+    text = model_text(written, options.to);
+  } catch (const std::invalid_argument& error) {
+    throw BadConversion(fmt::format("{}: {}; --name gives another", options.from, error.what()));
+  }
+  run::write_file(options.to, text);
+  const LinkModel read = read_model(options.to);
+
+  fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "triangles",
+             "holes", "points", "bounds");
+  fmt::print("{}{}{}", row("read", counts_of(model)), row("written", counts_of(written)),
+             row("read again", counts_of(read)));
+  const std::vector<std::string> sentences = differences(written, read);
+  for (const std::string& sentence : sentences) fmt::print(stderr, "touchstone: {}: {}\n", options.to, sentence);
+  return sentences.empty() ? 0 : kDiffers;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand(
+      "convert", "Convert between model files (.txt) and meshes (OBJ, OFF, STL, PLY); compare counts and bounds");
+  auto options = std::make_shared<Options>();
+  command->add_option("FROM", options->from, "A model file or mesh")->required();
+  command->add_option("TO", options->to, "What to write; the extension tells the format")->required();
+  auto* weld = command->add_flag("--weld", options->weld, "Make one vertex of equal ones");
+  command->add_flag("--merge", options->merge, "Make polygons with holes of coplanar faces")->excludes(weld);
+  command->add_option("--name", options->name, "Of the link, one word; else that of the file or model");
+  command->add_flag("--force", options->force, "Write over a file that is there");
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace touchstone::cell {
+
+/// A cell that cannot be; the message begins with the file and the key, as in `cell.json: machine.height: ...`.
+class BadCell : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Letters, digits, '-' and '_', at least one: what may name a part, and the file that it is written to.
+[[nodiscard]] bool is_name(std::string_view word);
+
+/// A value of a cell file with the path of keys that leads there, such as `storage.slots[2].place`. What is taken from
+/// it is checked; what is wrong is thrown as BadCell.
+class CellEntry {
+ public:
+  /// Requires that `value` outlives the entry.
+  CellEntry(std::string file, std::string path, const nlohmann::json& value)
+      : file_(std::move(file)), path_(std::move(path)), value_(&value) {}
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[noreturn]] void bad(const std::string& reason) const;
+
+  /// Bad unless it is an object of these keys only.
+  void has_only(std::initializer_list<std::string_view> keys) const;
+  [[nodiscard]] CellEntry at(const std::string& key) const;
+  [[nodiscard]] std::optional<CellEntry> find(const std::string& key) const;
+  /// Of an object, by key in alphabetic order; of an array, in order.
+  [[nodiscard]] std::vector<std::pair<std::string, CellEntry>> members() const;
+  [[nodiscard]] std::vector<CellEntry> items() const;
+
+  [[nodiscard]] bool is_number() const { return value_->is_number(); }
+  [[nodiscard]] bool is_object() const { return value_->is_object(); }
+  [[nodiscard]] bool is_array() const { return value_->is_array(); }
+
+  [[nodiscard]] std::string text() const;     ///< not empty
+  [[nodiscard]] std::string name() const;     ///< `is_name`
+  [[nodiscard]] double number() const;        ///< finite
+  [[nodiscard]] double positive() const;      ///< > 0
+  [[nodiscard]] double not_negative() const;  ///< >= 0
+  [[nodiscard]] int whole(int least, int most) const;
+  /// An array of so many finite numbers.
+  [[nodiscard]] Eigen::Vector3d point() const;
+  [[nodiscard]] Eigen::Vector2d point2() const;
+
+ private:
+  [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
+
+  std::string file_, path_;
+  const nlohmann::json* value_;
+};
+
+}  // namespace touchstone::cell

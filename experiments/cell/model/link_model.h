@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/model/solid_faces.h"
+#include "geometry/io/read_mesh.h"
+
+/// The thesis's model files: text, one file a link, of parts, of polygons. Their layout is not public; this is one that
+/// fits what the captions of its chapter 5 say (a link of three parts, a gripper of one, polygons made of vertices).
+///
+///   file     = "Link" name  "Parts" count  part*
+///   part     = "Part" name  "Vertices" count  vertex*  "Polygons" count  polygon*
+///   vertex   = x y z
+///   polygon  = loop hole*
+///   hole     = "Hole" loop
+///   loop     = count number*
+///
+/// Each of Link, Parts, Part, Vertices, Polygons, a vertex and a polygon has a line of its own. A name is one word
+/// without '#'. Numbers of vertices count from 0 within their part. Blank lines, and what follows '#', mean nothing.
+/// Counts are those of what follows. A loop has at least three vertices.
+namespace touchstone::cell {
+
+struct LinkPolygon {
+  std::vector<std::uint32_t> outer;
+  std::vector<std::vector<std::uint32_t>> holes;
+  friend bool operator==(const LinkPolygon&, const LinkPolygon&) = default;
+};
+
+struct LinkPart {
+  std::string name;
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<LinkPolygon> polygons;
+  friend bool operator==(const LinkPart&, const LinkPart&) = default;
+};
+
+/// What a model file holds. Nothing is said of whether its loops bound a region.
+struct LinkModel {
+  std::string name;
+  std::vector<LinkPart> parts;
+  friend bool operator==(const LinkModel&, const LinkModel&) = default;
+};
+
+/// Throws BrokenMesh, which names the file and the line, for a file that is not there, a word or number that is not
+/// what the layout asks for, a number beyond the finite doubles, a loop of fewer than three vertices, a vertex that
+/// there is not, and a count that does not fit. Numbers are read as the nearest doubles.
+[[nodiscard]] LinkModel read_link_model(const std::filesystem::path& file);
+
+/// The text of a model file: read again it is the same model, bit by bit. Throws std::invalid_argument for a name that
+/// is not one word.
+[[nodiscard]] std::string link_model_text(const LinkModel& model);
+
+/// The faces of a solid, equal points as one vertex, in the order in which they come.
+[[nodiscard]] LinkPart link_part(std::string name, const SolidFaces& solid);
+
+/// A mesh as one part.
+[[nodiscard]] LinkPart link_part(std::string name, const Mesh& mesh);
+
+}  // namespace touchstone::cell

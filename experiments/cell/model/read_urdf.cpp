@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/model/read_urdf.h"
+
+#include <console_bridge/console.h>
+#include <fmt/core.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace touchstone::cell {
+namespace {
+
+/// What urdfdom says of the file that it reads, while this lives.
+class Sentences : public console_bridge::OutputHandler {
+ public:
+  Sentences() { console_bridge::useOutputHandler(this); }
+  Sentences(const Sentences&) = delete;
+  Sentences& operator=(const Sentences&) = delete;
+  ~Sentences() override { console_bridge::restorePreviousOutputHandler(); }
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) text_.append(text_.empty() ? "" : "; ").append(text);
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The link or joint that is being read.
+struct Place {
+  std::string file, what;
+
+  [[noreturn]] void bad(const std::string& reason) const {
+    throw BadCell(fmt::format("{}: {}: {}", file, what, reason));
+  }
+  [[nodiscard]] double finite(double number) const {
+    if (!std::isfinite(number)) bad("a number is not finite");
+    return number;
+  }
+};
+
+class Reader {
+ public:
+  Reader(std::string file, int sides, const SolidContext& context)
+      : file_(std::move(file)), sides_(sides), context_(context) {}
+
+  [[nodiscard]] Robot robot(const urdf::ModelInterface& model) const {
+    Robot robot;
+    robot.name = model.getName();
+    robot.urdf = file_;
+    for (urdf::LinkConstSharedPtr at = model.getRoot(); at;) {
+      robot.links.push_back(link(*at));
+      if (at->child_joints.empty()) break;
+      if (at->child_joints.size() > 1)
+        Place{file_, "link " + at->name}.bad("has more than one child; a serial arm is expected");
+      robot.joints.push_back(joint(*at->child_joints.front()));
+      at = at->child_links.front();
+    }
+    if (robot.joints.empty()) throw BadCell(file_ + ": the robot has no joints");
+    return robot;
+  }
+
+ private:
+  [[nodiscard]] double length(const Place& place, double metres) const {
+    return scenes::converted(place.finite(metres), scenes::find_unit("m"), context_.unit);
+  }
+
+  [[nodiscard]] Eigen::Vector3d vector(const Place& place, const urdf::Vector3& metres) const {
+    return {length(place, metres.x), length(place, metres.y), length(place, metres.z)};
+  }
+
+  [[nodiscard]] Pose pose(const Place& place, const urdf::Pose& given) const {
+    constexpr double kNear = 1e-9;
+    const urdf::Rotation& q = given.rotation;
+    Eigen::Matrix3d rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+    const Eigen::Matrix3d whole = rotation.array().round();
+    if (!rotation.allFinite()) place.bad("a number is not finite");
+    if ((rotation - whole).cwiseAbs().maxCoeff() < kNear) rotation = whole;
+    return {rotation, vector(place, given.position)};
+  }
+
+  [[nodiscard]] MeshFile mesh(const Place& place, const urdf::Mesh& given) const {
+    constexpr std::array<std::string_view, 5> kUnits{"m", "cm", "mm", "inch", "foot"};
+    const std::filesystem::path path = context_.mesh_folder / given.filename;
+    if (!std::filesystem::is_regular_file(path)) place.bad("mesh: there is no file " + path.string());
+    for (const std::string_view name : kUnits) {
+      const scenes::Unit unit = scenes::find_unit(name);
+      const double metres = static_cast<double>(unit.micrometres) / 1e6;
+      if (given.scale.x == metres && given.scale.y == metres && given.scale.z == metres)
+        return {path, unit, context_.unit};
+    }
+    place.bad(fmt::format("mesh: the scale {} {} {} is not that of a unit of length in metres", given.scale.x,
+                          given.scale.y, given.scale.z));
+  }
+
+  [[nodiscard]] decltype(Solid::shape) shape(const Place& place, const urdf::Geometry& geometry) const {
+    const auto positive = [&](double metres) {
+      if (!(metres > 0)) place.bad(fmt::format("a size must be positive, is {}", metres));
+      return length(place, metres);
+    };
+    switch (geometry.type) {
+      case urdf::Geometry::BOX: {
+        const urdf::Vector3& size = static_cast<const urdf::Box&>(geometry).dim;
+        const Eigen::Vector3d half = Eigen::Vector3d(positive(size.x), positive(size.y), positive(size.z)) / 2;
+        return Box{-half, half};
+      }
+      case urdf::Geometry::CYLINDER: {
+        const auto& given = static_cast<const urdf::Cylinder&>(geometry);
+        const double half = positive(given.length) / 2;
+        return Cylinder{2, {0, 0, -half}, {0, 0, half}, positive(given.radius), sides_};
+      }
+      case urdf::Geometry::MESH: return mesh(place, static_cast<const urdf::Mesh&>(geometry));
+      case urdf::Geometry::SPHERE: break;
+    }
+    place.bad("a sphere has no planar faces");
+  }
+
+  [[nodiscard]] Link link(const urdf::Link& given) const {
+    Link link{given.name, {}};
+    if (!is_name(given.name)) Place{file_, "link " + given.name}.bad("a name must be of letters, digits, '-' and '_'");
+    const auto add = [&](const auto& elements, const char* kind) {
+      for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto& element = *elements[i];
+        std::string name = element.name.empty() ? fmt::format("{}{}", kind, i) : element.name;
+        const Place place{file_, fmt::format("link {}: {}", given.name, name)};
+        if (!is_name(name)) place.bad("a name must be of letters, digits, '-' and '_'");
+        if (!element.geometry) place.bad("has no geometry");
+        link.parts.push_back({std::move(name), {shape(place, *element.geometry), pose(place, element.origin)}});
+      }
+    };
+    if (given.collision_array.empty())
+      add(given.visual_array, "visual");
+    else
+      add(given.collision_array, "collision");
+    return link;
+  }
+
+  /// To the nearest 1e-9, so that what was written for a whole degree is one.
+  [[nodiscard]] static double degrees(double radians) {
+    return std::round(radians * (180 / std::numbers::pi) * 1e9) / 1e9;
+  }
+
+  [[nodiscard]] Joint joint(const urdf::Joint& given) const {
+    const Place place{file_, "joint " + given.name};
+    Joint joint{given.name, Joint::Kind::Fixed, pose(place, given.parent_to_joint_origin_transform), {0, 0, 1}, 0, 0,
+                0};
+    if (given.mimic) place.bad("mimics another joint; couplings are given in the cell file");
+    if (given.type == urdf::Joint::FIXED) return joint;
+    if (given.type != urdf::Joint::REVOLUTE && given.type != urdf::Joint::CONTINUOUS)
+      place.bad("is neither revolute, continuous nor fixed");
+    joint.kind = Joint::Kind::Revolute;
+    joint.axis = Eigen::Vector3d(place.finite(given.axis.x), place.finite(given.axis.y), place.finite(given.axis.z));
+    if (joint.axis.isZero(0)) place.bad("has no axis");
+    joint.axis /= joint.axis.norm();
+    if (given.type == urdf::Joint::CONTINUOUS) {
+      joint.lower = -360;
+      joint.upper = 360;
+      return joint;
+    }
+    joint.lower = degrees(place.finite(given.limits->lower));
+    joint.upper = degrees(place.finite(given.limits->upper));
+    if (joint.lower > joint.upper)
+      place.bad(fmt::format("limits are crossed: lower {} and upper {} degrees", joint.lower, joint.upper));
+    return joint;
+  }
+
+  std::string file_;
+  int sides_;
+  const SolidContext& context_;
+};
+
+}  // namespace
+
+Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw BadCell(file.string() + ": cannot be read");
+  urdf::ModelInterfaceSharedPtr model;
+  std::string said;
+  {
+    const Sentences sentences;
+    model = urdf::parseURDF(text);
+    said = sentences.text();
+  }
+  if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is no URDF file" : said));
+  return Reader(file.string(), sides, context).robot(*model);
+}
+
+}  // namespace touchstone::cell

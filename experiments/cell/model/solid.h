@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "experiments/scenes/unit.h"
+#include "geometry/shapes/pose.h"
+
+// Shapes as they are written down, in the unit of their cell; what they are as faces is in solid_faces.h.
+namespace touchstone::cell {
+
+/// The closed cuboid between two corners. Requires lower < upper in each coordinate.
+struct Box {
+  Eigen::Vector3d lower, upper;
+};
+
+/// The closed prism, along an axis of coordinates, over a convex polygon inscribed in a circle: a cylinder of so many
+/// sides. Its corners are exact rational points of the circle, the first on the positive side of the next axis
+/// (cyclically), the others at most 2^-20 of a turn from where equal sides would put them.
+///
+/// Requires ends that differ in the coordinate `axis` alone, a positive radius and 3 to 1000 sides.
+struct Cylinder {
+  int axis;  ///< 0, 1 or 2
+  Eigen::Vector3d from, to;
+  double radius;
+  int sides;
+};
+
+/// The surface that a mesh file holds, its coplanar triangles merged into polygons.
+struct MeshFile {
+  std::filesystem::path file;
+  scenes::Unit unit;       ///< of the file's numbers
+  scenes::Unit cell_unit;  ///< of the result
+};
+
+struct Solid;
+
+/// The regularised union, the first part without the others, or the intersection. Meshes cannot be parts.
+struct Boolean {
+  enum class Operation { Union, Difference, Intersection };
+  Operation operation;
+  std::vector<Solid> parts;  ///< at least one
+};
+
+/// A shape under a pose: an exact affine map, whatever its matrix.
+struct Solid {
+  std::variant<Box, Cylinder, MeshFile, Boolean> shape;
+  Pose pose = {};
+};
+
+/// A named solid; links and machines are made of some.
+struct Part {
+  std::string name;
+  Solid solid;
+};
+
+}  // namespace touchstone::cell

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/model/model.h"
+#include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/show_output.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::string file, meshes, output;
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "touchstone cell show " + run::shell_quoted(options.file);
+  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
+  return line + " --output " + run::shell_quoted(options.output);
+}
+
+int run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = options.output;
+  if (!options.output.empty()) run::make_folder(folder / "models");
+  const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
+  std::vector<ModelPart> parts;
+  {
+    std::optional<run::ProgressLine> line;
+    parts = build_model(cell, [&](std::size_t done, std::size_t total) {
+      if (!line) line.emplace("cell: parts", total);
+      (*line)(done);
+    });
+  }
+  fmt::print("{}", summary(cell, parts));
+  if (options.output.empty()) return 0;
+  write_faces(folder, parts);
+  const std::size_t models = write_models(folder / "models", parts);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .samples_asked = parts.size(),
+                                 .samples_done = parts.size(),
+                                 .seconds = seconds});
+  fmt::print("\nfaces.csv and {} model files: {}\n", models, folder.string());
+  return 0;
+}
+
+}  // namespace
+
+void add_show(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand("show", "Check a cell file, build its model, and say what there is");
+  auto options = std::make_shared<Options>();
+  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      ->required();
+  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command->add_option("--output", options->output,
+                      "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell
