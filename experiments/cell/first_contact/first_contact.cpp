@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/first_contact/first_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "experiments/cell/first_contact/arc_boxes.h"
+#include "experiments/cell/first_contact/arc_face.h"
+#include "geometry/shapes/ball.h"
+#include "robust/filtered/filtered.h"
+#include "robust/floating_point_state.h"
+#include "robust/scene/lifted_box.h"
+
+namespace touchstone::cell {
+namespace {
+
+constexpr unsigned kBits = 64;  // of the parameter: less than 1e-17 degrees
+
+/// The contact of one face after the start; nothing beyond the end of the move.
+std::optional<FirstContact> contact_of(const Arc& arc, double radius, const Polygon& polygon, std::size_t face,
+                                       const ArcBoxes& boxes, double latest) {
+  ArcFace problem(arc, radius, polygon);
+  auto contact = problem.first(boxes, latest);
+  if (!contact) return std::nullopt;
+  const auto& [chart, root] = contact->moment;
+  const Charts& charts = problem.charts();
+  contact->moment.root.refine(kBits);
+  if (charts.compare(chart, root.low(), root.high(), arc.degrees, 128) == 0) contact->moment.root.refine(200);
+  if (charts.compare(chart, root.low(), root.high(), arc.degrees, 256) > 0) return std::nullopt;
+  return FirstContact{charts.degrees(chart, root.low(), Charts::Towards::Low),
+                      charts.degrees(chart, root.high(), Charts::Towards::High),
+                      contact->grazing ? FirstContact::Kind::Grazing : FirstContact::Kind::Transversal, face,
+                      contact->feature};
+}
+
+}  // namespace
+
+std::string_view word(FirstContact::Kind kind) {
+  constexpr std::array<std::string_view, 3> words{"at-start", "transversal", "grazing"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+std::optional<FirstContact> first_contact(const Arc& arc, double radius, const scene::Faces& faces) {
+  require_valid(arc);
+  const Ball start{arc.start, radius};
+  if (const auto fault = find_fault(start)) throw Rejected(*fault);
+  const FloatingPointState state;
+
+  const ArcBoxes boxes(arc, radius);
+  struct Near {
+    ArcBoxes::Range range;
+    std::size_t face;
+  };
+  std::vector<Near> near;
+  const std::size_t triangles = faces.triangles.size();
+  for (std::size_t i = 0; i < triangles; ++i)
+    if (const auto range = boxes.range(box(faces.triangles[i]))) near.push_back({*range, i});
+  for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
+    const Polygon& polygon = faces.polygons[i];
+    const auto quick = scene::quick_lifted_box(polygon);
+    const auto range = boxes.range(quick ? *quick : scene::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
+    if (range) near.push_back({*range, triangles + i});
+  }
+  const auto polygon_of = [&](std::size_t face) {
+    if (face >= triangles) return faces.polygons[face - triangles];
+    const Triangle& t = faces.triangles[face];
+    return Polygon({t.a, t.b, t.c});
+  };
+  for (const Near& n : near) {
+    if (n.range.begin > 0) continue;
+    const Polygon polygon = polygon_of(n.face);
+    const filtered::PreparedPolygon prepared(polygon);
+    if (filtered::contact(start, prepared))
+      return FirstContact{0, 0, FirstContact::Kind::AtStart, n.face, filtered::answer(start, prepared).nearest};
+  }
+
+  // Those that can be met early first, so that the others need not be looked at.
+  std::ranges::stable_sort(near, {}, [](const Near& n) { return n.range.begin; });
+  std::optional<FirstContact> first;
+  for (const Near& n : near) {
+    const double latest = first ? first->high : arc.degrees;
+    if (n.range.begin > latest) break;
+    const auto contact = contact_of(arc, radius, polygon_of(n.face), n.face, boxes, latest);
+    if (!contact) continue;
+    const bool apart = first && (contact->high < first->low || first->high < contact->low);
+    if (!first || (apart ? contact->low < first->low : contact->face < first->face)) first = contact;
+  }
+  return first;
+}
+
+}  // namespace touchstone::cell
