@@ -17,14 +17,17 @@ int unit_of(const Arc& arc, double radius, const Polygon& polygon) {
   return unit;
 }
 
-Box around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double margin) {
-  Box box{a.cwiseMin(b), a.cwiseMax(b)};
-  if (margin == 0) return box;
+/// About the normal of points, of a length that does not matter.
+Eigen::Vector3d rough_normal(const ExactFace& face) {
+  Eigen::Vector3d normal;
+  mp_bitcnt_t bits = 0;
+  for (const mpz_class& n : face.normal) bits = std::max<mp_bitcnt_t>(bits, mpz_sizeinbase(n.get_mpz_t(), 2));
   for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = std::nextafter(box.low[axis] - margin, -HUGE_VAL);
-    box.high[axis] = std::nextafter(box.high[axis] + margin, HUGE_VAL);
+    long exponent = 0;
+    const double digits = mpz_get_d_2exp(&exponent, face.normal[static_cast<std::size_t>(axis)].get_mpz_t());
+    normal[axis] = std::ldexp(digits, static_cast<int>(exponent - static_cast<long>(bits)));
   }
-  return box;
+  return normal;
 }
 
 }  // namespace
@@ -42,17 +45,12 @@ ArcFace::ArcFace(const Arc& arc, double radius, const Polygon& polygon)
   center_ = face_.scale * in_units(arc.point, unit_);
   spoke_ = start_ - center_;
   radius_ = face_.scale * in_units({radius, 0, 0}, unit_)[0];
-  Box all;
-  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-    edge_boxes_.push_back(around(polygon.vertex(i), polygon.vertex(polygon.next(i)), face_.off_plane));
-    all = all.joined(edge_boxes_.back());
-  }
-  edge_boxes_.push_back(all);
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) points_.push_back(polygon.vertex(i));
 }
 
 // With v the spoke and n the axis, the quaternion (x, y n) turns v to
 // ((x^2 - y^2 n.n) v + 2 x y n x v + 2 y^2 (n.v) n) / (x^2 + y^2 n.n).
-std::optional<ArcFace::Contact> ArcFace::first(const ArcBoxes& boxes, double latest) {
+std::optional<ArcFace::Contact> ArcFace::first(const ArcPieces& pieces, double latest) {
   const IntegerVector& axis = charts_.axis();
   const mpz_class squared_length = dot(axis, axis);
   const IntegerVector mixed = mpz_class(2) * cross(axis, spoke_);
@@ -60,20 +58,19 @@ std::optional<ArcFace::Contact> ArcFace::first(const ArcBoxes& boxes, double lat
 
   struct Candidate {
     Feature feature;
-    ArcBoxes::Range range;
+    ArcPieces::Range range;
   };
   std::vector<Candidate> candidates;
-  const std::size_t count = face_.vertices.size();
-  const auto consider = [&](Feature feature, const Box& box) {
-    if (const auto range = boxes.range(box)) candidates.push_back({feature, *range});
+  const auto consider = [&](Feature feature, const std::optional<ArcPieces::Range>& range) {
+    if (range) candidates.push_back({feature, *range});
   };
-  consider({Feature::Kind::Face, 0}, edge_boxes_.back());
+  const double lift = face_.off_plane;
+  consider({Feature::Kind::Face, 0}, pieces.near(points_, rough_normal(face_), lift));
   if (candidates.empty()) return std::nullopt;
-  for (std::size_t i = 0; i < count; ++i) consider({Feature::Kind::Edge, i}, edge_boxes_[i]);
-  for (std::size_t i = 0; i < count; ++i) {
-    // A vertex lies in the boxes of both of its edges; one is enough.
-    consider({Feature::Kind::Vertex, i}, edge_boxes_[i]);
-  }
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    consider({Feature::Kind::Edge, i}, pieces.near(points_[i], points_[face_.next[i]], lift));
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    consider({Feature::Kind::Vertex, i}, pieces.near(points_[i], points_[i], lift));
 
   std::optional<Contact> first;
   for (int chart = 0; chart < Charts::kCount && !first; ++chart) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/cell/first_contact/arc.h"
-#include "experiments/cell/first_contact/arc_boxes.h"
+#include "experiments/cell/first_contact/arc_pieces.h"
 #include "experiments/cell/first_contact/chart.h"
 #include "experiments/cell/first_contact/exact_face.h"
 #include "geometry/contact/answer.h"
@@ -24,7 +24,7 @@ class ArcFace {
   };
   /// The first contact after the start with a feature near the arc, on the whole turn of 360 degrees or at most up to
   /// `latest`, whose angle is only looked at to save time.
-  [[nodiscard]] std::optional<Contact> first(const ArcBoxes& boxes, double latest);
+  [[nodiscard]] std::optional<Contact> first(const ArcPieces& pieces, double latest);
   [[nodiscard]] const Charts& charts() const { return charts_; }
 
  private:
@@ -40,7 +40,7 @@ class ArcFace {
   Charts charts_;
   IntegerVector start_, center_, spoke_;  // of the arc, and start - center, in the units of the face
   mpz_class radius_;
-  std::vector<Box> edge_boxes_;  // the last one is that of the face
+  std::vector<Eigen::Vector3d> points_;  // the vertices before they are lifted
 };
 
 }  // namespace touchstone::cell

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "experiments/cell/first_contact/arc_boxes.h"
 #include "experiments/cell/first_contact/arc_face.h"
+#include "experiments/cell/first_contact/arc_pieces.h"
 #include "geometry/shapes/ball.h"
 #include "robust/filtered/filtered.h"
 #include "robust/floating_point_state.h"
@@ -19,9 +19,9 @@ constexpr unsigned kBits = 64;  // of the parameter: less than 1e-17 degrees
 
 /// The contact of one face after the start; nothing beyond the end of the move.
 std::optional<FirstContact> contact_of(const Arc& arc, double radius, const Polygon& polygon, std::size_t face,
-                                       const ArcBoxes& boxes, double latest) {
+                                       const ArcPieces& pieces, double latest) {
   ArcFace problem(arc, radius, polygon);
-  auto contact = problem.first(boxes, latest);
+  auto contact = problem.first(pieces, latest);
   if (!contact) return std::nullopt;
   const auto& [chart, root] = contact->moment;
   const Charts& charts = problem.charts();
@@ -47,19 +47,19 @@ std::optional<FirstContact> first_contact(const Arc& arc, double radius, const s
   if (const auto fault = find_fault(start)) throw Rejected(*fault);
   const FloatingPointState state;
 
-  const ArcBoxes boxes(arc, radius);
+  const ArcPieces pieces(arc, radius);
   struct Near {
-    ArcBoxes::Range range;
+    ArcPieces::Range range;
     std::size_t face;
   };
   std::vector<Near> near;
   const std::size_t triangles = faces.triangles.size();
   for (std::size_t i = 0; i < triangles; ++i)
-    if (const auto range = boxes.range(box(faces.triangles[i]))) near.push_back({*range, i});
+    if (const auto range = pieces.near(box(faces.triangles[i]))) near.push_back({*range, i});
   for (std::size_t i = 0; i < faces.polygons.size(); ++i) {
     const Polygon& polygon = faces.polygons[i];
     const auto quick = scene::quick_lifted_box(polygon);
-    const auto range = boxes.range(quick ? *quick : scene::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
+    const auto range = pieces.near(quick ? *quick : scene::lifted_box(polygon, filtered::PreparedPolygon(polygon)));
     if (range) near.push_back({*range, triangles + i});
   }
   const auto polygon_of = [&](std::size_t face) {
@@ -81,7 +81,7 @@ std::optional<FirstContact> first_contact(const Arc& arc, double radius, const s
   for (const Near& n : near) {
     const double latest = first ? first->high : arc.degrees;
     if (n.range.begin > latest) break;
-    const auto contact = contact_of(arc, radius, polygon_of(n.face), n.face, boxes, latest);
+    const auto contact = contact_of(arc, radius, polygon_of(n.face), n.face, pieces, latest);
     if (!contact) continue;
     const bool apart = first && (contact->high < first->low || first->high < contact->low);
     if (!first || (apart ? contact->low < first->low : contact->face < first->face)) first = contact;

@@ -54,6 +54,11 @@ Polynomial quotient(const Polynomial& a, const Polynomial& b) {
   return primitive(Polynomial(std::move(result)));
 }
 
+Polynomial without_multiple_roots(const Polynomial& p) {
+  const Polynomial repeated = common_divisor(p, derivative(p));
+  return repeated.degree() > 0 ? quotient(p, repeated) : p;
+}
+
 Dyadic middle(const Dyadic& a, const Dyadic& b) {
   const unsigned shift = std::max(a.shift, b.shift);
   return {mpz_class((a.numerator << (shift - a.shift)) + (b.numerator << (shift - b.shift))), shift + 1};
@@ -74,15 +79,16 @@ Polynomial::Polynomial(std::vector<mpz_class> coefficients) : coefficients_(std:
   while (!coefficients_.empty() && coefficients_.back() == 0) coefficients_.pop_back();
 }
 
-int Polynomial::sign_at(const Dyadic& x) const {
-  mpz_class value = 0;  // times 2^(shift degree)
+mpz_class Polynomial::scaled_value_at(const Dyadic& x) const {
+  mpz_class value = coefficients_.back(), term;
   mp_bitcnt_t scale = 0;
-  for (std::size_t i = coefficients_.size(); i-- > 0;) {
-    value *= x.numerator;
-    value += mpz_class(coefficients_[i] << scale);
+  for (std::size_t i = coefficients_.size() - 1; i-- > 0;) {
     scale += x.shift;
+    mpz_mul(value.get_mpz_t(), value.get_mpz_t(), x.numerator.get_mpz_t());
+    mpz_mul_2exp(term.get_mpz_t(), coefficients_[i].get_mpz_t(), scale);
+    mpz_add(value.get_mpz_t(), value.get_mpz_t(), term.get_mpz_t());
   }
-  return sgn(value);
+  return value;
 }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
@@ -150,72 +156,130 @@ void Root::refine(unsigned bits) {
 }
 
 // From the middle m of what holds the root x, |q(x) - q(m)| <= bound |x - m|, where the bound is the sum of
-// |i q_i| reach^(i - 1) and no |x| or |m| exceeds reach.
+// |i q_i| reach^(i - 1) and neither |x| nor |m| exceeds reach.
 int Root::sign_of(const Polynomial& q) {
   if (q.degree() <= 0) return q.zero() ? 0 : sgn(q.coefficients().front());
-  mpz_class reach = (high_.numerator >> high_.shift) + 1, power = 1, bound = 0;
+  const mpz_class reach = (high_.numerator >> high_.shift) + 1;
+  mpz_class power = 1, bound = 0;
   for (std::size_t i = 1; i < q.coefficients().size(); ++i) {
     bound += mpz_class(abs(q.coefficients()[i]) * static_cast<unsigned long>(i)) * power;
     power *= reach;
   }
-  const auto bits_of_bound = static_cast<unsigned>(mpz_sizeinbase(bound.get_mpz_t(), 2));
-  for (unsigned bits = 64; bits <= 1024; bits *= 2) {
+  for (unsigned bits = 12;; bits *= 2) {
     refine(bits);
     if (equal(low_, high_)) return q.sign_at(high_);
-    // q -+ 2^(bits_of_bound - bits) of one sign: so is q at the root.
     const Dyadic at = middle(low_, high_);
-    const auto shifted = [&](int direction) {
-      std::vector<mpz_class> scaled = q.coefficients();
-      for (mpz_class& c : scaled) c <<= bits;
-      scaled.front() += direction * mpz_class(mpz_class(1) << bits_of_bound);
-      return Polynomial(std::move(scaled)).sign_at(at);
-    };
-    const int above = shifted(1), below = shifted(-1);
-    if (above == below) return above;
-    if (bits == 128) {  // closer than this only where it is a root of both
-      const Polynomial common = common_divisor(square_free_, q);
-      if (common.degree() > 0 && Sturm(common).roots(low_, high_) > 0) return 0;
-    }
+    const mpz_class value = q.scaled_value_at(at) << bits;
+    const mpz_class error = bound << static_cast<mp_bitcnt_t>(static_cast<unsigned>(q.degree()) * at.shift);
+    if (mpz_cmpabs(value.get_mpz_t(), error.get_mpz_t()) > 0) return sgn(value);
+    if (bits != 96) continue;  // closer than that as a rule only where it is a root of both
+    const Polynomial common = common_divisor(square_free_, q);
+    if (common.degree() > 0 && common.sign_at(low_) * common.sign_at(high_) <= 0 &&
+        Sturm(without_multiple_roots(common)).roots(low_, high_) > 0)
+      return 0;
   }
-  // Not a root of q, and next to one: the last word is that of a width at which q has none.
-  const Sturm of_q(quotient(q, common_divisor(q, derivative(q))));
-  unsigned bits = 2048;
-  while (of_q.roots(low_, high_) > 0) refine(bits), bits *= 2;
-  return q.sign_at(high_);
 }
 
-std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end) {
-  std::vector<Root> roots;
-  if (polynomial.degree() <= 0) return roots;
-  const Polynomial repeated = common_divisor(polynomial, derivative(polynomial));
-  const Polynomial square_free = repeated.degree() > 0 ? quotient(polynomial, repeated) : primitive(polynomial);
-  const Sturm sturm(square_free);
-  struct Part {
-    Dyadic low, high;
-    int count;
-  };
-  const Dyadic zero{0, 0};
-  std::vector<Part> parts{{zero, end, sturm.roots(zero, end)}};
-  while (!parts.empty()) {
-    Part part = std::move(parts.back());
-    parts.pop_back();
-    if (part.count == 0) continue;
-    if (part.count == 1) {
-      Root root;
-      root.square_free_ = square_free;
-      root.low_ = part.low, root.high_ = part.high;
-      root.sign_above_ = square_free.sign_at(part.high);
-      if (root.sign_above_ == 0) root.low_ = root.high_;
-      roots.push_back(std::move(root));
-      continue;
-    }
-    const Dyadic between = middle(part.low, part.high);
-    const int left = sturm.roots(part.low, between);
-    parts.push_back({between, part.high, part.count - left});  // looked at after the other
-    parts.push_back({part.low, between, left});
+// A polynomial whose Bernstein coefficients over an interval change their sign once has one root inside, a simple one;
+// where they do not, none.
+class RootFinder {
+ public:
+  explicit RootFinder(const Polynomial& polynomial) : polynomial_(polynomial) {}
+
+  std::vector<Root> roots(const Dyadic& end) {
+    if (by_signs({0, 0}, end, bernstein(end), 0)) return std::move(roots_);
+    roots_.clear();
+    by_sturm(end);
+    return std::move(roots_);
   }
-  for (Root& root : roots) root.multiple_ = repeated.degree() > 0 && root.sign_of(repeated) == 0;
-  return roots;
+
+ private:
+  static constexpr int kHalvings = 12;
+
+  void add(const Polynomial& square_free, const Dyadic& low, const Dyadic& high) {
+    Root root;
+    root.square_free_ = square_free;
+    root.low_ = low, root.high_ = high;
+    root.sign_above_ = square_free.sign_at(high);
+    if (root.sign_above_ == 0) root.low_ = root.high_;
+    roots_.push_back(std::move(root));
+  }
+
+  /// The Bernstein coefficients over [0, end], times a positive number.
+  [[nodiscard]] std::vector<mpz_class> bernstein(const Dyadic& end) const {
+    const std::vector<mpz_class>& c = polynomial_.coefficients();
+    const std::size_t degree = c.size() - 1;
+    std::vector<mpz_class> scaled(c.size()), result(c.size());
+    for (std::size_t i = 0; i <= degree; ++i) {
+      mpz_class power;
+      mpz_pow_ui(power.get_mpz_t(), end.numerator.get_mpz_t(), i);
+      scaled[i] = mpz_class(c[i] * power) << static_cast<mp_bitcnt_t>((degree - i) * end.shift);
+    }
+    mpz_class top, part;
+    for (std::size_t j = 0; j <= degree; ++j)
+      for (std::size_t i = 0; i <= j; ++i) {  // times degree!: C(j, i) / C(degree, i) is whole then
+        mpz_bin_uiui(part.get_mpz_t(), j, i);
+        mpz_fac_ui(top.get_mpz_t(), degree);
+        part *= top;
+        mpz_bin_uiui(top.get_mpz_t(), degree, i);
+        part /= top;
+        result[j] += part * scaled[i];
+      }
+    return result;
+  }
+
+  /// False where signs do not tell.
+  bool by_signs(const Dyadic& low, const Dyadic& high, std::vector<mpz_class> b, int halvings) {
+    if (b.front() == 0 || b.back() == 0) return false;
+    int changes = 0, last = sgn(b.front());
+    for (const mpz_class& c : b)
+      if (sgn(c) != 0 && sgn(c) != last) ++changes, last = sgn(c);
+    if (changes == 1) add(polynomial_, low, high);
+    if (changes <= 1) return true;
+    if (halvings == kHalvings) return false;
+    // De Casteljau, both halves times 2^degree.
+    const std::size_t degree = b.size() - 1;
+    std::vector<mpz_class> left(b.size()), right(b.size());
+    for (std::size_t i = 0; i <= degree; ++i) {
+      left[i] = b[0] << static_cast<mp_bitcnt_t>(degree - i);
+      right[degree - i] = b[degree - i] << static_cast<mp_bitcnt_t>(degree - i);
+      for (std::size_t k = 0; k + i < degree; ++k) b[k] += b[k + 1];
+    }
+    const Dyadic between = middle(low, high);
+    return by_signs(low, between, std::move(left), halvings + 1) &&
+           by_signs(between, high, std::move(right), halvings + 1);
+  }
+
+  void by_sturm(const Dyadic& end) {
+    const Polynomial repeated = common_divisor(polynomial_, derivative(polynomial_));
+    const Polynomial square_free = without_multiple_roots(polynomial_);
+    const Sturm sturm(square_free);
+    struct Part {
+      Dyadic low, high;
+      int count;
+    };
+    const Dyadic zero{0, 0};
+    std::vector<Part> parts{{zero, end, sturm.roots(zero, end)}};
+    while (!parts.empty()) {
+      const Part part = std::move(parts.back());
+      parts.pop_back();
+      if (part.count == 1) add(square_free, part.low, part.high);
+      if (part.count <= 1) continue;
+      const Dyadic between = middle(part.low, part.high);
+      const int left = sturm.roots(part.low, between);
+      parts.push_back({between, part.high, part.count - left});  // looked at after the other
+      parts.push_back({part.low, between, left});
+    }
+    for (Root& root : roots_) root.multiple_ = repeated.degree() > 0 && root.sign_of(repeated) == 0;
+  }
+
+  const Polynomial& polynomial_;
+  std::vector<Root> roots_;
+};
+
+std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end) {
+  if (polynomial.degree() <= 0) return {};
+  return RootFinder(polynomial).roots(end);
 }
 
 }  // namespace touchstone::cell

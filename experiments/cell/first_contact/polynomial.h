@@ -25,7 +25,9 @@ class Polynomial {
   [[nodiscard]] bool zero() const { return coefficients_.empty(); }
   /// -1 for the polynomial 0.
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
-  [[nodiscard]] int sign_at(const Dyadic& x) const;
+  /// The value times 2^(degree x.shift). Requires a polynomial other than 0.
+  [[nodiscard]] mpz_class scaled_value_at(const Dyadic& x) const;
+  [[nodiscard]] int sign_at(const Dyadic& x) const { return zero() ? 0 : sgn(scaled_value_at(x)); }
 
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
   friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
@@ -39,7 +41,7 @@ class Polynomial {
 /// The greatest common divisor, up to a factor. Requires that one of them is not 0.
 [[nodiscard]] Polynomial common_divisor(const Polynomial& a, const Polynomial& b);
 
-/// How often a polynomial without multiple roots changes sign between points, by Sturm's theorem.
+/// Counts the roots of a polynomial without multiple roots, by Sturm's theorem.
 class Sturm {
  public:
   explicit Sturm(const Polynomial& square_free);
@@ -60,19 +62,22 @@ class Root {
 
   /// Halves what holds the root until it is at most 2^-bits wide.
   void refine(unsigned bits);
-  /// The sign of a polynomial at the root: exact. Refines the root. Cost: about a microsecond where 2^-64 tells.
+  /// The sign of a polynomial at the root: exact. Refines the root as far as it takes.
   [[nodiscard]] int sign_of(const Polynomial& polynomial);
 
  private:
-  friend std::vector<Root> real_roots(const Polynomial&, const Dyadic&);
-  Polynomial square_free_;
+  friend class RootFinder;
+  Polynomial square_free_;  // without multiple roots in (low_, high_]
   Dyadic low_, high_;
   int sign_above_ = 0;  // of square_free_ between the root and high_, and there
   bool multiple_ = false;
 };
 
 /// The different roots in (0, end], ascending, each once. None of the polynomial 0. Requires end > 0.
-/// Cost: some ten microseconds for degree 4 and coefficients of 1000 bits.
+///
+/// Where Descartes's rule of signs in the Bernstein basis isolates them after some halvings, that is all; multiple
+/// roots, and those at ends of intervals, are isolated by Sturm's theorem. Cost: some microseconds for degree 4 and
+/// coefficients of 1000 bits, some hundreds by Sturm's theorem. Source: [basu2006, ch. 10].
 [[nodiscard]] std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end);
 
 }  // namespace touchstone::cell
