@@ -19,9 +19,9 @@ struct ArcPoint {
   double degrees;
   RationalPoint center;
 };
-[[nodiscard]] ArcPoint exact_point(const cell::Arc& arc, const mpq_class& tangent);
+[[nodiscard]] ArcPoint exact_point(const kinematics::Arc& arc, const mpq_class& tangent);
 /// The one with about this angle, which is less than 180 degrees.
-[[nodiscard]] ArcPoint exact_point_near(const cell::Arc& arc, double degrees);
+[[nodiscard]] ArcPoint exact_point_near(const kinematics::Arc& arc, double degrees);
 
 /// The square of the distance of a point from the polygon of the contract, by rationals: written from the contract
 /// alone, with nothing of the library.

@@ -8,7 +8,7 @@
 
 #include "experiments/cell/kinematics/degrees.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 void require_valid(const Arc& arc) {
   if (!arc.start.allFinite() || !arc.point.allFinite() || !arc.axis.allFinite())
@@ -25,4 +25,4 @@ Eigen::Vector3d point_at(const Arc& arc, double degrees) {
   return arc.point + along + cosine(degrees) * (v - along) + sine(degrees) * unit.cross(v);
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The way of a point that one joint turns: the angles from 0 to `degrees` about a line.
 ///
@@ -26,4 +26,4 @@ void require_valid(const Arc& arc);
 /// start and point. The start itself at angle 0. The same bits on every machine. Cost: some microseconds.
 [[nodiscard]] Eigen::Vector3d point_at(const Arc& arc, double degrees);
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 constexpr double kSlack = 1e-6;  // degrees, for ranges that only save time
@@ -157,4 +157,4 @@ std::optional<Root> ArcFace::vertex_root(const Piece& piece, std::size_t vertex)
   return std::move(roots.front());
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -10,7 +10,7 @@
 #include "experiments/cell/first_contact/exact_face.h"
 #include "geometry/contact/answer.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// A ball's centre along an arc and one face, exactly: the roots at which it touches.
 class ArcFace {
@@ -43,4 +43,4 @@ class ArcFace {
   std::vector<Eigen::Vector3d> points_;  // the vertices before they are lifted
 };
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

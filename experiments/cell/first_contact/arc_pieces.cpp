@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 constexpr double kWidest = 4;          // degrees of a piece
@@ -96,4 +96,4 @@ std::optional<ArcPieces::Range> ArcPieces::near(const std::vector<Eigen::Vector3
   return range([&](const Piece& piece) { return !(gap(points, piece.begin, piece.end, direction) > margin); });
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

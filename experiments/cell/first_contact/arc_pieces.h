@@ -8,7 +8,7 @@
 #include "experiments/cell/first_contact/arc.h"
 #include "geometry/scene/box.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// An arc in pieces of a few degrees, each within a known distance of its chord: what keeps further than that and the
 /// radius from every chord the ball never touches on the move. Doubles, with margins for their rounding. Requires a
@@ -41,4 +41,4 @@ class ArcPieces {
   double margin_;   ///< beyond the chord: the radius, the arc's own distance, rounding
 };
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

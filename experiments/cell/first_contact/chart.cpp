@@ -7,7 +7,7 @@
 
 #include "experiments/cell/first_contact/exact_face.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 int order(const Dyadic& a, const Dyadic& b) {
@@ -97,4 +97,4 @@ int compare(Moment& a, Moment& b) {
   return 0;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

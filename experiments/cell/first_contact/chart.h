@@ -7,7 +7,7 @@
 #include "experiments/cell/first_contact/integer_vector.h"
 #include "experiments/cell/first_contact/polynomial.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The angles of a turn as points of a projective line: tan(phi / 2) = |axis| y / x, so that a turn is that of the
 /// quaternion (x, y axis), whose matrix is rational in x and y. Three charts give x and y as linear functions of a
@@ -56,4 +56,4 @@ struct Moment {
 /// Which angle is smaller: -1, 0, 1; 0 also for angles that 2^-120 of a turn's parameter cannot tell apart.
 [[nodiscard]] int compare(Moment& a, Moment& b);
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 constexpr int kDigits = std::numeric_limits<double>::digits;
@@ -73,4 +73,4 @@ ExactFace::ExactFace(const Polygon& polygon, int unit) : scale(1), normal{0, 0, 
   }
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

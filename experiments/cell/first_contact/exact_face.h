@@ -8,7 +8,7 @@
 #include "geometry/scene/box.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The exponent of the lowest bit that is set in any of these numbers, 0 not counted; `none` where all are 0.
 [[nodiscard]] int lowest_bit(const Eigen::Vector3d& v, int none);
@@ -28,4 +28,4 @@ struct ExactFace {
   double off_plane;  ///< in the unit of the polygon: no vertex is lifted further
 };
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -12,7 +12,7 @@
 #include "robust/floating_point_state.h"
 #include "robust/scene/lifted_box.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 constexpr unsigned kBits = 64;  // of the parameter: less than 1e-17 degrees
@@ -89,4 +89,4 @@ std::optional<FirstContact> first_contact(const Arc& arc, double radius, const s
   return first;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

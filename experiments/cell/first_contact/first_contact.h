@@ -9,7 +9,7 @@
 #include "geometry/contact/answer.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The first angle of a move at which the ball touches a face.
 struct FirstContact {
@@ -51,4 +51,4 @@ struct FirstContact {
 /// negative or not finite. Requires faces that exact::validate accepts.
 [[nodiscard]] std::optional<FirstContact> first_contact(const Arc& arc, double radius, const scene::Faces& faces);
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

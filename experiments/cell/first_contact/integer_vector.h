@@ -8,7 +8,7 @@
 
 #include "experiments/cell/first_contact/polynomial.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// Vectors of integers, or of polynomials.
 template <class T>
@@ -49,4 +49,4 @@ inline PolynomialVector cross(const PolynomialVector& a, const IntegerVector& b)
   return {b[2] * a[1] - b[1] * a[2], b[0] * a[2] - b[2] * a[0], b[1] * a[0] - b[0] * a[1]};
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 Polynomial derivative(const Polynomial& p) {
@@ -282,4 +282,4 @@ std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end) {
   return RootFinder(polynomial).roots(end);
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -7,7 +7,7 @@
 #include <vector>
 
 /// Real roots of polynomials with integer coefficients, exactly.
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The number numerator / 2^shift.
 struct Dyadic {
@@ -80,4 +80,4 @@ class Root {
 /// coefficients of 1000 bits, some hundreds by Sturm's theorem. Source: [basu2006, ch. 10].
 [[nodiscard]] std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end);
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

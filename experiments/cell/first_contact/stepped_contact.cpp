@@ -8,7 +8,7 @@
 
 #include "geometry/shapes/ball.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, double step, const scene::Faces& faces) {
   require_valid(arc);
@@ -25,4 +25,4 @@ std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, dou
   return std::nullopt;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -8,7 +8,7 @@
 #include "experiments/cell/first_contact/arc.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// The first of the stops 0, 1, 2, ... of a move at which the ball touches a face.
 struct SteppedContact {
@@ -23,4 +23,4 @@ struct SteppedContact {
 [[nodiscard]] std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, double step,
                                                             const scene::Faces& faces);
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

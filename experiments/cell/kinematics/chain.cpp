@@ -8,36 +8,55 @@
 
 #include "experiments/cell/kinematics/degrees.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
-/// From a link's frame to that of the one before it.
-Pose link(const Joint& joint, double theta) {
-  const double c = cosine(theta), s = sine(theta), ca = cosine(joint.alpha), sa = sine(joint.alpha);
-  Pose pose;
-  pose.rotation << c, -s * ca, s * sa,  //
-      s, c * ca, -c * sa,               //
-      0, sa, ca;
-  pose.translation << joint.a * c, joint.a * s, joint.d;
-  return pose;
+Pose after(const Pose& first, const Pose& then) {
+  return {first.rotation * then.rotation, first.rotation * then.translation + first.translation};
+}
+
+/// Rodrigues' formula.
+Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double degrees) {
+  Eigen::Matrix3d cross;
+  cross << 0, -axis.z(), axis.y(),  //
+      axis.z(), 0, -axis.x(),       //
+      -axis.y(), axis.x(), 0;
+  const double c = cosine(degrees), s = sine(degrees);
+  return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * (axis * axis.transpose());
 }
 
 }  // namespace
 
-Chain::Chain(std::vector<Joint> joints, std::optional<std::size_t> driver)
-    : joints_(std::move(joints)), driver_(driver) {
-  const auto refuse = [](const Joint& joint, const char* why) {
-    throw std::invalid_argument(fmt::format("joint {}: {}", joint.name, why));
+Pose link_of(const DenavitHartenberg& row) {
+  const double c = cosine(row.theta), s = sine(row.theta), ca = cosine(row.alpha), sa = sine(row.alpha);
+  Pose pose;
+  pose.rotation << c, -s * ca, s * sa,  //
+      s, c * ca, -c * sa,               //
+      0, sa, ca;
+  pose.translation << row.a * c, row.a * s, row.d;
+  return pose;
+}
+
+Chain::Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> driver)
+    : joints_(std::move(joints)), flange_(std::move(flange)), driver_(driver) {
+  const auto require = [](bool holds, const Joint& joint, const char* otherwise) {
+    if (!holds) throw std::invalid_argument(fmt::format("joint {}: {}", joint.name, otherwise));
   };
   for (const Joint& joint : joints_) {
-    for (const double number : {joint.alpha, joint.a, joint.d, joint.zero, joint.lowest, joint.highest})
-      if (!std::isfinite(number)) refuse(joint, "a number is not finite");
-    if (joint.sense != 1 && joint.sense != -1) refuse(joint, "its sense is neither 1 nor -1");
-    if (joint.lowest > joint.highest) refuse(joint, "its lowest angle is above its highest");
+    require(joint.origin.rotation.allFinite() && joint.origin.translation.allFinite() && joint.axis.allFinite() &&
+                std::isfinite(joint.lowest) && std::isfinite(joint.highest),
+            joint, "a number is not finite");
+    require(std::abs(joint.axis.norm() - 1) < 1e-12, joint, "its axis is not of length 1");
+    require(joint.lowest <= joint.highest, joint, "its lowest angle is above its highest");
   }
   if (!driver_) return;
-  if (*driver_ + 1 >= joints_.size()) throw std::invalid_argument("no joint comes after the driver");
-  if (joints_[*driver_].alpha != 0) refuse(joints_[*driver_], "it drives, but the next joint is not parallel to it");
+  if (*driver_ >= joints_.size()) throw std::invalid_argument("the driver is no joint");
+  const Joint& first = joints_[*driver_];
+  require(*driver_ + 1 < joints_.size(), first, "no joint comes behind it to make up for its turning");
+  const Joint& next = joints_[*driver_ + 1];
+  const Eigen::Vector3d axis = next.origin.rotation * next.axis;
+  require(axis == first.axis || axis == -first.axis, next, "it is to make up for a joint that is not parallel to it");
+  factor_ = axis == first.axis ? -1 : 1;
 }
 
 std::size_t Chain::find(const std::string& name) const {
@@ -46,51 +65,57 @@ std::size_t Chain::find(const std::string& name) const {
   throw std::invalid_argument(fmt::format("no joint is called {}", name));
 }
 
-void Chain::require_reachable(const Angles& angles) const {
-  if (angles.size() != joints_.size())
-    throw std::invalid_argument(fmt::format("{} angles for {} joints", angles.size(), joints_.size()));
+Angles Chain::turns(const Angles& commanded) const {
+  if (commanded.size() != joints_.size())
+    throw std::invalid_argument(fmt::format("{} angles for {} joints", commanded.size(), joints_.size()));
+  Angles turns = commanded;
+  if (driver_) turns[*driver_ + 1] += factor_ * commanded[*driver_];
+  return turns;
+}
+
+void Chain::require_reachable(const Angles& commanded) const {
+  const Angles all = turns(commanded);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
-    if (!(angles[i] >= joint.lowest && angles[i] <= joint.highest))
-      throw std::out_of_range(fmt::format("joint {}: {} degrees are beyond its limits, {} to {}", joint.name, angles[i],
+    if (!(all[i] >= joint.lowest && all[i] <= joint.highest))
+      throw std::out_of_range(fmt::format("joint {}: {} degrees are beyond its limits, {} to {}", joint.name, all[i],
                                           joint.lowest, joint.highest));
   }
 }
 
-std::vector<Pose> Chain::frames(const Angles& angles) const {
-  if (angles.size() != joints_.size())
-    throw std::invalid_argument(fmt::format("{} angles for {} joints", angles.size(), joints_.size()));
-  std::vector<Pose> frames{Pose{}};
+std::vector<Pose> Chain::frames(const Angles& commanded) const {
+  const Angles all = turns(commanded);
+  std::vector<Pose> frames;
+  Pose last;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    double turned = joints_[i].sense * angles[i];
-    if (driver_ && i == *driver_ + 1) turned -= joints_[*driver_].sense * angles[*driver_];
-    const Pose& last = frames.back();
-    const Pose next = link(joints_[i], joints_[i].zero + turned);
-    frames.push_back({last.rotation * next.rotation, last.rotation * next.translation + last.translation});
+    last = after(last, joints_[i].origin);
+    last.rotation = last.rotation * turn_about(joints_[i].axis, all[i]);
+    frames.push_back(last);
   }
+  frames.push_back(after(last, flange_));
   return frames;
 }
 
-Eigen::Vector3d Chain::place(const Angles& angles, const Eigen::Vector3d& point) const {
-  const Pose flange = frames(angles).back();
+Eigen::Vector3d Chain::place(const Angles& commanded, const Eigen::Vector3d& point) const {
+  const Pose flange = frames(commanded).back();
   return flange.rotation * point + flange.translation;
 }
 
-Arc Chain::arc(const Angles& angles, std::size_t joint, double move, const Eigen::Vector3d& point) const {
-  require_reachable(angles);
-  Angles end = angles;
+Arc Chain::arc(const Angles& commanded, std::size_t joint, double move, const Eigen::Vector3d& point) const {
+  require_reachable(commanded);
+  Angles end = commanded;
   end.at(joint) += move;
   require_reachable(end);
-  const std::vector<Pose> all = frames(angles);
+  const std::vector<Pose> all = frames(commanded);
   Arc arc;
   arc.start = all.back().rotation * point + all.back().translation;
   arc.point = all[joint].translation;
-  // Behind a driver and the joint that makes up for it, everything is shifted along with that joint's axis.
+  // What comes behind the joint that makes up for the driver is shifted along with that joint's origin.
   if (joint == driver_) arc.point += arc.start - all[joint + 1].translation;
-  arc.axis = (move < 0 ? -joints_[joint].sense : joints_[joint].sense) * all[joint].rotation.col(2);
+  arc.axis = (move < 0 ? -1 : 1) * all[joint].rotation * joints_[joint].axis;
   arc.degrees = std::abs(move);
   require_valid(arc);
   return arc;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

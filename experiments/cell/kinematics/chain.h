@@ -10,55 +10,67 @@
 #include "experiments/cell/first_contact/arc.h"
 #include "geometry/shapes/pose.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
-/// A revolute joint and the link behind it, after Denavit and Hartenberg: the joint turns by theta about z, then the
-/// link goes d along z, a along the new x, and turns by alpha about that.
-///
-/// A joint is commanded by an angle of its own, 0 where theta is `zero`; `sense` is +1 where both grow together, else
-/// -1. Angles in degrees, lengths in metres.
+/// A revolute joint of a serial arm: its frame stands at `origin` in the frame of the joint before (of the base, the
+/// first one), and turns about an axis through its own origin.
 struct Joint {
   std::string name;
-  double alpha, a, d, zero;
-  int sense;
-  double lowest, highest;  ///< commands that the joint can reach, both included
+  Pose origin;             ///< at angle 0
+  Eigen::Vector3d axis;    ///< in its own frame, of length 1; turns are right-handed
+  double lowest, highest;  ///< degrees that the joint can reach, both included
 };
+
+/// A row of a Denavit-Hartenberg table: turn by theta about z, go d along z and a along the new x, turn by alpha about
+/// that. Degrees, and the unit of length of the arm.
+struct DenavitHartenberg {
+  double alpha, a, d;
+  double theta;  ///< where the joint's angle is 0
+};
+/// What a row's link does at that theta.
+[[nodiscard]] Pose link_of(const DenavitHartenberg& row);
 
 /// Commanded angles, one a joint, in degrees.
 using Angles = std::vector<double>;
 
-/// A serial chain of revolute joints.
+/// A serial chain of revolute joints, each turned by what it is commanded.
 ///
-/// One joint may be a driver, whose turning the next joint makes up for, as parallel bars or belts do: what comes
-/// behind the next joint is then shifted, but not turned, where the driver turns.
+/// One joint may be a driver, for whose turning the next one makes up, as parallel bars or belts do: it turns by as
+/// much against it, so that what comes behind is shifted, but not turned.
 class Chain {
  public:
-  /// Throws std::invalid_argument, naming the joint: a number that is not finite, a sense other than +-1, limits the
-  /// wrong way round, or a driver that is the last joint or not parallel to the next.
-  explicit Chain(std::vector<Joint> joints, std::optional<std::size_t> driver = {});
+  /// `flange` is its frame in that of the last joint. Throws std::invalid_argument, naming the joint: a number that is
+  /// not finite, an axis that is not of length 1 (within 1e-12), limits the wrong way round, or a driver that is not
+  /// parallel to a next joint.
+  Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> driver = {});
 
   [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
   /// The joint of that name. Throws std::invalid_argument where there is none.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 
-  /// Throws std::out_of_range, which names the joint and its limits, where an angle is beyond them, or not a number;
-  /// std::invalid_argument where there is not one angle a joint.
-  void require_reachable(const Angles& angles) const;
+  /// By how much each joint turns: what it is commanded, and what makes up for the driver. Throws std::invalid_argument
+  /// where there is not one angle a joint.
+  [[nodiscard]] Angles turns(const Angles& commanded) const;
+  /// Throws std::out_of_range, which names the joint and its limits, where one turns beyond them, or by what is not a
+  /// number; and as above.
+  void require_reachable(const Angles& commanded) const;
 
-  /// The frames of the links, in the frame of the base: frame 0 is that one, joint i turns about z of frame i, the last
-  /// is the flange. Doubles: off by some 1e-15 of the arm's length; the same bits on every machine. Limits are not
-  /// looked at. Throws as above where there is not one angle a joint.
-  [[nodiscard]] std::vector<Pose> frames(const Angles& angles) const;
+  /// The frames of the joints, in that of the base, then that of the flange. Doubles: off by some 1e-15 of the arm's
+  /// length; the same bits on every machine. Limits are not looked at. Throws as turns does.
+  [[nodiscard]] std::vector<Pose> frames(const Angles& commanded) const;
   /// Where a point of the flange's frame stands.
-  [[nodiscard]] Eigen::Vector3d place(const Angles& angles, const Eigen::Vector3d& point) const;
+  [[nodiscard]] Eigen::Vector3d place(const Angles& commanded, const Eigen::Vector3d& point) const;
 
-  /// The way of a point of the flange's frame while one joint turns by `move` degrees. Throws std::out_of_range where
-  /// the move begins or ends beyond the joint's limits, and std::invalid_argument for a move of more than 360 degrees.
-  [[nodiscard]] Arc arc(const Angles& angles, std::size_t joint, double move, const Eigen::Vector3d& point) const;
+  /// The way of a point of the flange's frame while one joint is moved by so many degrees: an arc about that joint's
+  /// axis, or where it is the driver, about a parallel one. Throws std::out_of_range where the move begins or ends
+  /// beyond a limit, std::invalid_argument for a move of more than 360 degrees.
+  [[nodiscard]] Arc arc(const Angles& commanded, std::size_t joint, double move, const Eigen::Vector3d& point) const;
 
  private:
   std::vector<Joint> joints_;
+  Pose flange_;
   std::optional<std::size_t> driver_;
+  double factor_ = 0;  // of the driver's angle, in the next joint's
 };
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

@@ -3,7 +3,7 @@
 
 #include <mpfr.h>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 namespace {
 
 /// What `f`, one correctly rounded function of MPFR, leaves in a number of 53 bits.
@@ -60,4 +60,4 @@ double arc_tangent(double y, double x) {
   });
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

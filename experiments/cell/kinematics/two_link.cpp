@@ -5,7 +5,7 @@
 
 #include "experiments/cell/kinematics/degrees.h"
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 Reach TwoLinks::reach(const LinkAngles& angles) const {
   return {first * sine(angles.lean) + second * cosine(angles.elevation),
@@ -22,10 +22,11 @@ std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
   for (const double side : {1.0, -1.0}) {
     const double up = to_point + side * opened;  // elevation of the first link
     const double elevation = arc_tangent(point.up - first * sine(up), point.out - first * cosine(up));
-    solutions.push_back({90 - up, elevation});
+    const double lean = 90 - up;
+    solutions.push_back({std::remainder(lean, 360), elevation});
     if (opened == 0 || opened == 180) break;
   }
   return solutions;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics

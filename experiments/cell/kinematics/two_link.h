@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace touchstone::cell {
+namespace touchstone::kinematics {
 
 /// Where the links of an arm point, in degrees: the first leans forward from the vertical, the second is elevated above
 /// the horizontal.
@@ -27,4 +27,4 @@ struct TwoLinks {
   [[nodiscard]] std::vector<LinkAngles> inverse(const Reach& point) const;
 };
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::kinematics
