@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -81,6 +82,15 @@ void Chain::require_reachable(const Angles& commanded) const {
       throw std::out_of_range(fmt::format("joint {}: {} degrees are beyond its limits, {} to {}", joint.name, all[i],
                                           joint.lowest, joint.highest));
   }
+}
+
+double Chain::room(const Angles& commanded, std::size_t joint, bool up) const {
+  const Angles all = turns(commanded);
+  const auto left = [&](std::size_t i, bool rises) {
+    return rises ? joints_[i].highest - all[i] : all[i] - joints_[i].lowest;
+  };
+  const double own = left(joint, up);
+  return joint == driver_ ? std::min(own, left(joint + 1, up == (factor_ > 0))) : own;
 }
 
 std::vector<Pose> Chain::frames(const Angles& commanded) const {

@@ -55,6 +55,10 @@ class Chain {
   /// number; and as above.
   void require_reachable(const Angles& commanded) const;
 
+  /// By how many degrees a joint can be commanded further, up or down, until it or what makes up for it is at a limit;
+  /// negative beyond one. Throws as turns does.
+  [[nodiscard]] double room(const Angles& commanded, std::size_t joint, bool up) const;
+
   /// The frames of the joints, in that of the base, then that of the flange. Doubles: off by some 1e-15 of the arm's
   /// length; the same bits on every machine. Limits are not looked at. Throws as turns does.
   [[nodiscard]] std::vector<Pose> frames(const Angles& commanded) const;

@@ -18,6 +18,8 @@ struct Failed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+enum class Way { SideWithoutShoulder, Above, Side };
+
 std::string_view name_of(AristoJoint joint) {
   constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
   return names.at(joint);
@@ -32,34 +34,33 @@ class Performance {
     for (Polygon& face : material_at_machine(layout)) obstacles_.polygons.push_back(std::move(face));
   }
 
-  Rehearsal perform() {
-    try {
-      const double beside = layout_.sphere_radius - layout_.gap;
-      const auto side =
-          planned({std::sqrt(storage_.radius * storage_.radius + beside * beside), storage_.height + layout_.side / 2});
-      if (side && std::abs(side->shoulder) < 0.5) {
-        move_as_planned(kElbow, side->elbow);
-        face(storage_, true);
-        grip();
-      } else {
-        come_down_at(storage_, rise_over_edge());
-        grip();
-        lift();
-      }
-      come_down_at(layout_.machine(), layout_.sphere_radius);
-    } catch (const Failed& failed) {
-      rehearsal_.failure = failed.what();
-    } catch (const std::out_of_range& beyond) {
-      rehearsal_.failure = beyond.what();
+  /// Until the material is gripped and clear of the storage.
+  void pick(Way way) {
+    if (way == Way::Above) {
+      come_down_at(storage_, rise_over_edge());
+      grip();
+      lift();
+      return;
     }
-    return std::move(rehearsal_);
+    const double beside = layout_.sphere_radius - layout_.gap;
+    const auto commands = arm_.inverse(
+        {std::sqrt(storage_.radius * storage_.radius + beside * beside), storage_.height + layout_.side / 2});
+    if (!commands) throw Failed("the side of the material is out of reach");
+    if (std::abs(commands->shoulder) >= 0.5) {
+      if (way == Way::SideWithoutShoulder) throw Failed("the shoulder would have to move");
+      move_as_planned(kShoulder, commands->shoulder);
+    }
+    move_as_planned(kElbow, commands->elbow);
+    record(up_to_contact(kBase, static_cast<int>(std::lround(storage_.azimuth - commanded(kBase))), true));
+    grip();
   }
+  void place() { come_down_at(layout_.machine(), layout_.sphere_radius); }
+
+  Rehearsal rehearsal;
 
  private:
   /// Relative to home.
   [[nodiscard]] double commanded(AristoJoint joint) const { return angles_[joint] - home_pose(layout_)[joint]; }
-
-  [[nodiscard]] std::optional<SphereArm::Commands> planned(const Reach& center) const { return arm_.inverse(center); }
 
   /// Of the centre over the upper face in storage, where the sphere comes down beside it and touches its edge.
   [[nodiscard]] double rise_over_edge() const {
@@ -68,7 +69,11 @@ class Performance {
   }
 
   [[nodiscard]] Arc arc(AristoJoint joint, double degrees) const {
-    return chain_.arc(angles_, joint, degrees, sphere_center(layout_));
+    try {
+      return chain_.arc(angles_, joint, degrees, sphere_center(layout_));
+    } catch (const std::out_of_range& beyond) {
+      throw Failed(fmt::format("{} {:+}: {}", name_of(joint), degrees, beyond.what()));
+    }
   }
 
   [[nodiscard]] std::string_view touched(const FirstContact& contact) const {
@@ -83,7 +88,7 @@ class Performance {
 
   void record(Move move) {
     angles_[move.joint] += move.degrees;
-    rehearsal_.moves.push_back(std::move(move));
+    rehearsal.moves.push_back(std::move(move));
   }
 
   void move_as_planned(AristoJoint joint, double target) {
@@ -91,31 +96,6 @@ class Performance {
     const int degrees = static_cast<int>(std::lround(exact));
     require_free(joint, degrees);
     record({joint, Until::Planned, degrees, exact, {}, 0.5 - std::abs(exact - degrees)});
-  }
-
-  /// Until the base faces a station, or until the sphere touches the material's side, if that is what is wanted.
-  void face(const Station& station, bool until_contact) {
-    const double whole = station.azimuth - commanded(kBase);
-    const int degrees = static_cast<int>(std::lround(whole));
-    if (!until_contact) {
-      require_free(kBase, degrees);
-      record({kBase, Until::Facing, degrees, whole, {}, 1});
-    } else {
-      record(up_to_contact(kBase, degrees, true));
-    }
-  }
-
-  /// The whole degrees by which a joint can be moved up.
-  [[nodiscard]] int furthest(AristoJoint joint) const {
-    Angles angles = angles_;
-    for (int degrees = 0;; ++degrees) {
-      angles[joint] += 1;
-      try {
-        chain_.require_reachable(angles);
-      } catch (const std::out_of_range&) {
-        return degrees;
-      }
-    }
   }
 
   /// A move of at most so many degrees that ends at the first whole degree at which the sphere touches what it is to.
@@ -137,11 +117,14 @@ class Performance {
   /// The elbow as planned, the base, then the shoulder down to the upper face.
   void come_down_at(const Station& station, double rise) {
     const bool in_storage = faces_of_storage_ > 0;
-    const auto commands = planned({station.radius, station.height + layout_.side + rise});
+    const auto commands = arm_.inverse({station.radius, station.height + layout_.side + rise});
     if (!commands) throw Failed("the upper face of the material is out of reach");
     move_as_planned(kElbow, commands->elbow);
-    face(station, false);
-    record(up_to_contact(kShoulder, furthest(kShoulder), in_storage));
+    const int turn = static_cast<int>(std::lround(station.azimuth - commanded(kBase)));
+    require_free(kBase, turn);
+    record({kBase, Until::Facing, turn, station.azimuth - commanded(kBase), {}, 1});
+    const int most = static_cast<int>(std::floor(chain_.room(angles_, kShoulder, true)));
+    record(up_to_contact(kShoulder, most, in_storage));
   }
 
   /// What has been gripped is no obstacle any more.
@@ -170,7 +153,6 @@ class Performance {
   Angles angles_;
   scene::Faces obstacles_;  // in storage first
   std::size_t faces_of_storage_;
-  Rehearsal rehearsal_;
 };
 
 }  // namespace
@@ -180,6 +162,15 @@ std::string_view word(Until until) {
   return words[static_cast<std::size_t>(until)];
 }
 
+int Rehearsal::to_storage(AristoJoint joint) const {
+  int sum = 0;
+  for (const Move& move : moves) {
+    if (move.joint == joint) sum += move.degrees;
+    if (move.until == Until::Contact) break;
+  }
+  return sum;
+}
+
 int Rehearsal::net(AristoJoint joint) const {
   int sum = 0;
   for (const Move& move : moves)
@@ -187,7 +178,21 @@ int Rehearsal::net(AristoJoint joint) const {
   return sum;
 }
 
-Rehearsal rehearse(const Layout& layout, const Station& storage) { return Performance(layout, storage).perform(); }
+Rehearsal rehearse(const Layout& layout, const Station& storage) {
+  std::string failures;
+  for (const Way way : {Way::SideWithoutShoulder, Way::Above, Way::Side}) {
+    Performance performance(layout, storage);
+    try {
+      performance.pick(way);
+      performance.place();
+      return std::move(performance.rehearsal);
+    } catch (const Failed& failed) {
+      if (way == Way::Above) failures = fmt::format("from above: {}", failed.what());
+      if (way == Way::Side) failures += fmt::format("; from the side: {}", failed.what());
+    }
+  }
+  return {{}, failures};
+}
 
 std::string difference(const Rehearsal& rehearsal, const Captions& captions) {
   if (!rehearsal.complete()) return rehearsal.failure;

@@ -32,19 +32,22 @@ struct Move {
 /// From home to the storage, to the machine: what the thesis's case studies show.
 struct Rehearsal {
   std::vector<Move> moves;
-  std::string failure;  ///< why it ended early: it names the move; empty where it did not
+  std::string failure;  ///< why neither way came out, naming the moves; then there are no moves
 
   [[nodiscard]] bool complete() const { return failure.empty(); }
-  /// What a joint was moved by from the first of the moves to the last but `but_last`, in sum.
+  /// What a joint was moved by until the sphere first touched the material; and by all moves; in sum.
+  [[nodiscard]] int to_storage(AristoJoint joint) const;
   [[nodiscard]] int net(AristoJoint joint) const;
 };
 
-/// The rule that is followed, whatever the storage's angle, radius and height:
-/// the arm is to touch the near side of the material at half its height where that takes no move of the shoulder, else
-/// its upper face; inverse kinematics gives the elbow, in whole degrees; the base turns to face the storage, or until
-/// the sphere touches the side; the shoulder goes down until it touches the upper face, and then up until it is clear.
-/// Then the same from above at the machine, the sphere carrying its material. No other contact may happen: every
-/// move's whole arc is asked about, by first_contact.
+/// One rule for every angle, radius and height of the storage: from the side where the shoulder can stay as it is, else
+/// from above, else from the side; the first of these that comes out.
+///
+/// From above: the elbow goes where inverse kinematics has it for the sphere on the upper face, in whole degrees, the
+/// base turns to face the storage, the shoulder goes down until the sphere touches, then up until it is clear. From the
+/// side: shoulder and elbow go where inverse kinematics has them for half the height of the material, and the base
+/// turns towards facing the storage until the sphere touches the side. Then from above at the machine, with what was
+/// gripped carried along. No other contact may happen: the whole arc of every move is asked about, by first_contact.
 [[nodiscard]] Rehearsal rehearse(const Layout& layout, const Station& storage);
 
 /// What the captions of a case say otherwise than a rehearsal; empty where they agree to the degree.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/commands.h"
+
+namespace touchstone::commands {
+
+void add_cell(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("cell", "The virtual manufacturing cell: its model, its files");
+  command->require_subcommand(1);
+  cell::add_layout(*command, status);
+}
+
+}  // namespace touchstone::commands

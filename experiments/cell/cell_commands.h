@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+// The subcommands of `touchstone cell`. Each is defined beside what it runs; `status` becomes the exit status.
+namespace touchstone::cell {
+
+void add_layout(CLI::App& cell, int& status);
+
+}  // namespace touchstone::cell
