@@ -54,7 +54,8 @@ def family_map(axes, grid, line, coupling, choice):
             values[elevations.index(number(row, "elevation_deg")), leans.index(number(row, "lean_deg"))] = \
                 number(row, "storage_height_2_mm") - number(row, "storage_height_1_mm")
     image = axes.pcolormesh(leans, elevations, values, cmap="PuOr", vmin=-200, vmax=200, shading="nearest", rasterized=True)
-    for i, run in enumerate(branches([row for row in line if row["coupling"] == coupling])):
+    come_out = [row for row in line if row["coupling"] == coupling and row["captions_come_out"] == "yes"]
+    for i, run in enumerate(branches(come_out)):
         axes.plot([number(row, "lean_deg") for row in run], [number(row, "elevation_deg") for row in run], color=BLACK,
                   linewidth=1.5, label="one height of the storage" if i == 0 else None)
     axes.plot(0, 0, marker="s", color="white", markeredgecolor=BLACK, markersize=6, linestyle="",
@@ -74,7 +75,7 @@ def family_map(axes, grid, line, coupling, choice):
 
 def radii(axes, line, coupling, choice):
     """Where storage and machine stand along the line of one height."""
-    rows = [row for row in line if row["coupling"] == coupling]
+    rows = [row for row in line if row["coupling"] == coupling and row["captions_come_out"] == "yes"]
     for j, run in enumerate(branches(rows)):
         for name, label, color, style in (("storage_radius_1_mm", "storage, case 1", BLUE, "-"),
                                           ("storage_radius_2_mm", "storage, case 2", ORANGE, "--"),
@@ -128,7 +129,7 @@ def side_view(axes, poses, choice):
     axes.set_ylabel("above the floor (mm)")
     axes.set_title("the arm, each pose in its own plane")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=7, loc="lower left")
+    axes.legend(fontsize=7, loc="lower center")
 
 
 def plan_view(axes, choice):
@@ -137,7 +138,7 @@ def plan_view(axes, choice):
 
     def at(azimuth, along, across):
         a = math.radians(azimuth)
-        return along * math.cos(a) - across * math.sin(a), along * math.sin(a) + along * 0 + across * math.cos(a)
+        return along * math.cos(a) - across * math.sin(a), along * math.sin(a) + across * math.cos(a)
 
     axes.plot(0, 0, marker="o", color=BLACK)
     axes.annotate("", at(0, 420, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": "#999999"})
@@ -150,7 +151,7 @@ def plan_view(axes, choice):
                    ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         square(axes, corners, facecolor=color, alpha=0.5, edgecolor=color)
         axes.plot(*zip((0, 0), at(azimuth, radius, 0)), color=color, linewidth=0.8, linestyle=":")
-        axes.annotate(label, at(azimuth, radius + 95, across), ha="center", va="center", color=color)
+        axes.annotate(label, at(azimuth, radius, across - side / 2 - 65), ha="center", va="center", color=color)
     for radius, begin, end, text, color in ((170, 0, -149, "149°", BLUE), (230, -149, -83, "66°", BLUE),
                                             (290, 0, -183, "183°", ORANGE), (350, -183, -83, "100°", ORANGE)):
         angles = np.radians(np.linspace(begin, end, 100))
@@ -163,8 +164,8 @@ def plan_view(axes, choice):
         axes.annotate(text, (radius * math.cos(middle), radius * math.sin(middle)), ha="center", va="center", color=color,
                       bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none"})
     axes.set_aspect("equal")
-    axes.set_xlim(-800, 560)
-    axes.set_ylim(-800, 330)
+    axes.set_xlim(-760, 540)
+    axes.set_ylim(-720, 220)
     axes.set_xlabel("mm")
     axes.set_ylabel("mm")
     axes.set_title("from above: turns of the base")
@@ -211,11 +212,14 @@ def main(folder):
     choices = read(folder / "choice.csv")
     choice = {row["name"]: number(row, "value") if row["unit"] else row["value"] for row in choices}
     family(folder, choice)
-    figure, axes = plt.subplots(2, 2, figsize=(13, 11), layout="constrained")
-    side_view(axes[0, 0], read(folder / "poses.csv"), choice)
-    plan_view(axes[0, 1], choice)
-    flips(axes[1, 0], read(folder / "moves.csv"))
-    tolerances(axes[1, 1], choices)
+    figure = plt.figure(figsize=(13, 10), layout="constrained")
+    views, bars = figure.subfigures(2, 1, height_ratios=(1.3, 1))
+    side, plan = views.subplots(1, 2, width_ratios=(1, 1.35))
+    side_view(side, read(folder / "poses.csv"), choice)
+    plan_view(plan, choice)
+    left, right = bars.subplots(1, 2)
+    flips(left, read(folder / "moves.csv"))
+    tolerances(right, choices)
     figure.suptitle("The chosen layout: both case studies come out as captioned. Lengths of the arm: a public table; "
                     "all else here is chosen", fontsize=10)
     save(figure, folder, "cell-layout")

@@ -14,6 +14,7 @@
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/workload.h"
 #include "geometry/shapes/rejection.h"
+#include "robust/exact/validate.h"
 #include "tests/cell/rational_judge.h"
 
 namespace touchstone::cell_tests {
@@ -134,7 +135,7 @@ TEST(FirstContact, NamesTheLowestFaceOfAnEdgeThatTwoShare) {
   ASSERT_TRUE(contact.has_value());
   EXPECT_EQ(contact->face, 0U);
   EXPECT_EQ(contact->feature, edge(2));
-  EXPECT_EQ(first_contact(onto_diagonal, 0.125, {{right, left}, {}})->feature, edge(0));
+  EXPECT_EQ(first_contact(onto_diagonal, 0.125, {{right, left}, {}}).value().feature, edge(0));
 }
 
 // A sheet that a step of 1 degree jumps over, and a step that is too fast for a plate.
@@ -157,7 +158,7 @@ TEST(SteppedContact, StopsAtTheFirstStopThatTouchesAndNotBeyondTheEnd) {
   ASSERT_TRUE(stop.has_value());
   EXPECT_EQ(stop->stop, 23U);  // asin(0.375) is 22.02
   EXPECT_EQ(stop->degrees, 23);
-  EXPECT_EQ(stepped_contact(falling(90), 0, 0.5, faces)->stop, 60U);  // exactly 30 degrees
+  EXPECT_EQ(stepped_contact(falling(90), 0, 0.5, faces).value().stop, 60U);  // exactly 30 degrees
   EXPECT_FALSE(stepped_contact(falling(22.99), 0.125, 1, faces).has_value());
   EXPECT_TRUE(first_contact(falling(22.99), 0.125, faces).has_value());
 }
@@ -221,6 +222,11 @@ Move draw_move(std::uint64_t index) {
   move.faces.polygons.push_back(polygon);
   if (random.coin())  // a triangle across it
     move.faces.triangles.push_back({corner(), corner() + vector(0.5 * size), corner() + vector(0.5 * size)});
+  if (random.coin()) {  // a quadrilateral that is off its plane
+    const Eigen::Vector3d at = corner(), u = vector(0.3 * size), v = vector(0.3 * size);
+    move.faces.polygons.push_back(Polygon({at, at + u, Eigen::Vector3d(at + u + v + vector(0.03 * size)), at + v}));
+    if (exact::validate(move.faces.polygons.back())) move.faces.polygons.pop_back();
+  }
   move.replay = "draw_move(" + std::to_string(index) + ")";
   return move;
 }

@@ -31,7 +31,8 @@ TEST(ChosenLayout, BringsOutTheCaptionedAnglesOfBothCases) {
   EXPECT_EQ(degrees_of(second), (std::vector{12, -183, 25, -11, 23, 100, 14})) << second.failure;
   EXPECT_EQ(difference(first, kCases[0]), "");
   EXPECT_EQ(difference(second, kCases[1]), "");
-  EXPECT_EQ(first.moves[1].contact->feature.kind, Feature::Kind::Face);  // Fig 6.9: sphere and face of material
+  ASSERT_EQ(first.moves.size(), 5U);
+  EXPECT_EQ(first.moves[1].contact.value().feature.kind, Feature::Kind::Face);  // Fig 6.9: sphere and face of material
 }
 
 TEST(ChosenLayout, KeepsEveryRoundedAngleNearlyHalfADegreeFromTheNext) {
