@@ -19,6 +19,14 @@ bool meet(const Box& a, const Box& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
+/// The point at an angle, by the C library: here it may be off by a little.
+Eigen::Vector3d roughly_at(const Arc& arc, double degrees) {
+  const Eigen::Vector3d unit = arc.axis.stableNormalized(), v = arc.start - arc.point;
+  const Eigen::Vector3d along = v.dot(unit) * unit;
+  const double angle = degrees * std::numbers::pi / 180;
+  return arc.point + along + std::cos(angle) * (v - along) + std::sin(angle) * unit.cross(v);
+}
+
 /// From the point of segment a b to that of segment c d that is nearest to it, about.
 Eigen::Vector3d between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                         const Eigen::Vector3d& d) {
@@ -56,7 +64,7 @@ ArcPieces::ArcPieces(const Arc& arc, double radius) {
   if (!(size < 0x1p400)) margin_ = kInfinity;
   Eigen::Vector3d last = arc.start;
   for (std::size_t i = 1; i <= count; ++i) {
-    const Eigen::Vector3d next = point_at(arc, i == count ? arc.degrees : static_cast<double>(i) * degrees_);
+    const Eigen::Vector3d next = roughly_at(arc, i == count ? arc.degrees : static_cast<double>(i) * degrees_);
     const Box box = std::isfinite(margin_)
                         ? Box{last.cwiseMin(next).array() - margin_, last.cwiseMax(next).array() + margin_}
                         : Box{Eigen::Vector3d::Constant(-kInfinity), Eigen::Vector3d::Constant(kInfinity)};

@@ -65,22 +65,17 @@ void Charts::with_angle(int chart, const Dyadic& w, Towards side, long bits, con
   mpfr_clear(angle);
 }
 
-double Charts::degrees(int chart, const Dyadic& w, Towards side, long bits) const {
+double Charts::degrees(int chart, const Dyadic& w, Towards side) const {
   double result = 0;
-  with_angle(chart, w, side, bits,
+  with_angle(chart, w, side, 96,
              [&](mpfr_srcptr angle) { result = mpfr_get_d(angle, side == Towards::Low ? MPFR_RNDD : MPFR_RNDU); });
   return result;
 }
 
-int Charts::compare(int chart, const Dyadic& low, const Dyadic& high, double degrees, long bits) const {
-  int sign = 0;
-  with_angle(chart, low, Towards::Low, bits, [&](mpfr_srcptr angle) {
-    if (mpfr_cmp_d(angle, degrees) > 0) sign = 1;
-  });
-  with_angle(chart, high, Towards::High, bits, [&](mpfr_srcptr angle) {
-    if (mpfr_cmp_d(angle, degrees) < 0) sign = -1;
-  });
-  return sign;
+bool Charts::degrees_exceed(int chart, const Dyadic& w, double degrees, long bits) const {
+  bool exceed = false;
+  with_angle(chart, w, Towards::Low, bits, [&](mpfr_srcptr angle) { exceed = mpfr_cmp_d(angle, degrees) > 0; });
+  return exceed;
 }
 
 double Charts::begin(int number) const {

@@ -17,6 +17,12 @@ namespace {
 
 constexpr unsigned kBits = 64;  // of the parameter: less than 1e-17 degrees
 
+/// Is it, as far as 200 bits tell, after so many degrees?
+bool beyond(const Charts& charts, Moment& moment, double degrees) {
+  moment.root.refine(200);
+  return charts.degrees_exceed(moment.chart, moment.root.low(), degrees, 256);
+}
+
 /// The contact of one face after the start; nothing beyond the end of the move.
 std::optional<FirstContact> contact_of(const Arc& arc, double radius, const Polygon& polygon, std::size_t face,
                                        const ArcPieces& pieces, double latest) {
@@ -26,11 +32,10 @@ std::optional<FirstContact> contact_of(const Arc& arc, double radius, const Poly
   const auto& [chart, root] = contact->moment;
   const Charts& charts = problem.charts();
   contact->moment.root.refine(kBits);
-  if (charts.compare(chart, root.low(), root.high(), arc.degrees, 128) == 0) contact->moment.root.refine(200);
-  if (charts.compare(chart, root.low(), root.high(), arc.degrees, 256) > 0) return std::nullopt;
-  return FirstContact{charts.degrees(chart, root.low(), Charts::Towards::Low),
-                      charts.degrees(chart, root.high(), Charts::Towards::High),
-                      contact->grazing ? FirstContact::Kind::Grazing : FirstContact::Kind::Transversal, face,
+  const double low = charts.degrees(chart, root.low(), Charts::Towards::Low);
+  const double high = charts.degrees(chart, root.high(), Charts::Towards::High);
+  if (high > arc.degrees && beyond(charts, contact->moment, arc.degrees)) return std::nullopt;
+  return FirstContact{low, high, contact->grazing ? FirstContact::Kind::Grazing : FirstContact::Kind::Transversal, face,
                       contact->feature};
 }
 

@@ -46,7 +46,7 @@ struct FirstContact {
 /// (libmpfi has the sines) could not tell a grazing contact from a near miss. The angle itself is enclosed by MPFR with
 /// directed rounding.
 ///
-/// Faces that the boxes of pieces of the arc do not meet cost some 10 ns; one that is met some 0.1 ms, more with many
+/// Faces that the boxes of pieces of the arc do not meet cost some 10 ns; one that is met some 0.3 ms, more with many
 /// edges near the arc. Throws std::invalid_argument for an arc as require_valid does, Rejected for a radius that is
 /// negative or not finite. Requires faces that exact::validate accepts.
 [[nodiscard]] std::optional<FirstContact> first_contact(const Arc& arc, double radius, const scene::Faces& faces);
