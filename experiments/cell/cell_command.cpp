@@ -10,6 +10,7 @@ void add_cell(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("cell", "The virtual manufacturing cell: its model, its files");
   command->require_subcommand(1);
   cell::add_layout(*command, status);
+  cell::add_missed(*command, status);
 }
 
 }  // namespace touchstone::commands

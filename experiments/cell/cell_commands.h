@@ -9,5 +9,6 @@ class App;
 namespace touchstone::cell {
 
 void add_layout(CLI::App& cell, int& status);
+void add_missed(CLI::App& cell, int& status);
 
 }  // namespace touchstone::cell
