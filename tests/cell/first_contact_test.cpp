@@ -10,6 +10,7 @@
 
 #include "experiments/cell/first_contact/stepped_contact.h"
 #include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/loops.h"
 #include "experiments/workloads/placement.h"
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/workload.h"
@@ -54,6 +55,53 @@ void expect_at(const std::optional<FirstContact>& contact, double degrees, Kind 
 const Feature kFace{Feature::Kind::Face, 0};
 Feature edge(std::size_t i) { return {Feature::Kind::Edge, i}; }
 Feature vertex(std::size_t i) { return {Feature::Kind::Vertex, i}; }
+
+struct Move {
+  Arc arc;
+  double radius;
+  Faces faces;
+  std::string replay;
+};
+
+/// An arc about a random axis through the neighbourhood of one or two polygons, which may be off their planes.
+Move draw_move(std::uint64_t index) {
+  workloads::Workload workload;
+  const auto& families = workloads::all_families();
+  workload.family = families[index % families.size()];
+  workload.placement =
+      index / families.size() % 2 == 0 ? workloads::Placement::LatticeFrame : workloads::Placement::Rotated;
+  workload.vertices = 12;
+  const auto placed = workloads::draw_placed_outline(workload, 2026, index);
+  Random random(2026, index, 91);
+  double size = 0;
+  const Polygon& polygon = placed.polygon;
+  for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
+    size = std::max(size, (polygon.vertex(i) - polygon.vertex(0)).norm());
+  const auto vector = [&](double scale) {
+    return Eigen::Vector3d(scale * (2 * random.unit() - 1), scale * (2 * random.unit() - 1),
+                           scale * (2 * random.unit() - 1));
+  };
+  const auto corner = [&] {
+    return polygon.vertex(
+        static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(polygon.vertex_count()) - 1)));
+  };
+  Move move;
+  move.radius = size * std::ldexp(1 + random.unit(), -static_cast<int>(random.integer(3, 9)));
+  const Eigen::Vector3d aim =
+      (random.coin() ? corner() : Eigen::Vector3d((corner() + corner()) / 2)) + vector(move.radius);
+  move.arc = {aim, aim + vector(0.7 * size), vector(1), 20 + 150 * random.unit()};
+  move.arc.start = kinematics::point_at(move.arc, 360 - move.arc.degrees * random.unit());
+  move.faces.polygons.push_back(polygon);
+  if (random.coin())  // a triangle across it
+    move.faces.triangles.push_back({corner(), corner() + vector(0.5 * size), corner() + vector(0.5 * size)});
+  if (random.coin()) {  // a quadrilateral that is off its plane
+    const Eigen::Vector3d at = corner(), u = vector(0.3 * size), v = vector(0.3 * size);
+    move.faces.polygons.push_back(Polygon({at, at + u, Eigen::Vector3d(at + u + v + vector(0.03 * size)), at + v}));
+    if (exact::validate(move.faces.polygons.back())) move.faces.polygons.pop_back();
+  }
+  move.replay = "draw_move(" + std::to_string(index) + ")";
+  return move;
+}
 
 TEST(FirstContact, MeetsAPlaneWhereTheSineSays) {
   const Faces faces = faces_of(sheet(-2, 2, -2, 2, -0.5));
@@ -112,6 +160,33 @@ TEST(FirstContact, CoversTheWholeTurnAndItsEnd) {
   const Arc round{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}, 360};
   const Faces start = faces_of(Polygon({{0.5, -0.125, -1}, {2, -0.125, -1}, {2, -0.125, 1}, {0.5, -0.125, 1}}));
   expect_at(first_contact(round, 0, start), 360 - kinematics::arc_sine(0.125), Kind::Transversal, kFace);
+}
+
+// Guarantee for every finite double: an exact scaling changes nothing, far beyond where squares over- and underflow.
+TEST(FirstContact, IsTheSameAtEveryScale) {
+  for (std::uint64_t index = 0; index < 10; ++index) {
+    const Move move = draw_move(index);
+    const auto expected = first_contact(move.arc, move.radius, move.faces);
+    for (const int exponent : {-900, -400, 300, 900}) {
+      const auto scaled = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return std::ldexp(1.0, exponent) * v; };
+      Arc arc = move.arc;
+      arc.start = scaled(arc.start), arc.point = scaled(arc.point);
+      Faces faces;
+      for (const Triangle& t : move.faces.triangles) faces.triangles.push_back({scaled(t.a), scaled(t.b), scaled(t.c)});
+      for (const Polygon& polygon : move.faces.polygons) {
+        std::vector<Loop> loops = workloads::loops_of(polygon);
+        for (Loop& loop : loops)
+          for (Eigen::Vector3d& v : loop) v = scaled(v);
+        faces.polygons.push_back(workloads::polygon_of(loops));
+      }
+      const auto contact = first_contact(arc, std::ldexp(move.radius, exponent), faces);
+      ASSERT_EQ(contact.has_value(), expected.has_value()) << move.replay << ", 2^" << exponent;
+      if (!contact) continue;
+      EXPECT_EQ(contact->low, expected->low) << move.replay << ", 2^" << exponent;
+      EXPECT_EQ(contact->high, expected->high) << move.replay << ", 2^" << exponent;
+      EXPECT_EQ(contact->feature, expected->feature) << move.replay << ", 2^" << exponent;
+    }
+  }
 }
 
 TEST(FirstContact, SaysThatTheBallTouchesBeforeItMoves) {
@@ -182,53 +257,6 @@ TEST(FirstContact, RefusesWhatIsNoMove) {
   EXPECT_EQ(message(arc), "the arc has a coordinate that is not finite");
   EXPECT_THROW((void)first_contact(falling(90), -1, faces), Rejected);
   EXPECT_THROW((void)stepped_contact(falling(90), 1, 0, faces), std::invalid_argument);
-}
-
-struct Move {
-  Arc arc;
-  double radius;
-  Faces faces;
-  std::string replay;
-};
-
-/// An arc about a random axis through the neighbourhood of one or two polygons, which may be off their planes.
-Move draw_move(std::uint64_t index) {
-  workloads::Workload workload;
-  const auto& families = workloads::all_families();
-  workload.family = families[index % families.size()];
-  workload.placement =
-      index / families.size() % 2 == 0 ? workloads::Placement::LatticeFrame : workloads::Placement::Rotated;
-  workload.vertices = 12;
-  const auto placed = workloads::draw_placed_outline(workload, 2026, index);
-  Random random(2026, index, 91);
-  double size = 0;
-  const Polygon& polygon = placed.polygon;
-  for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
-    size = std::max(size, (polygon.vertex(i) - polygon.vertex(0)).norm());
-  const auto vector = [&](double scale) {
-    return Eigen::Vector3d(scale * (2 * random.unit() - 1), scale * (2 * random.unit() - 1),
-                           scale * (2 * random.unit() - 1));
-  };
-  const auto corner = [&] {
-    return polygon.vertex(
-        static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(polygon.vertex_count()) - 1)));
-  };
-  Move move;
-  move.radius = size * std::ldexp(1 + random.unit(), -static_cast<int>(random.integer(3, 9)));
-  const Eigen::Vector3d aim =
-      (random.coin() ? corner() : Eigen::Vector3d((corner() + corner()) / 2)) + vector(move.radius);
-  move.arc = {aim, aim + vector(0.7 * size), vector(1), 20 + 150 * random.unit()};
-  move.arc.start = kinematics::point_at(move.arc, 360 - move.arc.degrees * random.unit());
-  move.faces.polygons.push_back(polygon);
-  if (random.coin())  // a triangle across it
-    move.faces.triangles.push_back({corner(), corner() + vector(0.5 * size), corner() + vector(0.5 * size)});
-  if (random.coin()) {  // a quadrilateral that is off its plane
-    const Eigen::Vector3d at = corner(), u = vector(0.3 * size), v = vector(0.3 * size);
-    move.faces.polygons.push_back(Polygon({at, at + u, Eigen::Vector3d(at + u + v + vector(0.03 * size)), at + v}));
-    if (exact::validate(move.faces.polygons.back())) move.faces.polygons.pop_back();
-  }
-  move.replay = "draw_move(" + std::to_string(index) + ")";
-  return move;
 }
 
 // Planted: leaving out the edges, the vertices or one side of the plane; a box that is too small; the last root.

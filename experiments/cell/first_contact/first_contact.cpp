@@ -15,7 +15,7 @@
 namespace touchstone::kinematics {
 namespace {
 
-constexpr unsigned kBits = 64;  // of the parameter: less than 1e-17 degrees
+constexpr unsigned kBits = 64;  // of the parameter: about 1e-17 degrees
 
 /// Is it, as far as 200 bits tell, after so many degrees?
 bool beyond(const Charts& charts, Moment& moment, double degrees) {

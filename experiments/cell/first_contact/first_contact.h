@@ -29,8 +29,8 @@ struct FirstContact {
 /// Where a ball whose centre goes along the arc first touches one of the faces; nothing where it touches none on the
 /// whole move, its end included. At the start its `feature` is the one that is nearest there.
 ///
-/// Ball and faces are closed, centre and faces those exact sets of points that their doubles mean (arc.h, CONTRACT on
-/// lifted polygons).
+/// Ball and faces are closed, centre and faces those exact sets of points that their doubles mean (arc.h, and
+/// polygon.h on lifted ones).
 ///
 /// Guarantees
 ///  (1) at no angle below `low` does the ball touch any face; nothing is returned only where it touches none;

@@ -46,7 +46,7 @@ inline constexpr double kStorageHome = -150, kMachineAzimuth = -83;
 struct Captions {
   double storage_angle;
   int elbow, base, shoulder;  ///< to the storage
-  int lift;                   ///< of the shoulder; not captioned, see FACTS: 25 - 11 + 14 = 28
+  int lift;                   ///< of the shoulder: not captioned, but net 28 in both cases asks for it, 25 - 11 + 14
   int elbow_to_machine, base_to_machine, shoulder_to_machine;
 };
 inline constexpr std::array<Captions, 2> kCases{
