@@ -234,6 +234,7 @@ TEST(SteppedContact, StopsAtTheFirstStopThatTouchesAndNotBeyondTheEnd) {
   EXPECT_EQ(stop->stop, 23U);  // asin(0.375) is 22.02
   EXPECT_EQ(stop->degrees, 23);
   EXPECT_EQ(stepped_contact(falling(90), 0, 0.5, faces).value().stop, 60U);  // exactly 30 degrees
+  EXPECT_TRUE(stepped_contact(falling(23), 0.125, 1, faces).has_value());
   EXPECT_FALSE(stepped_contact(falling(22.99), 0.125, 1, faces).has_value());
   EXPECT_TRUE(first_contact(falling(22.99), 0.125, faces).has_value());
 }

@@ -170,7 +170,7 @@ int Root::sign_of(const Polynomial& q) {
     if (equal(low_, high_)) return q.sign_at(high_);
     const Dyadic at = middle(low_, high_);
     const mpz_class value = q.scaled_value_at(at) << bits;
-    const mpz_class error = bound << static_cast<mp_bitcnt_t>(static_cast<unsigned>(q.degree()) * at.shift);
+    const mpz_class error = bound << static_cast<mp_bitcnt_t>(q.degree()) * at.shift;
     if (mpz_cmpabs(value.get_mpz_t(), error.get_mpz_t()) > 0) return sgn(value);
     if (bits != 96) continue;  // closer than that as a rule only where it is a root of both
     const Polynomial common = common_divisor(square_free_, q);
