@@ -44,7 +44,8 @@ class Chain {
   /// parallel to a next joint.
   Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> driver = {});
 
-  [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
+  [[nodiscard]] const std::vector<Joint>& joints() const& { return joints_; }
+  void joints() && = delete;  // a reference into a chain that is gone
   /// The joint of that name. Throws std::invalid_argument where there is none.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 

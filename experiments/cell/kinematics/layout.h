@@ -19,8 +19,8 @@ struct Station {
   double height;  ///< of the material's underside
 };
 
-/// The cell that the case studies of the thesis's chapter 6 are reproduced in. Millimetres and degrees. Everything is
-/// chosen but what Home and Captions say, and the lengths of the arm.
+/// The cell that the case studies of the thesis's chapter 6 are reproduced in. Millimetres and degrees. Every value is
+/// chosen: what the captions and the arm's table give stands below and in aristo.h.
 struct Layout {
   Coupling coupling;
   LinkAngles home;         ///< where upper arm and forearm point at home; the hand points straight down there

@@ -46,6 +46,10 @@ std::string family_text(const std::vector<Member>& members) {
 std::string choice_text(const LayoutStudy& study) {
   std::string text = "name,value,unit,label,lowest,highest\n";
   text += fmt::format("coupling,{},,C,,\n", word(study.chosen.coupling));
+  text += "way to the material,from the side where the shoulder can stay; else from above; else from the side,,C,,\n";
+  const Chain chain = aristo(study.chosen.coupling);
+  for (const Joint& joint : chain.joints())
+    text += fmt::format("limits of {} in degrees,{:g} to {:g},,C,,\n", joint.name, joint.lowest, joint.highest);
   for (const Choice& c : study.choices)
     text += fmt::format("{},{:.4g},{},C,{:.3f},{:.3f}\n", c.name, c.value, c.unit, c.lowest, c.highest);
   return text;
