@@ -7,10 +7,12 @@
 namespace touchstone::commands {
 
 void add_cell(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("cell", "The virtual manufacturing cell: its model, its files");
+  auto* command = app.add_subcommand("cell", "The virtual manufacturing cell: its model, its layout, its contacts");
   command->require_subcommand(1);
   cell::add_show(*command, status);
   cell::add_convert(*command, status);
+  cell::add_layout(*command, status);
+  cell::add_missed(*command, status);
 }
 
 }  // namespace touchstone::commands

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "experiments/cell/first_contact/integer_vector.h"
+#include "experiments/cell/first_contact/polynomial.h"
+
+namespace touchstone::kinematics {
+
+/// The angles of a turn as points of a projective line: tan(phi / 2) = |axis| y / x, so that a turn is that of the
+/// quaternion (x, y axis), whose matrix is rational in x and y. Three charts give x and y as linear functions of a
+/// parameter w, and cover the turn once, in the order of the angle:
+///   chart 0: (2^k, w), 0 <= w <= 1; chart 1: (2^k (1 - w), 1), 0 <= w <= 2; chart 2: (-2^k, 1 - w), 0 <= w <= 1,
+/// with 2^k about as large as |axis|.
+class Charts {
+ public:
+  /// Requires an axis that is not 0.
+  explicit Charts(const Eigen::Vector3d& axis);
+
+  static constexpr int kCount = 3;
+  [[nodiscard]] const IntegerVector& axis() const { return axis_; }  ///< up to a positive factor
+
+  /// x and y as functions of w, and the last w.
+  struct Chart {
+    Polynomial x, y;
+    Dyadic end;
+  };
+  [[nodiscard]] Chart chart(int number) const;
+
+  /// Where a chart begins (and the one before it ends), in degrees, but for rounding.
+  [[nodiscard]] double begin(int number) const;
+
+  enum class Towards { Low, High };
+  /// The angle in degrees, a double at that side of it and next to it, or nearly so. Cost: some 10 us.
+  [[nodiscard]] double degrees(int chart, const Dyadic& w, Towards side) const;
+  /// Is the angle greater, as far as so many bits tell?
+  [[nodiscard]] bool degrees_exceed(int chart, const Dyadic& w, double degrees, long bits) const;
+
+ private:
+  template <class F>
+  void with_angle(int chart, const Dyadic& w, Towards side, long bits, const F& f) const;
+
+  IntegerVector axis_;
+  mpz_class squared_length_;
+  unsigned exponent_;  // k
+};
+
+/// An angle, as a root in a chart.
+struct Moment {
+  int chart;
+  Root root;
+};
+
+/// Which angle is smaller: -1, 0, 1; 0 also for angles that 2^-120 of a turn's parameter cannot tell apart.
+[[nodiscard]] int compare(Moment& a, Moment& b);
+
+}  // namespace touchstone::kinematics

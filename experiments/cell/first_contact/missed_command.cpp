@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/first_contact/missed_study.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::uint64_t samples = 2000, seed = 1;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string output = "results/cell-missed";
+  bool no_pictures = false;
+};
+
+int run_missed(const Options& options) {
+  const std::filesystem::path folder = options.output;
+  run::make_folder(folder);
+  const auto begin = std::chrono::steady_clock::now();
+  const run::Interrupt interrupt;
+  const auto study = [&] {
+    run::ProgressLine line("moves", kinematics::blocks_of(options.samples));
+    return kinematics::study_missed(options.seed, options.samples, options.threads, interrupt.requested(),
+                                    std::ref(line));
+  }();
+  kinematics::write_missed(folder, study);
+  run::Run record;
+  record.command = fmt::format("touchstone cell missed --samples {} --seed {} --threads {} --output {}{}",
+                               options.samples, options.seed, options.threads, run::shell_quoted(options.output),
+                               options.no_pictures ? " --no-pictures" : "");
+  record.seed = options.seed;
+  record.samples_asked = options.samples;
+  record.samples_done = study.samples;
+  record.threads = options.threads;
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run::write_run_record(folder, record);
+  fmt::print("{}", kinematics::missed_table(study));
+  std::fflush(stdout);
+  if (!options.no_pictures) run::draw_pictures("cell_missed.py", folder);
+  if (study.samples < options.samples) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", folder.string(), study.samples,
+               options.samples);
+    return run::kInterrupted;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_missed(CLI::App& cell, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = cell.add_subcommand("missed", "Contacts that stepping passes over, and the certified search finds");
+  command->footer(
+      "Random moves of one joint of the arm through thin sheets: how often a joint that moves by steps, and looks for\n"
+      "contact after each, passes over the first contact, for spheres and steps of several sizes.");
+  command->add_option("--samples", options->samples, "Moves")->check(run::whole_number(1))->capture_default_str();
+  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
+      ->check(run::whole_number(0))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "They do not change the results")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--output", options->output, "Folder for missed.csv, run.json and the picture")
+      ->capture_default_str();
+  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  command->callback([options, &status] { status = run::run_alone([&] { return run_missed(*options); }); });
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "experiments/cell/first_contact/arc.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::kinematics {
+
+/// The first of the stops 0, 1, 2, ... of a move at which the ball touches a face.
+struct SteppedContact {
+  std::uint64_t stop;
+  double degrees;    ///< stop times step
+  std::size_t face;  ///< the lowest, numbered as in FirstContact
+};
+
+/// As the thesis does: the ball is looked at after every step of so many degrees, not between. At each stop the centre
+/// is the rounded one of point_at; whether that ball touches is exact (`filtered`). Stops beyond the end of the move
+/// are none. Throws as first_contact does, and std::invalid_argument for a step that is not finite and positive.
+[[nodiscard]] std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, double step,
+                                                            const scene::Faces& faces);
+
+}  // namespace touchstone::kinematics

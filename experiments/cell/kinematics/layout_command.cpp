@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/kinematics/layout_output.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::string output = "results/cell-layout";
+  bool no_pictures = false;
+};
+
+int run_layout(const Options& options) {
+  const std::filesystem::path folder = options.output;
+  run::make_folder(folder);
+  const auto begin = std::chrono::steady_clock::now();
+  const run::Interrupt interrupt;
+  std::optional<kinematics::LayoutStudy> study;
+  {
+    run::ProgressLine line("layouts", kinematics::layout_work());
+    study = kinematics::study_layout(interrupt.requested(), std::ref(line));
+  }
+  if (!study) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  kinematics::write_layout(folder, *study);
+  run::Run record;
+  record.command = fmt::format("touchstone cell layout --output {}{}", run::shell_quoted(options.output),
+                               options.no_pictures ? " --no-pictures" : "");
+  record.samples_asked = record.samples_done = kinematics::layout_work();
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run::write_run_record(folder, record);
+  fmt::print("{}", kinematics::layout_table(*study));
+  std::fflush(stdout);
+  if (!options.no_pictures) run::draw_pictures("cell_layout.py", folder);
+  return 0;
+}
+
+}  // namespace
+
+void add_layout(CLI::App& cell, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = cell.add_subcommand("layout", "Home pose and places in which the thesis's captioned angles come out");
+  command->footer(
+      "Solves for home pose, storage and machine so that both case studies' angles come out to the degree, shows the\n"
+      "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
+  command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
+      ->capture_default_str();
+  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  command->callback([options, &status] { status = run::run_alone([&] { return run_layout(*options); }); });
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/kinematics/two_link.h"
+
+#include <cmath>
+
+#include "experiments/cell/kinematics/degrees.h"
+
+namespace touchstone::kinematics {
+
+Reach TwoLinks::reach(const LinkAngles& angles) const {
+  return {first * sine(angles.lean) + second * cosine(angles.elevation),
+          first * cosine(angles.lean) + second * sine(angles.elevation)};
+}
+
+std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
+  const double distance = std::sqrt(point.out * point.out + point.up * point.up);
+  if (distance == 0) return {};
+  const double at_shoulder = (first * first + distance * distance - second * second) / (2 * first * distance);
+  if (!(std::abs(at_shoulder) <= 1)) return {};
+  const double to_point = arc_tangent(point.up, point.out), opened = arc_cosine(at_shoulder);
+  std::vector<LinkAngles> solutions;
+  for (const double side : {1.0, -1.0}) {
+    const double up = to_point + side * opened;  // elevation of the first link
+    const double elevation = arc_tangent(point.up - first * sine(up), point.out - first * cosine(up));
+    const double lean = 90 - up;
+    solutions.push_back({std::remainder(lean, 360), elevation});
+    if (opened == 0 || opened == 180) break;
+  }
+  return solutions;
+}
+
+}  // namespace touchstone::kinematics

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Picture of `touchstone cell missed`: cell_missed.py FOLDER draws missed.csv.
+
+Same data, same bytes: nothing here depends on the time or on chance."""
+import csv
+import pathlib
+import sys
+
+from style import STYLES, plt, save
+
+
+def main(folder):
+    folder = pathlib.Path(folder)
+    with open(folder / "missed.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    for (color, line, marker), radius in zip(STYLES, dict.fromkeys(row["radius_mm"] for row in rows)):
+        own = [row for row in rows if row["radius_mm"] == radius]
+        steps = [float(row["step_deg"]) for row in own]
+        shares = [100 * float(row["share"]) for row in own]
+        low = [s - 100 * float(row["lower"]) for s, row in zip(shares, own)]
+        high = [100 * float(row["upper"]) - s for s, row in zip(shares, own)]
+        axes.errorbar(steps, shares, yerr=[low, high], color=color, linestyle=line, marker=marker, markersize=4,
+                      capsize=2, label=f"{radius} mm")
+    axes.set_xscale("log")
+    steps = sorted({float(row["step_deg"]) for row in rows})
+    axes.set_xticks(steps, [f"{step:g}" for step in steps])
+    axes.minorticks_off()
+    axes.set_xlabel("step of the joint (degrees)")
+    axes.set_ylabel("first contacts passed over (%)")
+    axes.set_ylim(-2, 100)
+    axes.grid(alpha=0.3)
+    axes.legend(title="radius of the sphere")
+    axes.set_title("A sphere carried through a thin sheet: first contacts, certified,\n"
+                   "that a joint moving by steps passes over (bars: 95 %)")
+    save(figure, folder, "cell-missed")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
