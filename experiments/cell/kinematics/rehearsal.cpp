@@ -86,9 +86,9 @@ class Performance {
                                touched(*contact), contact->high));
   }
 
-  void record(Move move) {
+  void record(const Move& move) {
     angles_[move.joint] += move.degrees;
-    rehearsal.moves.push_back(std::move(move));
+    rehearsal.moves.push_back(move);
   }
 
   void move_as_planned(AristoJoint joint, double target) {
