@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -83,13 +84,22 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
   EXPECT_EQ(cell.label("storage.home"), Label::Derived);
   EXPECT_EQ(cell.label("storage.slots[1].place[0]"), Label::Chosen);
   EXPECT_EQ(cell.label("robot.links.Axis1[0].union[1].cylinder.radius"), Label::Chosen);
+  EXPECT_EQ(cell.label("storage"), Label::Chosen);
   EXPECT_THROW((void)cell.label("nothing"), std::out_of_range);
+  EXPECT_THROW((void)cell.label("storages"), std::out_of_range);
   EXPECT_EQ(cell.storage.azimuth(), -149);  // 149 degrees clockwise
   EXPECT_EQ(cell.machine.azimuth(), -83);
   EXPECT_EQ(cell.robot.couplings.size(), 1U);
 
   std::map<std::string, cell::SolidFaces> parts;
-  for (cell::ModelPart& part : cell::build_model(cell)) parts.emplace(part.name, std::move(part.faces));
+  for (cell::ModelPart& part : cell::build_model(cell)) {
+    const std::string owner = part.name.substr(0, part.name.find('/'));
+    EXPECT_EQ(part.carrier == cell::Carrier::Link ? cell.robot.links[part.link].name : word(part.carrier), owner);
+    if (part.carrier == cell::Carrier::Gripper) {
+      EXPECT_EQ(part.link, cell.robot.links.size() - 1);
+    }
+    parts.emplace(part.name, std::move(part.faces));
+  }
   EXPECT_EQ(parts.size(), 20U);
   EXPECT_EQ(parts.at("gripper/Gripper1").volume, 90.0 * 30 * 75 - 50 * 30 * 45);
   EXPECT_EQ(parts.at("gripper/Gripper1").faces.size(), 10U);

@@ -37,8 +37,8 @@ struct Joint {
   double home;           ///< the commanded angle at home, in degrees; 0 of a fixed joint
 };
 
-/// The angle of `joint` about its axis is what is commanded plus `factor` times what is commanded of `leader`: with
-/// -1, the forearm keeps its elevation while the shoulder turns. Limits are those of the angle about the axis.
+/// The angle of `joint` about its axis is what is commanded plus `factor` times what is commanded of `leader`: where
+/// the two axes are opposite, with 1 what the joint carries is not turned by the leader. Limits are those of the angle.
 struct Coupling {
   std::size_t joint, leader;  ///< places in Robot::joints
   double factor;
@@ -95,7 +95,7 @@ struct Station {
 /// The stand as a part, in its frame. Requires that there is one.
 [[nodiscard]] Solid stand_of(const Station& station);
 
-/// The piece that is moved: its frame's origin is the middle of its underside, z is up.
+/// The piece that is moved: its frame's origin, the middle of its underside, goes to the place of a slot; z is up.
 struct Material {
   Solid solid;
   std::size_t slot;          ///< of the storage, where it lies at first

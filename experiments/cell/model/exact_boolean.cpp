@@ -187,7 +187,7 @@ Boundary boundary_of(const Solid& solid) {
       CGAL_For_all(edge, begin) loop.push_back(edge->source()->source()->point());
       loops.push_back(std::move(loop));
     }
-    // The outer loop has the largest area; the others run the other way round.
+    // The outer loop has the largest area. It comes first already, but that is not documented.
     const auto outer = std::max_element(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
       return doubled_area(a).squared_length() < doubled_area(b).squared_length();
     });

@@ -55,7 +55,7 @@ class Reader {
 
   std::string name(const char* word) {
     expect(word);
-    const std::string name(lines_.take());
+    std::string name(lines_.take());
     if (name.empty()) lines_.broken(std::string("a name is expected after '") + word + "'");
     line_is_done();
     return name;

@@ -18,7 +18,7 @@ using Operation = Boolean::Operation;
 
 Box read_box(const CellEntry& entry) {
   entry.has_only({"from", "to"});
-  const Box box{entry.at("from").point(), entry.at("to").point()};
+  Box box{entry.at("from").point(), entry.at("to").point()};
   for (int axis = 0; axis < 3; ++axis)
     if (!(box.lower[axis] < box.upper[axis]))
       entry.bad(fmt::format("\"from\" must be less than \"to\" in coordinate {}: {} and {}", axis, box.lower[axis],
