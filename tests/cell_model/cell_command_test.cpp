@@ -2,42 +2,23 @@
 // `touchstone cell show` and `convert`: tables, files and exit statuses.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/cell/model/link_model.h"
 #include "experiments/commands.h"
 #include "experiments/run/write_file.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
 
-struct Ran {
-  int status;
-  std::string out, err;
-};
+using run_tests::Ran;
 
 Ran touchstone_cell(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  Ran run{0, "", ""};
-  commands::add_cell(app, run.status);
-  arguments.insert(arguments.begin(), "cell");
-  std::reverse(arguments.begin(), arguments.end());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  std::string thrown;
-  try {
-    app.parse(arguments);
-  } catch (const std::exception& error) {
-    run.status = 2;
-    thrown = error.what();
-  }
-  run.out = testing::internal::GetCapturedStdout();
-  run.err = testing::internal::GetCapturedStderr() + thrown;
-  return run;
+  return run_tests::run_command(commands::add_cell, "cell", std::move(arguments));
 }
 
 class CellCommand : public testing::Test {

@@ -2,12 +2,13 @@
 // `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/commands.h"
 #include "experiments/run/write_file.h"
@@ -15,45 +16,25 @@
 #include "experiments/scenes/unit.h"
 #include "robust/filtered/numbers/integer.h"
 #include "robust/scene/scene.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using run_tests::Ran;
 using run_tests::Scratch;
 using run_tests::text_of;
 
-struct Ran {
-  int status;
-  std::string out, err;
-
-  [[nodiscard]] std::vector<nlohmann::json> lines() const {
-    std::vector<nlohmann::json> lines;
-    std::istringstream stream(out);
-    for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
-    return lines;
-  }
-};
-
-/// Runs `touchstone scene` with these arguments; what is thrown stands in `err` as main would print it.
 Ran touchstone_scene(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  Ran run{0, "", ""};
-  commands::add_scene(app, run.status);
-  arguments.insert(arguments.begin(), "scene");
-  std::reverse(arguments.begin(), arguments.end());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  std::string thrown;
-  try {
-    app.parse(arguments);
-  } catch (const std::exception& error) {
-    run.status = 2;
-    thrown = error.what();
-  }
-  run.out = testing::internal::GetCapturedStdout();
-  run.err = testing::internal::GetCapturedStderr() + thrown;
-  return run;
+  return run_tests::run_command(commands::add_scene, "scene", std::move(arguments));
+}
+
+std::vector<nlohmann::json> lines_of(const Ran& run) {
+  std::vector<nlohmann::json> lines;
+  std::istringstream stream(run.out);
+  for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
 }
 
 /// A unit cube of quads and, above it at height 3, a triangle.
@@ -85,7 +66,7 @@ TEST_F(SceneCommand, NamesTheFacesThatAreTouchedByObjectAndByTheirNumbersInTheMe
   const std::string balls = write("balls.txt", "# x y z r\n0.5 0.5 2 1   # touches both\n\n9 9 9 0.5\n");
   const Ran run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
   EXPECT_EQ(run.status, 0) << run.err;
-  const auto lines = run.lines();
+  const auto lines = lines_of(run);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0]["id"], "2") << "the number of the line";
   const auto face = [&](const char* stem, int number) {
@@ -104,7 +85,7 @@ TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
     const Ran run =
         touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, question, "--objects", object(name)});
     EXPECT_EQ(run.status, 0) << run.err;
-    return run.lines().at(0);
+    return lines_of(run).at(0);
   };
   EXPECT_EQ(ask("--any", "cube")["touches"], false);
   EXPECT_EQ(ask("--any", "roof")["touches"], true);
@@ -182,7 +163,7 @@ TEST_F(SceneCommand, HoldsAnotherMethodAgainstFiltered) {
   const std::string balls = write("balls.txt", "0.5 0.5 2 0.99999999999\n0.5 0.5 2 0.5\n");
   const Ran run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
   EXPECT_NE(run.err.find("fast-float answers otherwise than filtered to 1 of 2 balls"), std::string::npos) << run.err;
-  EXPECT_EQ(run.lines()[0]["touched"].size(), 1U) << "the answer of the method";
+  EXPECT_EQ(lines_of(run)[0]["touched"].size(), 1U) << "the answer of the method";
 }
 
 TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
@@ -192,7 +173,7 @@ TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
     arguments.insert(arguments.end(), units.begin(), units.end());
     const Ran run = touchstone_scene(arguments);
     EXPECT_EQ(run.status, 0) << run.err;
-    return run.lines().at(0)["nearest"]["distance"].get<double>();
+    return lines_of(run).at(0)["nearest"]["distance"].get<double>();
   };
   EXPECT_EQ(nearest({"--unit", "inch", "--scene-unit", "mm"}), 50.8 - 25.4);
   EXPECT_EQ(nearest({"--unit", "mm"}), nearest({})) << "in one unit nothing changes";
