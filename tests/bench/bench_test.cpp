@@ -12,6 +12,7 @@
 #include "experiments/bench/families.h"
 #include "experiments/bench/output.h"
 #include "experiments/commands.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::bench {
@@ -119,13 +120,7 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_bench(app, status);
-  arguments.insert(arguments.begin(), "bench");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_bench, "bench", std::move(arguments));
 }
 
 // Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.

@@ -16,6 +16,7 @@
 #include "geometry/scene/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::bench {
@@ -207,13 +208,7 @@ TEST(SceneBench, GoalsOfAMillionTriangles) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_bench(app, status);
-  arguments.insert(arguments.begin(), "bench");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_bench, "bench", std::move(arguments));
 }
 
 /// A tetrahedron, and a face that is no triangle.

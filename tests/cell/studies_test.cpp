@@ -2,7 +2,6 @@
 // `touchstone cell layout` and `touchstone cell missed`: what they count and write, whatever the threads.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "experiments/cell/kinematics/layout_output.h"
 #include "experiments/commands.h"
 #include "robust/exact/validate.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::cell_tests {
@@ -22,26 +22,8 @@ using run_tests::text_of;
 
 const std::atomic<bool> kGoOn{false}, kStop{true};
 
-struct Ran {
-  int status = 0;
-  std::string out, thrown;
-};
-
-Ran touchstone_cell(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  Ran run;
-  commands::add_cell(app, run.status);
-  arguments.insert(arguments.begin(), "cell");
-  std::reverse(arguments.begin(), arguments.end());
-  testing::internal::CaptureStdout();
-  try {
-    app.parse(arguments);
-  } catch (const std::exception& error) {
-    run.status = 2;
-    run.thrown = error.what();
-  }
-  run.out = testing::internal::GetCapturedStdout();
-  return run;
+run_tests::Ran touchstone_cell(std::vector<std::string> arguments) {
+  return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
 }
 
 TEST(MissedStudy, CountsWhatStepsPassOver) {
@@ -79,14 +61,14 @@ TEST(MissedStudy, DrawsSheetsThatTheSphereGoesThrough) {
 
 TEST(CellCommand, WritesWhatStepsPassOver) {
   const Scratch scratch;
-  const Ran ran =
+  const run_tests::Ran ran =
       touchstone_cell({"missed", "--samples", "20", "--no-pictures", "--output", (scratch.path / "out").string()});
-  EXPECT_EQ(ran.status, 0) << ran.thrown;
+  EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("20 moves of one joint"), std::string::npos) << ran.out;
   const std::string text = text_of(scratch.path / "out" / "missed.csv");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + static_cast<long>(kRadii.size() * kSteps.size()));
   EXPECT_NE(text_of(scratch.path / "out" / "run.json").find("touchstone cell missed --samples 20"), std::string::npos);
-  EXPECT_NE(touchstone_cell({"missed", "--samples", "-1"}).thrown.find("--samples"), std::string::npos);
+  EXPECT_NE(touchstone_cell({"missed", "--samples", "-1"}).err.find("--samples"), std::string::npos);
 }
 
 TEST(LayoutStudy, StopsWhenItIsAskedTo) {

@@ -16,6 +16,7 @@
 #include "experiments/near_edge/map.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/near_edge/study.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::near_edge {
@@ -343,13 +344,7 @@ TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_near_edge(app, status);
-  arguments.insert(arguments.begin(), "near-edge");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_near_edge, "near-edge", std::move(arguments));
 }
 
 TEST(NearEdgeCommand, WritesResultsAndASidecar) {

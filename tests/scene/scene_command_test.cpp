@@ -27,7 +27,7 @@ using run_tests::Scratch;
 using run_tests::text_of;
 
 Ran touchstone_scene(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_scene, "scene", std::move(arguments));
+  return run_tests::run_captured(commands::add_scene, "scene", std::move(arguments));
 }
 
 std::vector<nlohmann::json> lines_of(const Ran& run) {

@@ -20,6 +20,7 @@
 #include "experiments/soak/output.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::soak {
@@ -309,13 +310,7 @@ TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_soak(app, status);
-  arguments.insert(arguments.begin(), "soak");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_soak, "soak", std::move(arguments));
 }
 
 TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {

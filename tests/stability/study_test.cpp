@@ -18,6 +18,7 @@
 #include "experiments/judge/case.h"
 #include "experiments/judge/verdict.h"
 #include "experiments/stability/output.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::stability {
@@ -385,13 +386,7 @@ TEST(StabilityKnown, ContractionBreaksExactZeros) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_stability(app, status);
-  arguments.insert(arguments.begin(), "stability");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_stability, "stability", std::move(arguments));
 }
 
 TEST(StabilityCommand, WritesResultsAndASidecar) {

@@ -7,7 +7,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -26,6 +25,7 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::tradeoff {
@@ -333,13 +333,7 @@ TEST(Timings, AskEveryMethodAboutEveryList) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  commands::add_tradeoff(app, status);
-  arguments.insert(arguments.begin(), "tradeoff");
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
+  return run_tests::run_command(commands::add_tradeoff, "tradeoff", std::move(arguments));
 }
 
 TEST(TradeoffCommand, WritesResultsAndASidecar) {
