@@ -36,28 +36,22 @@ struct Options {
   bool no_pictures = false;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : ",").append(word);
-  return text;
-}
-
 std::string family_words(const Settings& settings) {
   std::vector<std::string> words;
   for (const auto family : settings.families) words.emplace_back(word(family));
-  return joined(words);
+  return run::joined(words);
 }
 
 std::string method_names(const Settings& settings) {
   std::vector<std::string> names;
   for (const auto* method : settings.methods) names.emplace_back(method->name());
-  return joined(names);
+  return run::joined(names);
 }
 
 std::string command_line(const Options& options) {
-  std::string line =
-      fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {}",
-                  joined(options.methods), joined(options.families), options.samples, options.seed, options.threads);
+  std::string line = fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {}",
+                                 run::joined(options.methods), run::joined(options.families), options.samples,
+                                 options.seed, options.threads);
   const Shape usual;
   if (options.shape.vertices != usual.vertices) line += fmt::format(" --vertices {}", options.shape.vertices);
   if (options.shape.holes != usual.holes) line += fmt::format(" --holes {}", options.shape.holes);
@@ -160,12 +154,7 @@ class Run {
                          [](const Result& result) { return result.samples; });
     const std::uint64_t before = result_.samples;
     run::ProgressLine line("near-edge: samples", settings_.samples, before);
-    run_study(settings_,
-              {.processes = processes_,
-               .stop = interrupt_.requested(),
-               .progress = [&](std::uint64_t done) { line(done); },
-               .save = [&](const Result& now) { checkpoint.write(now); }},
-              result_);
+    run_study(settings_, run::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
     return before;
   }
 
@@ -184,11 +173,7 @@ class Run {
     const std::uint64_t before = onsets_.done;
     {
       run::ProgressLine line("near-edge: search", options_.search, before);
-      run_onsets(settings_, options_.search,
-                 {.processes = processes_,
-                  .stop = interrupt_.requested(),
-                  .progress = [&](std::uint64_t done) { line(done); },
-                  .save = [&](const Onsets& now) { checkpoint.write(now); }},
+      run_onsets(settings_, options_.search, run::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint),
                  onsets_);
     }
     run::ProgressLine line("near-edge: climbs", climb_count(settings_));

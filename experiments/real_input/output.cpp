@@ -15,14 +15,6 @@
 namespace touchstone::real_input {
 namespace {
 
-/// A field of a CSV file, quoted where that is needed.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 /// A query of the study, and which methods fail which tests in it.
 struct FailedQuery {
   std::set<std::size_t> methods;
@@ -58,10 +50,10 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
       for (std::size_t place = 0; place < kPlaces.size(); ++place)
         for (std::size_t test = 0; test < kTests.size(); ++test) {
           const Count& count = counts.methods[method].at[place][test];
-          text +=
-              fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", field(meshes[mesh].name), counts.faces, counts.rejected,
-                          settings.methods[method]->name(), word(kPlaces[place]), judge::word(kTests[test]),
-                          count.trials, count.wrong(), count.wrongly_in, count.wrongly_out, count.boundary_missed);
+          text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", run::csv_field(meshes[mesh].name), counts.faces,
+                              counts.rejected, settings.methods[method]->name(), word(kPlaces[place]),
+                              judge::word(kTests[test]), count.trials, count.wrong(), count.wrongly_in,
+                              count.wrongly_out, count.boundary_missed);
         }
   }
   run::write_file(folder / "meshes.csv", text);
@@ -70,8 +62,8 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
 void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
   std::string text = "mesh,face,code,message\n";
   for (const RejectedFace& face : result.rejected)
-    text += fmt::format("{},{},{},{}\n", field(meshes[face.mesh].name), face.face, word(face.rejection.code),
-                        field(face.rejection.message));
+    text += fmt::format("{},{},{},{}\n", run::csv_field(meshes[face.mesh].name), face.face, word(face.rejection.code),
+                        run::csv_field(face.rejection.message));
   run::write_file(folder / "rejected.csv", text);
 }
 

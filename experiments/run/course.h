@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "experiments/run/checkpoint.h"
+#include "experiments/run/progress_line.h"
 #include "experiments/run/sweep.h"
 
 namespace touchstone::run {
@@ -18,6 +19,16 @@ struct Course {
   Progress progress;                                             ///< told how many items are done, of all
   std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds, at the first process
 };
+
+/// One that shows its progress on a line and is saved in a checkpoint; keeps references to all.
+template <class State>
+Course<State> course(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
+                     const Checkpoint& checkpoint) {
+  return {.processes = processes,
+          .stop = stop,
+          .progress = [&line](std::uint64_t done) { line(done); },
+          .save = [&checkpoint](const State& now) { checkpoint.write(now); }};
+}
 
 /// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
 /// first process's checkpoint then holds it. Throws as Checkpoint does, and std::runtime_error where it holds more than

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/run_record.h"
 
+#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
 #include <cstdio>
@@ -97,5 +98,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
   const auto path = folder / "run.json";
   write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
+
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
 }  // namespace touchstone::run

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace touchstone::run {
 
@@ -26,5 +27,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 [[nodiscard]] std::filesystem::path source_folder();
 /// As one word of a shell command.
 [[nodiscard]] std::string shell_quoted(const std::string& word);
+/// As the value of an option: words separated by commas.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
 }  // namespace touchstone::run

@@ -9,6 +9,9 @@ namespace touchstone::run {
 /// Writes the text, byte for byte. Throws std::runtime_error, which names the file, where it cannot be written.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
+/// As a field of a CSV file: quoted where that is needed.
+[[nodiscard]] std::string csv_field(const std::string& text);
+
 /// Makes a folder, and those above it, if it is not there: what cannot be written to is refused before time is spent.
 /// Throws std::runtime_error, which names the folder.
 void make_folder(const std::filesystem::path& folder);

@@ -12,14 +12,6 @@
 namespace touchstone::merging {
 namespace {
 
-/// A field of a CSV file, quoted where that is needed.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 double mean_vertices(const Counts& counts) {
   return static_cast<double>(counts.vertices) / static_cast<double>(std::max<std::size_t>(counts.polygons, 1));
 }
@@ -123,9 +115,9 @@ void write_counts(const std::filesystem::path& folder, const std::vector<MeshRes
   for (const MeshResult& result : results) {
     const Counts& c = result.counts;
     const mesh::EdgeCounts& e = c.edges;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", field(result.name), c.faces, c.rejected,
-                        c.polygons, c.single, c.holes, c.vertices, c.largest, c.splits, e.border, e.non_manifold,
-                        e.inconsistent, e.merged, e.folded, e.kept_apart, e.crease, c.off_plane);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run::csv_field(result.name), c.faces,
+                        c.rejected, c.polygons, c.single, c.holes, c.vertices, c.largest, c.splits, e.border,
+                        e.non_manifold, e.inconsistent, e.merged, e.folded, e.kept_apart, e.crease, c.off_plane);
     for (std::size_t i = 0; i < kQuestions.size(); ++i)
       text += fmt::format(",{},{}", result.differences.asked[i], result.differences.differ[i]);
     text += fmt::format(",{}\n", result.differences.distance);
@@ -139,8 +131,8 @@ void write_times(const std::filesystem::path& folder, const std::vector<MeshResu
   for (const MeshResult& result : results)
     for (const Kind kind : kKinds) {
       const Measured& m = result.measured[static_cast<std::size_t>(kind)];
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", field(result.name), result.merge_seconds, word(kind),
-                          m.triangles, m.polygons, m.memory, m.seconds, m.nanoseconds[0], m.nanoseconds[1],
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", run::csv_field(result.name), result.merge_seconds,
+                          word(kind), m.triangles, m.polygons, m.memory, m.seconds, m.nanoseconds[0], m.nanoseconds[1],
                           m.nanoseconds[2]);
     }
   run::write_file(folder / "merge-times.csv", text);

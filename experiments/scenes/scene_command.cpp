@@ -43,12 +43,6 @@ struct Options {
   [[nodiscard]] bool filtered() const { return method == "filtered"; }
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : ",").append(word);
-  return text;
-}
-
 std::string command_line(const Options& options) {
   std::string line = "touchstone scene";
   for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
@@ -58,8 +52,8 @@ std::string command_line(const Options& options) {
     line += " --balls " + run::shell_quoted(options.balls);
   line += options.any ? " --any" : options.nearest ? " --nearest" : " --all";
   line += fmt::format(" --method {} --threads {}", options.method, options.threads);
-  if (!options.objects.empty()) line += " --objects " + run::shell_quoted(joined(options.objects));
-  if (!options.units.empty()) line += " --unit " + joined(options.units);
+  if (!options.objects.empty()) line += " --objects " + run::shell_quoted(run::joined(options.objects));
+  if (!options.units.empty()) line += " --unit " + run::joined(options.units);
   if (!options.scene_unit.empty()) line += " --scene-unit " + options.scene_unit;
   if (options.counts) line += " --counts";
   if (options.skip_bad) line += " --skip-bad";
@@ -137,7 +131,7 @@ std::vector<std::uint32_t> chosen(const Options& options, const std::vector<Obje
   for (const std::string& name : options.objects) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-      throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + joined(names));
+      throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
     numbers.push_back(static_cast<std::uint32_t>(found - names.begin()));
   }
   if (options.objects.empty()) {

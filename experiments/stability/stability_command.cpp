@@ -57,16 +57,10 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
   return selected;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text.append(text.empty() ? "" : ",").append(word);
-  return text;
-}
-
 std::string command_line(const Options& options) {
   return fmt::format("touchstone stability --method {} --axes {} --samples {} --seed {} --threads {} --output {}{}{}",
-                     joined(options.methods), joined(options.axes), options.samples, options.seed, options.threads,
-                     run::shell_quoted(options.output), options.resume ? " --resume" : "",
+                     run::joined(options.methods), run::joined(options.axes), options.samples, options.seed,
+                     options.threads, run::shell_quoted(options.output), options.resume ? " --resume" : "",
                      options.no_pictures ? " --no-pictures" : "");
 }
 
@@ -78,7 +72,8 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, axes;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
-  return {{"version", kVersion}, {"seed", settings.seed}, {"method", joined(methods)}, {"axes", joined(axes)}};
+  return {
+      {"version", kVersion}, {"seed", settings.seed}, {"method", run::joined(methods)}, {"axes", run::joined(axes)}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
@@ -139,12 +134,7 @@ class Run {
     Summary summary = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
                                  [](const Summary& held) { return held.samples(); });
     run::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
-    run_study(settings_,
-              {.processes = processes_,
-               .stop = interrupt_.requested(),
-               .progress = [&](std::uint64_t done) { line(done); },
-               .save = [&](const Summary& now) { checkpoint.write(now); }},
-              summary);
+    run_study(settings_, run::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
     return summary;
   }
 
@@ -155,11 +145,7 @@ class Run {
                              [](const Onset& held) { return held.triangles(); });
     run::ProgressLine line("stability: known results", triangles, onset.triangles());
     find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
-               {.processes = processes_,
-                .stop = interrupt_.requested(),
-                .progress = [&](std::uint64_t done) { line(done); },
-                .save = [&](const Onset& now) { checkpoint.write(now); }},
-               onset);
+               run::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);
     return onset;
   }
 

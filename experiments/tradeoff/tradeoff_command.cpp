@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -41,13 +40,11 @@ struct Options {
   bool redraw = false;
 };
 
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
-
 std::string command_line(const Options& options) {
   return fmt::format(
       "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
       "--repetitions {} --output {}{}{}",
-      joined(options.methods), joined(options.families), options.samples, options.seed, options.threads,
+      run::joined(options.methods), run::joined(options.families), options.samples, options.seed, options.threads,
       options.queries, options.repetitions, run::shell_quoted(options.output), options.resume ? " --resume" : "",
       options.no_pictures ? " --no-pictures" : "");
 }
@@ -86,7 +83,10 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, families;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const auto family : settings.families) families.emplace_back(word(family));
-  return {{"version", kVersion}, {"seed", settings.seed}, {"method", joined(methods)}, {"families", joined(families)}};
+  return {{"version", kVersion},
+          {"seed", settings.seed},
+          {"method", run::joined(methods)},
+          {"families", run::joined(families)}};
 }
 
 /// One run with all processes: errors by all, times and files by the first.
@@ -142,12 +142,7 @@ class Run {
     Errors errors = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
                                [](const Errors& held) { return held.samples; });
     run::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
-    measure_errors(settings_,
-                   {.processes = processes_,
-                    .stop = interrupt_.requested(),
-                    .progress = [&](std::uint64_t done) { line(done); },
-                    .save = [&](const Errors& now) { checkpoint.write(now); }},
-                   errors);
+    measure_errors(settings_, run::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
     return errors;
   }
 

@@ -6,55 +6,37 @@
 namespace touchstone::kinematics {
 namespace {
 
-/// What `f`, one correctly rounded function of MPFR, leaves in a number of 53 bits.
+constexpr unsigned long kTurn = 360;
+
+/// What `f`, one correctly rounded function of MPFR, leaves in a number of 53 bits that is `value` at first.
 template <class F>
-double rounded(const F& f) {
+double rounded(double value, const F& f) {
   mpfr_t number;
   mpfr_init2(number, 53);
+  mpfr_set_d(number, value, MPFR_RNDN);
   f(number);
   const double result = mpfr_get_d(number, MPFR_RNDN);
   mpfr_clear(number);
   return result == 0 ? 0.0 : result;  // no -0
 }
 
-constexpr unsigned long kTurn = 360;
+/// A function of, or to, angles of which a turn has kTurn.
+double of_turn(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t), double value) {
+  return rounded(value, [&](mpfr_ptr x) { function(x, x, kTurn, MPFR_RNDN); });
+}
 
 }  // namespace
 
-double sine(double degrees) {
-  return rounded([&](mpfr_ptr x) {
-    mpfr_set_d(x, degrees, MPFR_RNDN);
-    mpfr_sinu(x, x, kTurn, MPFR_RNDN);
-  });
-}
-
-double cosine(double degrees) {
-  return rounded([&](mpfr_ptr x) {
-    mpfr_set_d(x, degrees, MPFR_RNDN);
-    mpfr_cosu(x, x, kTurn, MPFR_RNDN);
-  });
-}
-
-double arc_sine(double value) {
-  return rounded([&](mpfr_ptr x) {
-    mpfr_set_d(x, value, MPFR_RNDN);
-    mpfr_asinu(x, x, kTurn, MPFR_RNDN);
-  });
-}
-
-double arc_cosine(double value) {
-  return rounded([&](mpfr_ptr x) {
-    mpfr_set_d(x, value, MPFR_RNDN);
-    mpfr_acosu(x, x, kTurn, MPFR_RNDN);
-  });
-}
+double sine(double degrees) { return of_turn(mpfr_sinu, degrees); }
+double cosine(double degrees) { return of_turn(mpfr_cosu, degrees); }
+double arc_sine(double value) { return of_turn(mpfr_asinu, value); }
+double arc_cosine(double value) { return of_turn(mpfr_acosu, value); }
 
 double arc_tangent(double y, double x) {
-  return rounded([&](mpfr_ptr result) {
+  return rounded(y, [&](mpfr_ptr result) {
     mpfr_t abscissa;
     mpfr_init2(abscissa, 53);
     mpfr_set_d(abscissa, x, MPFR_RNDN);
-    mpfr_set_d(result, y, MPFR_RNDN);
     mpfr_atan2u(result, result, abscissa, kTurn, MPFR_RNDN);
     mpfr_clear(abscissa);
   });
