@@ -71,6 +71,7 @@ struct Gripper {
 struct Slot {
   std::string name;
   Eigen::Vector3d place;  ///< in the frame of its station: where the middle of the material's underside goes
+  Eigen::Vector2d aim;    ///< there, in plan: what the arm faces, and brings its sphere down upon
 };
 
 /// The storage or the machine. Its frame has z up, x away from the robot's axis, and its origin at `radius` from that
@@ -110,7 +111,8 @@ struct Cell {
   Gripper gripper;
   Station storage, machine;
   Material material;
-  double step;  ///< of every joint, in degrees; > 0
+  double step;       ///< of every joint, in degrees; > 0
+  double clearance;  ///< by which the sphere rises, at least, once it has gripped from above or let go; > 0
   /// By path in the file, such as `storage.radius`. A label holds for all that lies below its path and has no nearer
   /// one.
   std::map<std::string, Label> labels;

@@ -132,8 +132,10 @@ Station read_station(const CellEntry& entry, const SolidContext& context) {
     if (item.at("name").name() == "stand") item.at("name").bad("only the stand has this name");
   std::set<std::string> names;
   for (const CellEntry& item : entry.at("slots").items()) {
-    item.has_only({"name", "place"});
-    station.slots.push_back({item.at("name").text(), item.at("place").point()});
+    item.has_only({"name", "place", "aim"});
+    const Eigen::Vector3d place = item.at("place").point();
+    const auto aim = item.find("aim");
+    station.slots.push_back({item.at("name").text(), place, aim ? aim->point2() : Eigen::Vector2d(place.head<2>())});
     if (!names.insert(station.slots.back().name).second) item.at("name").bad("this name is taken");
   }
   if (station.slots.empty()) entry.at("slots").bad("must not be empty");
@@ -203,7 +205,8 @@ scenes::Unit read_unit(const CellEntry& entry) {
 Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes) {
   const judge::StrictJson json = load(file);
   const CellEntry whole(file.string(), "", json.value);
-  whole.has_only({"name", "unit", "step", "meshes", "robot", "gripper", "storage", "machine", "material", "labels"});
+  whole.has_only(
+      {"name", "unit", "step", "clearance", "meshes", "robot", "gripper", "storage", "machine", "material", "labels"});
   const std::filesystem::path folder = file.parent_path();
   SolidContext context{read_unit(whole.at("unit")), folder.empty() ? "." : folder};
   if (const auto given = whole.find("meshes")) context.mesh_folder = folder / given->text();
@@ -220,6 +223,7 @@ Cell read_cell(const std::filesystem::path& file, const std::optional<std::files
             .machine = read_station(whole.at("machine"), context),
             .material = {},
             .step = whole.at("step").positive(),
+            .clearance = whole.at("clearance").positive(),
             .labels = {}};
   if (cell.step > 90) whole.at("step").bad(fmt::format("must be at most 90, is {}", cell.step));
   const CellEntry material = whole.at("material");

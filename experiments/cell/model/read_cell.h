@@ -15,13 +15,14 @@ namespace touchstone::cell {
 ///   name      text
 ///   unit      "mm", "cm", "m", "inch", ...: of all lengths of the file
 ///   step      degrees by which a joint moves, > 0 and at most 90
+///   clearance by which the sphere rises once it has gripped from above, or let go; > 0
 ///   meshes    the folder that mesh files are named in; of choice: that of the cell file
 ///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns;
 ///             sides: of the URDF's cylinders; of choice: coupling: [{joint, follows, factor}], links: {link: parts} in
 ///             place of what the URDF says that a link consists of
 ///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link
-///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}]; parts; of
-///             choice: stand: {from: [x, y], to: [x, y], top: z}
+///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], of
+///             choice aim: [x, y] in place of those of place; parts; of choice: stand: {from: [x, y], to: [x, y], top: z}
 ///   material  solid; slot: of the storage; machine_slot: of the machine
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/simulation/process.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "experiments/cell/kinematics/degrees.h"
+
+namespace touchstone::cell {
+namespace {
+
+/// Why a process cannot go on.
+struct Failed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class Way { SideWithoutShoulder, Above, Side };
+enum class Order { ElbowFirst, BaseFirst };
+
+class Performance {
+ public:
+  explicit Performance(const Workcell& workcell)
+      : workcell_(&workcell), arm_(&workcell.arm()), step_(workcell.cell().step), angles_(workcell.arm().home) {
+    process.custody.push_back({0, Place::Storage, 0});
+  }
+
+  void start() { stop(std::nullopt, 0); }
+
+  void begin(Phase phase) { phase_ = phase; }
+
+  /// Until the sphere touches the material there, or its virtual copy.
+  void come_upon(Place place, Way way, Order order) {
+    const Workplace& at = workcell_->at(place);
+    target_ = place;
+    above_ = way == Way::Above;
+    if (above_) {
+      if (order == Order::BaseFirst) face(at);
+      come_down(at);
+      return;
+    }
+    if (order == Order::BaseFirst) turn_near(at);
+    const double target = nearest_base(at.azimuth), radius = arm_->sphere.radius;
+    const double beside = clockwise(target) ? at.left + radius : at.right - radius;
+    const auto commands =
+        workcell_->plane().inverse({std::sqrt(at.out * at.out + beside * beside), (at.bottom + at.top) / 2});
+    if (!commands) throw Failed("the side of the material is out of reach");
+    if (std::abs(commands->shoulder - arm_->home[kShoulder]) >= step_ / 2 && way == Way::SideWithoutShoulder)
+      throw Failed("the shoulder would have to move");
+    move_to(kShoulder, commands->shoulder);
+    move_to(kElbow, commands->elbow);
+    move_until_contact(kBase, steps_to(kBase, target) * step_);
+  }
+
+  /// By the shoulder, else by the elbow.
+  void lift() {
+    if (!lift_by(kShoulder) && !lift_by(kElbow)) throw Failed("no lift by shoulder or elbow clears the material");
+    left_behind();
+  }
+
+  void grip() {
+    hand_over(std::nullopt);
+    target_.reset();
+  }
+  void release(Place place) {
+    hand_over(place);
+    leaving_ = true;
+  }
+
+  /// The joints in that order.
+  void go_home(const std::array<Moved, 3>& order) {
+    for (const Moved joint : order) {
+      move_to(joint, arm_->home[joint]);
+      left_behind();
+    }
+  }
+  void lift_if_above() {
+    if (above_) lift();
+  }
+  void come_down_again() {
+    target_ = Place::Machine;
+    go_down();
+  }
+
+  Process process;
+
+ private:
+  [[nodiscard]] double sense() const { return workcell_->plane().base(1) - workcell_->plane().base(0); }
+  [[nodiscard]] bool clockwise(double target) const { return (target - angles_[kBase]) * sense() < 0; }
+
+  /// The base's command that faces a direction, within its limits where that can be, and as it is written if it is.
+  [[nodiscard]] double nearest_base(double azimuth) const {
+    const auto& joint = arm_->chain.joints()[kBase];
+    for (const double turn : {0, 360, -360}) {
+      const double command = workcell_->plane().base(azimuth + turn);
+      if (command >= joint.lowest && command <= joint.highest) return command;
+    }
+    return workcell_->plane().base(azimuth);
+  }
+
+  [[nodiscard]] double steps_to(Moved joint, double command) const {
+    return std::round((command - angles_[joint]) / step_);
+  }
+
+  void turn_base(double command, Until until) {
+    go(kBase, until, steps_to(kBase, command) * step_, command - angles_[kBase]);
+  }
+  void move_to(Moved joint, double command) {
+    if (steps_to(joint, command) != 0)
+      go(joint, Until::Planned, steps_to(joint, command) * step_, command - angles_[joint]);
+  }
+
+  /// The base, so that the arm comes upon a place from the side where it is now.
+  void turn_near(const Workplace& at) {
+    const double target = nearest_base(at.azimuth), reach = 2 * arm_->sphere.radius + (at.left - at.right);
+    const double before = std::ceil(kinematics::arc_tangent(reach, at.out) / step_) * step_;
+    turn_base(target + (clockwise(target) ? before : -before) * sense(), Until::Planned);
+  }
+
+  void face(const Workplace& at) {
+    const double target = nearest_base(at.azimuth);
+    if (steps_to(kBase, target) != 0) turn_base(target, Until::Facing);
+  }
+
+  /// The elbow as planned, the base if it does not face the place yet, then the shoulder.
+  void come_down(const Workplace& at) {
+    const double r = arm_->sphere.radius, beside = std::max({0.0, at.right, -at.left});
+    const auto commands =
+        workcell_->plane().inverse({at.out, at.top + (beside < r ? std::sqrt(r * r - beside * beside) : 0)});
+    if (!commands) throw Failed("the upper face of the material is out of reach");
+    move_to(kElbow, commands->elbow);
+    face(at);
+    go_down();
+  }
+
+  /// True if it rises by the clearance within a quarter of a turn, and has been lifted.
+  bool lift_by(Moved joint) {
+    const double from = arm_->sphere_at(angles_).center.z(), clearance = workcell_->cell().clearance;
+    kinematics::Angles tried = angles_;
+    const auto rise = [&](double degrees) {
+      tried[joint] = angles_[joint] + degrees;
+      return arm_->sphere_at(tried).center.z() - from;
+    };
+    const double up = rise(step_) > rise(-step_) ? 1 : -1;
+    int steps = 0;
+    while (rise(up * step_ * steps) < clearance)
+      if (++steps * step_ > 90) return false;
+    double low = steps - 1, high = steps;  // in steps
+    for (int i = 0; i < 60; ++i) (rise(up * step_ * (low + high) / 2) < clearance ? low : high) = (low + high) / 2;
+    go(joint, Until::Cleared, up * steps * step_, up * high * step_);
+    return true;
+  }
+
+  void go_down() {
+    kinematics::Angles tried = angles_;
+    tried[kShoulder] += step_;
+    const bool up = arm_->sphere_at(tried).center.z() < arm_->sphere_at(angles_).center.z();
+    const double room = std::min(180.0, arm_->chain.room(angles_, kShoulder, up));
+    move_until_contact(kShoulder, (up ? 1 : -1) * std::floor(room / step_) * step_);
+  }
+
+  [[nodiscard]] std::string what(Moved joint, double degrees) const {
+    return fmt::format("{} {} {:+g}", word(phase_), arm_->chain.joints()[joint].name, degrees);
+  }
+
+  [[nodiscard]] kinematics::Arc arc(Moved joint, double degrees) const {
+    try {
+      return arm_->chain.arc(angles_, joint, degrees, arm_->sphere.center);
+    } catch (const std::out_of_range& beyond) {
+      throw Failed(fmt::format("{}: {}", what(joint, degrees), beyond.what()));
+    }
+  }
+
+  /// The material that is in the way of the arm: not what it comes upon or leaves.
+  [[nodiscard]] Workcell::Material obstacle() const {
+    const auto place = process.custody.back().place;
+    return place == target_ ? std::nullopt : place;
+  }
+
+  void require_free_arc(Moved joint, double degrees, std::optional<Place> material) const {
+    const kinematics::Arc way = arc(joint, degrees);
+    const double radius = arm_->sphere.radius;
+    if (const auto contact = kinematics::first_contact(way, radius, workcell_->obstacles().faces))
+      throw Failed(fmt::format("{}: after {:.2f} degrees the sphere touches {}", what(joint, degrees), contact->high,
+                               workcell_->obstacles().owners[contact->face]));
+    if (!material) return;
+    if (const auto contact = kinematics::first_contact(way, radius, workcell_->at(*material).faces))
+      throw Failed(fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
+                               what(joint, degrees), contact->high, word(*material)));
+  }
+
+  /// Looks at the arm as it is. True if the sphere touches the target.
+  bool stop(std::optional<Moved> joint, double turned) {
+    const std::string hindrance = workcell_->hindrance(angles_, obstacle(), process.balls);
+    if (!hindrance.empty())
+      throw Failed(joint ? fmt::format("{}: {}", what(*joint, turned), hindrance) : "at home " + hindrance);
+    const Ball sphere = arm_->sphere_at(angles_);
+    const auto touched = target_ ? workcell_->touched(sphere, *target_) : std::nullopt;
+    process.stops.push_back({process.moves.size(), angles_, sphere, target_, touched});
+    return touched.has_value();
+  }
+
+  /// A whole move, which meets nothing: not even what it comes for, virtual or not.
+  void go(Moved joint, Until until, double degrees, double exact) {
+    require_free_arc(joint, degrees, leaving_ ? obstacle() : target_ ? target_ : obstacle());
+    const double from = angles_[joint];
+    const int steps = static_cast<int>(std::lround(std::abs(degrees) / step_));
+    for (int i = 1; i <= steps; ++i) {
+      const double turned = std::copysign(i * step_, degrees);
+      angles_[joint] = from + turned;
+      stop(joint, turned);
+    }
+    const double left = std::abs(exact - degrees);
+    const double margin = until == Until::Cleared ? std::min(left, step_ - left) : step_ / 2 - left;
+    process.moves.push_back({phase_, joint, until, degrees, exact, margin, {}});
+  }
+
+  /// A move of at most so many degrees, until the sphere touches the target.
+  void move_until_contact(Moved joint, double most) {
+    const auto contact =
+        kinematics::first_contact(arc(joint, most), arm_->sphere.radius, workcell_->at(*target_).faces);
+    if (!contact)
+      throw Failed(
+          fmt::format("{}: the sphere does not touch the material in the {}", what(joint, most), word(*target_)));
+    const double degrees = std::copysign(std::ceil(contact->high / step_) * step_, most);
+    require_free_arc(joint, degrees, obstacle());
+    const double from = angles_[joint];
+    for (int i = 1;; ++i) {
+      const double turned = std::copysign(i * step_, degrees);
+      if (std::abs(turned) > std::abs(degrees))
+        throw Failed(fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}", what(joint, degrees),
+                                 step_, contact->high));
+      angles_[joint] = from + turned;
+      if (stop(joint, turned)) break;
+    }
+    const double left = std::abs(angles_[joint] - from) - contact->low;
+    process.moves.push_back({phase_, joint, Until::Contact, angles_[joint] - from, std::copysign(contact->low, most),
+                             std::min(left, step_ - left), contact});
+  }
+
+  void left_behind() {
+    target_.reset();
+    leaving_ = false;
+  }
+
+  void hand_over(std::optional<Place> to) {
+    const auto from = process.custody.back().place;
+    const Pose flange = arm_->link_poses(angles_).back();
+    double shift = 0;
+    if (from) {
+      held_ = flange.rotation.transpose() * (workcell_->at(*from).pose.translation - flange.translation);
+    } else {
+      shift = (workcell_->at(*to).pose.translation - (flange.rotation * held_ + flange.translation)).norm();
+    }
+    process.custody.push_back({process.stops.size() - 1, to, shift});
+  }
+
+  const Workcell* workcell_;
+  const Arm* arm_;
+  double step_;
+  kinematics::Angles angles_;
+  Phase phase_ = Phase::ToStorage;
+  std::optional<Place> target_;  // what the sphere comes for or leaves
+  bool leaving_ = false;
+  bool above_ = false;                              // it has come from there
+  Eigen::Vector3d held_ = Eigen::Vector3d::Zero();  // the material's origin in the flange's frame
+};
+
+/// A way of doing what there are several ways of.
+struct Attempt {
+  const char* name;
+  std::function<void(Performance&)> go;
+};
+
+/// Leaves it at the first attempt that comes out.
+void first_of(const std::vector<Attempt>& attempts, Performance& performance) {
+  std::string failures;
+  for (const Attempt& attempt : attempts) {
+    Performance tried = performance;
+    try {
+      attempt.go(tried);
+      performance = std::move(tried);
+      return;
+    } catch (const Failed& failed) {
+      failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", attempt.name, failed.what());
+    }
+  }
+  throw Failed(failures);
+}
+
+Attempt upon(const char* name, Place place, Way way, Order order) {
+  return {name, [=](Performance& p) { p.come_upon(place, way, order); }};
+}
+
+void run(Performance& performance) {
+  performance.start();
+  performance.begin(Phase::ToStorage);
+  first_of({upon("from the side", Place::Storage, Way::SideWithoutShoulder, Order::ElbowFirst),
+            upon("from above", Place::Storage, Way::Above, Order::ElbowFirst),
+            upon("from the side, shoulder moved", Place::Storage, Way::Side, Order::ElbowFirst),
+            upon("from above, base first", Place::Storage, Way::Above, Order::BaseFirst),
+            upon("from the side, base first", Place::Storage, Way::Side, Order::BaseFirst)},
+           performance);
+  performance.grip();
+
+  performance.begin(Phase::ToMachine);
+  performance.lift_if_above();
+  first_of({upon("from above", Place::Machine, Way::Above, Order::ElbowFirst),
+            upon("from above, base first", Place::Machine, Way::Above, Order::BaseFirst)},
+           performance);
+  performance.release(Place::Machine);
+
+  performance.begin(Phase::Withdraw);
+  performance.lift();
+
+  performance.begin(Phase::ToPiece);
+  performance.come_down_again();
+  performance.grip();
+
+  performance.begin(Phase::BackToStorage);
+  performance.lift();
+  first_of({upon("from above, base first", Place::Storage, Way::Above, Order::BaseFirst),
+            upon("from the side, base first", Place::Storage, Way::Side, Order::BaseFirst),
+            upon("from above", Place::Storage, Way::Above, Order::ElbowFirst),
+            upon("from the side", Place::Storage, Way::Side, Order::ElbowFirst)},
+           performance);
+  performance.release(Place::Storage);
+
+  performance.begin(Phase::ToHome);
+  performance.lift_if_above();
+  first_of({{"base first",
+             [](Performance& p) {
+               p.go_home({kBase, kElbow, kShoulder});
+             }},
+            {"shoulder first",
+             [](Performance& p) {
+               p.go_home({kShoulder, kElbow, kBase});
+             }},
+            {"elbow first",
+             [](Performance& p) {
+               p.go_home({kElbow, kShoulder, kBase});
+             }}},
+           performance);
+}
+
+}  // namespace
+
+std::string_view word(Phase phase) {
+  constexpr std::array<std::string_view, kPhases> words{"to-storage", "to-machine",      "withdraw",
+                                                        "to-piece",   "back-to-storage", "to-home"};
+  return words[static_cast<std::size_t>(phase)];
+}
+
+std::string_view word(Until until) {
+  constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
+  return words[static_cast<std::size_t>(until)];
+}
+
+Process perform(const Workcell& workcell) {
+  Performance performance(workcell);
+  try {
+    run(performance);
+  } catch (const Failed& failed) {
+    performance.process.failure = failed.what();
+  }
+  return std::move(performance.process);
+}
+
+}  // namespace touchstone::cell
