@@ -13,6 +13,7 @@ void add_cell(CLI::App& app, int& status) {
   cell::add_convert(*command, status);
   cell::add_layout(*command, status);
   cell::add_missed(*command, status);
+  cell::add_run(*command, status);
 }
 
 }  // namespace touchstone::commands

@@ -50,7 +50,7 @@ TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
 TEST_F(CellCommand, ShowIsTheSameEveryTime) {
   const Ran first = touchstone_cell({"show", aristo}), second = touchstone_cell({"show", aristo});
   EXPECT_EQ(first.out, second.out);
-  EXPECT_NE(first.out.find("chosen: gripper, machine, material, robot, storage"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("chosen: clearance, gripper, machine, material, robot, storage"), std::string::npos) << first.out;
 }
 
 TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
@@ -58,7 +58,7 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
   const Ran ran = touchstone_cell({"show", path("bad.json")});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err, path("bad.json") +
-                         ": nam: is an unknown key; there are name, unit, step, meshes, robot, gripper, "
+                         ": nam: is an unknown key; there are name, unit, step, clearance, meshes, robot, gripper, "
                          "storage, machine, material, labels");
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/cell/model/change_cell.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_solid.h"
 #include "experiments/cell/model/read_urdf.h"
@@ -202,8 +203,10 @@ scenes::Unit read_unit(const CellEntry& entry) {
 
 }  // namespace
 
-Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes) {
-  const judge::StrictJson json = load(file);
+Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,
+               const std::vector<std::string>& changes) {
+  judge::StrictJson json = load(file);
+  for (const std::string& change : changes) change_cell(json.value, change);
   const CellEntry whole(file.string(), "", json.value);
   whole.has_only(
       {"name", "unit", "step", "clearance", "meshes", "robot", "gripper", "storage", "machine", "material", "labels"});

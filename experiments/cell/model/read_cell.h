@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/cell_entry.h"
@@ -22,16 +24,18 @@ namespace touchstone::cell {
 ///             place of what the URDF says that a link consists of
 ///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link
 ///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], of
-///             choice aim: [x, y] in place of those of place; parts; of choice: stand: {from: [x, y], to: [x, y], top: z}
+///             choice aim: [x, y] in place of those of place; parts; of choice: stand: {from: [x, y], to: [x, y], top:
+///             z}
 ///   material  solid; slot: of the storage; machine_slot: of the machine
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
-/// `meshes` stands in for the folder of the key. Throws BadCell, whose message begins with the file and the key, for a
-/// file that is not there or no JSON, a key that is missing, unknown or given twice, a value of another type or out of
-/// range, a name that is none (is_name) or taken, a file that is missing, a first joint that does not turn about z,
-/// home angles beyond a joint's limits, a slot that there is not, a place that is out of the arm's reach (reach.h), a
-/// label of what is not there, and a number without one.
+/// `meshes` stands in for the folder of the key; `changes` are made first, in order (change_cell.h). Throws BadCell,
+/// whose message begins with the file and the key, for a file that is not there or no JSON, a key that is missing,
+/// unknown or given twice, a value of another type or out of range, a name that is none (is_name) or taken, a file that
+/// is missing, a first joint that does not turn about z, home angles beyond a joint's limits, a slot that there is not,
+/// a place that is out of the arm's reach (reach.h), a label of what is not there, and a number without one.
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
-                             const std::optional<std::filesystem::path>& meshes = std::nullopt);
+                             const std::optional<std::filesystem::path>& meshes = std::nullopt,
+                             const std::vector<std::string>& changes = {});
 
 }  // namespace touchstone::cell

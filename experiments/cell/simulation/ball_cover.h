@@ -25,8 +25,9 @@ class BallCover {
   /// Requires overhang > 0. Cost: some microseconds a ball, of which there are about 3 area / overhang^2.
   BallCover(const scene::Faces& faces, double overhang);
 
-  /// Is the test true of one of the smallest balls, posed? Requires a test that no part of a ball passes where the ball
-  /// does not: smaller ones are asked about only where it is true of the larger.
+  /// May a point of the faces, posed, be where the test is true? Asks the test of the largest ball first, posed, and of
+  /// smaller ones where it is true of the larger; true where it is of one of the smallest. Where this is false no point
+  /// of the faces is there, if the test is false of every point of a ball of which it is false.
   [[nodiscard]] bool any(const Pose& pose, const std::function<bool(const Ball&)>& test) const;
 
   [[nodiscard]] std::vector<Ball> smallest() const;

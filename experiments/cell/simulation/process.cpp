@@ -27,7 +27,11 @@ enum class Order { ElbowFirst, BaseFirst };
 class Performance {
  public:
   explicit Performance(const Workcell& workcell)
-      : workcell_(&workcell), arm_(&workcell.arm()), step_(workcell.cell().step), angles_(workcell.arm().home) {
+      : workcell_(&workcell),
+        arm_(&workcell.arm()),
+        step_(workcell.cell().step),
+        angles_(workcell.arm().home),
+        turned_(angles_.size(), 0) {
     process.custody.push_back({0, Place::Storage, 0});
   }
 
@@ -55,7 +59,7 @@ class Performance {
       throw Failed("the shoulder would have to move");
     move_to(kShoulder, commands->shoulder);
     move_to(kElbow, commands->elbow);
-    move_until_contact(kBase, steps_to(kBase, target) * step_);
+    move_until_contact(kBase, steps_to(kBase, target));
   }
 
   /// By the shoulder, else by the elbow.
@@ -76,6 +80,7 @@ class Performance {
   /// The joints in that order.
   void go_home(const std::array<Moved, 3>& order) {
     for (const Moved joint : order) {
+      if (steps_to(joint, arm_->home[joint]) == 0) continue;
       move_to(joint, arm_->home[joint]);
       left_behind();
     }
@@ -104,16 +109,13 @@ class Performance {
     return workcell_->plane().base(azimuth);
   }
 
-  [[nodiscard]] double steps_to(Moved joint, double command) const {
-    return std::round((command - angles_[joint]) / step_);
+  [[nodiscard]] long steps_to(Moved joint, double command) const {
+    return std::lround((command - angles_[joint]) / step_);
   }
 
-  void turn_base(double command, Until until) {
-    go(kBase, until, steps_to(kBase, command) * step_, command - angles_[kBase]);
-  }
+  void turn_base(double command, Until until) { go(kBase, until, steps_to(kBase, command), command - angles_[kBase]); }
   void move_to(Moved joint, double command) {
-    if (steps_to(joint, command) != 0)
-      go(joint, Until::Planned, steps_to(joint, command) * step_, command - angles_[joint]);
+    if (steps_to(joint, command) != 0) go(joint, Until::Planned, steps_to(joint, command), command - angles_[joint]);
   }
 
   /// The base, so that the arm comes upon a place from the side where it is now.
@@ -147,13 +149,15 @@ class Performance {
       tried[joint] = angles_[joint] + degrees;
       return arm_->sphere_at(tried).center.z() - from;
     };
-    const double up = rise(step_) > rise(-step_) ? 1 : -1;
-    int steps = 0;
-    while (rise(up * step_ * steps) < clearance)
-      if (++steps * step_ > 90) return false;
-    double low = steps - 1, high = steps;  // in steps
-    for (int i = 0; i < 60; ++i) (rise(up * step_ * (low + high) / 2) < clearance ? low : high) = (low + high) / 2;
-    go(joint, Until::Cleared, up * steps * step_, up * high * step_);
+    const long up = rise(step_) > rise(-step_) ? 1 : -1;
+    long steps = 0;
+    while (rise(static_cast<double>(steps) * step_) < clearance) {
+      steps += up;
+      if (std::abs(static_cast<double>(steps)) * step_ > 90) return false;
+    }
+    double low = static_cast<double>(steps - up) * step_, high = static_cast<double>(steps) * step_;
+    for (int i = 0; i < 60; ++i) (rise((low + high) / 2) < clearance ? low : high) = (low + high) / 2;
+    go(joint, Until::Cleared, steps, high);
     return true;
   }
 
@@ -162,7 +166,7 @@ class Performance {
     tried[kShoulder] += step_;
     const bool up = arm_->sphere_at(tried).center.z() < arm_->sphere_at(angles_).center.z();
     const double room = std::min(180.0, arm_->chain.room(angles_, kShoulder, up));
-    move_until_contact(kShoulder, (up ? 1 : -1) * std::floor(room / step_) * step_);
+    move_until_contact(kShoulder, (up ? 1 : -1) * static_cast<long>(room / step_));
   }
 
   [[nodiscard]] std::string what(Moved joint, double degrees) const {
@@ -206,42 +210,47 @@ class Performance {
     return touched.has_value();
   }
 
+  /// So many steps from where the joint was: angles do not add up roundings.
+  void turn(Moved joint, long from, long steps) {
+    turned_[joint] = from + steps;
+    angles_[joint] = arm_->home[joint] + static_cast<double>(turned_[joint]) * step_;
+  }
+  [[nodiscard]] double degrees(long steps) const { return static_cast<double>(steps) * step_; }
+
   /// A whole move, which meets nothing: not even what it comes for, virtual or not.
-  void go(Moved joint, Until until, double degrees, double exact) {
-    require_free_arc(joint, degrees, leaving_ ? obstacle() : target_ ? target_ : obstacle());
-    const double from = angles_[joint];
-    const int steps = static_cast<int>(std::lround(std::abs(degrees) / step_));
-    for (int i = 1; i <= steps; ++i) {
-      const double turned = std::copysign(i * step_, degrees);
-      angles_[joint] = from + turned;
-      stop(joint, turned);
+  void go(Moved joint, Until until, long steps, double exact) {
+    require_free_arc(joint, degrees(steps), leaving_ ? obstacle() : target_ ? target_ : obstacle());
+    const long from = turned_[joint], sign = steps < 0 ? -1 : 1;
+    for (long i = sign; i != steps + sign; i += sign) {
+      turn(joint, from, i);
+      stop(joint, degrees(i));
     }
-    const double left = std::abs(exact - degrees);
+    const double left = std::abs(exact - degrees(steps));
     const double margin = until == Until::Cleared ? std::min(left, step_ - left) : step_ / 2 - left;
-    process.moves.push_back({phase_, joint, until, degrees, exact, margin, {}});
+    process.moves.push_back({phase_, joint, until, degrees(steps), exact, margin, {}});
   }
 
-  /// A move of at most so many degrees, until the sphere touches the target.
-  void move_until_contact(Moved joint, double most) {
+  /// A move of at most so many steps, until the sphere touches the target.
+  void move_until_contact(Moved joint, long most) {
     const auto contact =
-        kinematics::first_contact(arc(joint, most), arm_->sphere.radius, workcell_->at(*target_).faces);
+        kinematics::first_contact(arc(joint, degrees(most)), arm_->sphere.radius, workcell_->at(*target_).faces);
     if (!contact)
-      throw Failed(
-          fmt::format("{}: the sphere does not touch the material in the {}", what(joint, most), word(*target_)));
-    const double degrees = std::copysign(std::ceil(contact->high / step_) * step_, most);
-    require_free_arc(joint, degrees, obstacle());
-    const double from = angles_[joint];
-    for (int i = 1;; ++i) {
-      const double turned = std::copysign(i * step_, degrees);
-      if (std::abs(turned) > std::abs(degrees))
-        throw Failed(fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}", what(joint, degrees),
-                                 step_, contact->high));
-      angles_[joint] = from + turned;
-      if (stop(joint, turned)) break;
+      throw Failed(fmt::format("{}: the sphere does not touch the material in the {}", what(joint, degrees(most)),
+                               word(*target_)));
+    const long sign = most < 0 ? -1 : 1, steps = sign * static_cast<long>(std::ceil(contact->high / step_));
+    require_free_arc(joint, degrees(steps), obstacle());
+    const long from = turned_[joint];
+    for (long i = 0; i != steps;) {
+      i += sign;
+      turn(joint, from, i);
+      if (!stop(joint, degrees(i))) continue;
+      const double left = std::abs(degrees(i)) - contact->low;
+      process.moves.push_back({phase_, joint, Until::Contact, degrees(i), std::copysign(contact->low, most),
+                               std::min(left, step_ - left), contact});
+      return;
     }
-    const double left = std::abs(angles_[joint] - from) - contact->low;
-    process.moves.push_back({phase_, joint, Until::Contact, angles_[joint] - from, std::copysign(contact->low, most),
-                             std::min(left, step_ - left), contact});
+    throw Failed(fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}", what(joint, degrees(steps)),
+                             step_, contact->high));
   }
 
   void left_behind() {
@@ -265,6 +274,7 @@ class Performance {
   const Arm* arm_;
   double step_;
   kinematics::Angles angles_;
+  std::vector<long> turned_;  // from home, in steps
   Phase phase_ = Phase::ToStorage;
   std::optional<Place> target_;  // what the sphere comes for or leaves
   bool leaving_ = false;

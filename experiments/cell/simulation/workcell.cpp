@@ -68,14 +68,23 @@ Pose pose_of(const Station& station) {
   return pose;
 }
 
-Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang)
-    : cell_(cell), arm_(arm_of(cell)), plane_(cell, arm_) {
+std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
+  std::vector<Covered> covered;
+  for (const ModelPart& part : parts)
+    if (part.carrier == Carrier::Link || part.carrier == Carrier::Gripper)
+      covered.push_back({part.name, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
+  return covered;
+}
+
+Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
+                   std::shared_ptr<const std::vector<Covered>> arm)
+    : cell_(cell), arm_(arm_of(cell)), plane_(cell, arm_), covered_(std::move(arm)) {
   std::vector<std::string> owners_of_polygons;
   for (const ModelPart& part : parts) {
     scene::Faces faces = scene_faces(part.faces).faces;
     switch (part.carrier) {
       case Carrier::Link:
-      case Carrier::Gripper: covered_.push_back({part.name, part.link, BallCover(faces, overhang)}); break;
+      case Carrier::Gripper: break;
       case Carrier::Storage:
       case Carrier::Machine: {
         faces = posed(pose_of(part.carrier == Carrier::Storage ? cell.storage : cell.machine), faces);
@@ -106,7 +115,7 @@ std::string Workcell::hindrance(const kinematics::Angles& commanded, Material ma
   const Ball sphere = arm_.sphere_at(commanded);
   if (scene_.touches(sphere, objects)) return fmt::format("the sphere touches {}", name(sphere));
   const std::vector<Pose> poses = arm_.link_poses(commanded);
-  for (const Covered& part : covered_) {
+  for (const Covered& part : *covered_) {
     std::string touched;
     const bool any = part.cover.any(poses[part.link], [&](const Ball& ball) {
       ++balls;

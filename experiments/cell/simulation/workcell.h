@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,12 +38,24 @@ struct Obstacles {
   std::vector<std::string> owners;  ///< of each face: the part, as in ModelPart::name
 };
 
+/// A part of the arm, or the gripper, and the balls that hold it.
+struct Covered {
+  std::string name;  ///< as in ModelPart
+  std::size_t link;
+  BallCover cover;
+};
+/// Covers links and gripper. Cost: that of BallCover.
+[[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
+
 /// A cell, its faces where they stand, and what is known of the arm. Everything is in the cell's unit and frame.
 class Workcell {
  public:
-  /// `overhang`: of the balls that cover the links and the gripper. Throws BadCell as arm_of and PlanarArm do, Rejected
-  /// for a face that the contract rejects once it is turned. Cost: that of BallCover, and some us a face.
-  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang);
+  /// Throws BadCell as arm_of and PlanarArm do, Rejected for a face that the contract rejects once it is turned.
+  /// Requires a cover of these parts' arm. Cost: some us a face.
+  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, std::shared_ptr<const std::vector<Covered>> arm);
+  /// With a cover of its own.
+  Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang)
+      : Workcell(cell, parts, std::make_shared<const std::vector<Covered>>(cover_arm(parts, overhang))) {}
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const Arm& arm() const { return arm_; }
@@ -50,13 +63,7 @@ class Workcell {
   [[nodiscard]] const Workplace& at(Place place) const { return places_[static_cast<std::size_t>(place)]; }
   [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
 
-  /// A part of the arm, or the gripper, and the balls that hold it.
-  struct Covered {
-    std::string name;
-    std::size_t link;
-    BallCover cover;
-  };
-  [[nodiscard]] const std::vector<Covered>& covered() const { return covered_; }
+  [[nodiscard]] const std::vector<Covered>& covered() const { return *covered_; }
 
   /// Which material is an obstacle.
   using Material = std::optional<Place>;
@@ -74,7 +81,7 @@ class Workcell {
   PlanarArm plane_;
   std::vector<Workplace> places_;
   Obstacles obstacles_;
-  std::vector<Covered> covered_;
+  std::shared_ptr<const std::vector<Covered>> covered_;
   scene::Scene scene_;
   std::vector<std::uint32_t> standing_;  // objects of the scene
   std::vector<std::uint32_t> material_;  // by place

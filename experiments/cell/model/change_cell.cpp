@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/model/change_cell.h"
+
+#include <fmt/core.h>
+
+#include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "experiments/cell/model/cell_entry.h"
+#include "experiments/judge/strict_json.h"
+
+namespace touchstone::cell {
+namespace {
+
+using Key = std::variant<std::string, std::size_t>;
+
+/// The keys of `storage.slots[1].place`.
+std::vector<Key> keys_of(const std::string& path) {
+  const auto bad = [&]() -> void { throw BadCell(fmt::format("{}: is no path of keys", path)); };
+  std::vector<Key> keys;
+  std::size_t at = 0;
+  while (at < path.size()) {
+    if (path[at] == '[') {
+      std::size_t number = 0;
+      const auto [end, error] = std::from_chars(path.data() + at + 1, path.data() + path.size(), number);
+      if (error != std::errc() || end == path.data() + path.size() || *end != ']' || keys.empty()) bad();
+      keys.emplace_back(number);
+      at = static_cast<std::size_t>(end - path.data()) + 1;
+      continue;
+    }
+    if (path[at] == '.' && !keys.empty())
+      ++at;
+    else if (!keys.empty())
+      bad();
+    const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
+    if (end == at) bad();
+    keys.emplace_back(path.substr(at, end - at));
+    at = end;
+  }
+  if (keys.empty() || path.back() == '.') bad();
+  return keys;
+}
+
+nlohmann::json value_of(const std::string& path, const std::string& text) {
+  try {
+    judge::StrictJson json = judge::read_strict_json(text);
+    if (json.duplicate_key) throw BadCell(fmt::format("{}: the key \"{}\" is there twice", path, *json.duplicate_key));
+    if (json.too_deep) throw BadCell(path + ": is nested too deep");
+    return std::move(json.value);
+  } catch (const judge::NotJson&) {
+    return text;
+  }
+}
+
+/// Is it the path, or below it?
+bool below(const std::string& label, const std::string& path) {
+  return label.compare(0, path.size(), path) == 0 &&
+         (label.size() == path.size() || label[path.size()] == '.' || label[path.size()] == '[');
+}
+
+}  // namespace
+
+void change_cell(nlohmann::json& cell, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) throw BadCell(fmt::format("{}: has no \"=\"", assignment));
+  const std::string path = assignment.substr(0, equals);
+  const std::vector<Key> keys = keys_of(path);
+  nlohmann::json value = value_of(path, assignment.substr(equals + 1));
+
+  nlohmann::json* at = &cell;
+  const auto missing = [&](const std::string& what) { throw BadCell(fmt::format("{}: {}", path, what)); };
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    if (const auto* name = std::get_if<std::string>(&keys[i])) {
+      if (!at->is_object() || !at->contains(*name)) missing(fmt::format("there is no key \"{}\"", *name));
+      at = &(*at)[*name];
+    } else {
+      const std::size_t number = std::get<std::size_t>(keys[i]);
+      if (!at->is_array() || number >= at->size()) missing(fmt::format("there is no element {}", number));
+      at = &(*at)[number];
+    }
+  }
+
+  const bool remove = value.is_null();
+  std::string moved_up;  // the array whose later elements change their numbers
+  if (const auto* name = std::get_if<std::string>(&keys.back())) {
+    if (!at->is_object() || (remove && !at->contains(*name))) missing(fmt::format("there is no key \"{}\"", *name));
+    if (remove)
+      at->erase(*name);
+    else
+      (*at)[*name] = std::move(value);
+  } else {
+    const std::size_t number = std::get<std::size_t>(keys.back());
+    if (!at->is_array() || number > at->size() || (remove && number == at->size()))
+      missing(fmt::format("there is no element {}", number));
+    if (remove) {
+      at->erase(number);
+      moved_up = path.substr(0, path.rfind('['));
+    } else if (number == at->size()) {
+      at->push_back(std::move(value));
+    } else {
+      (*at)[number] = std::move(value);
+    }
+  }
+
+  nlohmann::json& labels = cell["labels"];
+  if (!labels.is_object() || below(path, "labels")) return;
+  for (auto label = labels.begin(); label != labels.end();) {
+    const bool gone = below(label.key(), path) || (!moved_up.empty() && label.key().starts_with(moved_up + "["));
+    label = gone ? labels.erase(label) : std::next(label);
+  }
+  if (!remove) labels[path] = "C";
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/model/model.h"
+#include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/simulation/run_output.h"
+#include "experiments/methods/method.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::string file, meshes, output;
+  std::vector<std::string> changes;
+  std::vector<std::string> methods{"filtered",      "fast",     "fast-float",    "thesis",        "thesis-float",
+                                   "thesis-0.9999", "thesis-1", "thesis-signed", "thesis-newell", "thesis-closed"};
+  double overhang = 8;
+  bool every_face = false;
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "touchstone cell run " + run::shell_quoted(options.file);
+  for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
+  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
+  line += fmt::format(" --method {} --overhang {:g}", run::joined(options.methods), options.overhang);
+  if (options.every_face) line += " --every-face";
+  return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
+}
+
+/// Seconds since it was made, or last asked.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+int run(const Options& options) {
+  Stopwatch watch;
+  const auto methods = methods::find_methods(options.methods);
+  if (!options.output.empty()) run::make_folder(options.output);
+  const Cell cell =
+      read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
+  const Workcell workcell(cell, build_model(cell), options.overhang);
+  const double before = watch.lap();
+  const Process process = perform(workcell);
+  const double cycle = watch.lap();
+  const Contest contest = hold_contest(workcell, process, methods, options.every_face);
+  const double held = watch.lap();
+  fmt::print("{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the methods\n",
+             cell.name, summary(workcell, process, contest), before, cycle, held);
+  if (!options.output.empty()) {
+    write_run(options.output, workcell, process, contest);
+    run::write_run_record(options.output, {.command = command_line(options),
+                                           .samples_asked = process.stops.size(),
+                                           .samples_done = process.stops.size(),
+                                           .seconds = before + cycle + held});
+    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", contest.disagreements.size(), options.output);
+  }
+  return process.failure.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_run(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand("run", "Run the cell's whole process, and every method beside the exact answer");
+  auto options = std::make_shared<Options>();
+  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      ->required();
+  command->add_option("--set", options->changes,
+                      "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be given often");
+  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command->add_option("--method", options->methods, "Methods to ask at every stop; `all` for every one")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--every-face", options->every_face,
+                    "Ask about faces out of reach too, as without boxes (slow methods excepted)");
+  command->add_option("--output", options->output, "A folder for moves, trajectory, methods and disagreements");
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell
