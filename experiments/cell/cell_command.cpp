@@ -14,6 +14,7 @@ void add_cell(CLI::App& app, int& status) {
   cell::add_layout(*command, status);
   cell::add_missed(*command, status);
   cell::add_run(*command, status);
+  cell::add_area(*command, status);
 }
 
 }  // namespace touchstone::commands

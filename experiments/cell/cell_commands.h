@@ -13,5 +13,6 @@ void add_convert(CLI::App& cell, int& status);
 void add_layout(CLI::App& cell, int& status);
 void add_missed(CLI::App& cell, int& status);
 void add_run(CLI::App& cell, int& status);
+void add_area(CLI::App& cell, int& status);
 
 }  // namespace touchstone::cell

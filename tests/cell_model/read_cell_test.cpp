@@ -345,15 +345,15 @@ TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
 
 TEST_F(BadCells, WhatIsOutOfReachIsNamed) {
   const std::string machine = fault("/machine/radius", 2000);
-  EXPECT_TRUE(machine.starts_with("machine.radius: out of reach: material in slot \"vice\" is ")) << machine;
+  EXPECT_TRUE(machine.starts_with("machine.radius: too far: material in slot \"vice\" is ")) << machine;
   const std::string storage = fault("/storage/height", 1600);
-  EXPECT_TRUE(storage.starts_with("storage.radius: out of reach: material in slot \"A\" is ")) << storage;
+  EXPECT_TRUE(storage.starts_with("storage.radius: too far: material in slot \"A\" is ")) << storage;
   // A hand of 1000 cannot be brought near to the shoulder by an arm of 738.
   json changed = whole;
   changed["gripper"]["sphere"]["at"] = {0, 0, -1000};
   changed["storage"]["radius"] = 100;
   changed["storage"]["height"] = 300;
-  EXPECT_TRUE(fault(changed.dump()).starts_with("storage.radius: out of reach: ")) << fault(changed.dump());
+  EXPECT_TRUE(fault(changed.dump()).starts_with("storage.radius: too near: ")) << fault(changed.dump());
 }
 
 // Whatever its joints do, the sphere is where the reach says that it can be.

@@ -13,6 +13,21 @@
 namespace touchstone::cell {
 namespace {
 
+/// Which radii would do at this height, for material whose middle is there in the station's frame.
+std::string fitting(const Reach& reach, double around, const Eigen::Vector3d& middle, double height) {
+  const double up = height + middle.z() - reach.height, outer = reach.outer + around, inner = reach.inner - around;
+  if (std::abs(up) > outer)
+    return fmt::format("no radius would fit at this height, heights from {:.6g} to {:.6g} might",
+                       std::max(0.0, height - up - outer), height - up + outer);
+  // From the circle on which the second joint lies, in the plan; then along the station's x axis.
+  const auto radius = [&](double distance) {
+    const double out = reach.radius + std::sqrt(std::max(0.0, distance * distance - up * up));
+    return std::max(0.0, std::sqrt(std::max(0.0, out * out - middle.y() * middle.y())) - middle.x());
+  };
+  const double least = inner > std::abs(up) ? radius(inner) : 0;
+  return fmt::format("a radius from {:.6g} to {:.6g} would fit at this height", least, radius(outer));
+}
+
 void check(const Cell& cell, const Station& station, const char* key, const Reach& reach) {
   const Eigen::AlignedBox3d material = bounds_of(cell.material.solid);
   const double around = cell.gripper.sphere.radius + material.diagonal().norm() / 2;
@@ -25,9 +40,10 @@ void check(const Cell& cell, const Station& station, const char* key, const Reac
                         station.height + middle.z()});
     if (distance > reach.outer + around || distance < reach.inner - around)
       throw BadCell(
-          fmt::format("{}: {}.radius: out of reach: material in slot \"{}\" is {:.6g} from the second joint, "
-                      "where the arm holds its sphere {:.6g} to {:.6g} away",
-                      cell.file.string(), key, slot.name, distance, reach.inner, reach.outer));
+          fmt::format("{}: {}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
+                      "its sphere {:.6g} to {:.6g} away; {}",
+                      cell.file.string(), key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
+                      reach.inner, reach.outer, fitting(reach, around, middle, station.height)));
   }
 }
 

@@ -23,7 +23,8 @@ struct Reach {
 [[nodiscard]] Reach reach_of(const Cell& cell);
 
 /// Throws BadCell naming `storage.radius` or `machine.radius` where the sphere cannot touch a ball around the material
-/// in one of the station's slots. To be called again where a cell is changed after it was read.
+/// in one of the station's slots: too near or too far, by which number, and which radii would fit. To be called again
+/// where a cell is changed after it was read.
 void check_reach(const Cell& cell);
 
 }  // namespace touchstone::cell

@@ -18,7 +18,8 @@ namespace {
 
 /// Why a process cannot go on.
 struct Failed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  Failed(Cause why, const std::string& text) : std::runtime_error(text), cause(why) {}
+  Cause cause;
 };
 
 enum class Way { SideWithoutShoulder, Above, Side };
@@ -54,9 +55,9 @@ class Performance {
     const double beside = clockwise(target) ? at.left + radius : at.right - radius;
     const auto commands =
         workcell_->plane().inverse({std::sqrt(at.out * at.out + beside * beside), (at.bottom + at.top) / 2});
-    if (!commands) throw Failed("the side of the material is out of reach");
+    if (!commands) throw Failed(Cause::OutOfReach, "the side of the material is out of reach");
     if (std::abs(commands->shoulder - arm_->home[kShoulder]) >= step_ / 2 && way == Way::SideWithoutShoulder)
-      throw Failed("the shoulder would have to move");
+      throw Failed(Cause::OutOfReach, "the shoulder would have to move");
     move_to(kShoulder, commands->shoulder);
     move_to(kElbow, commands->elbow);
     move_until_contact(kBase, steps_to(kBase, target));
@@ -64,7 +65,8 @@ class Performance {
 
   /// By the shoulder, else by the elbow.
   void lift() {
-    if (!lift_by(kShoulder) && !lift_by(kElbow)) throw Failed("no lift by shoulder or elbow clears the material");
+    if (!lift_by(kShoulder) && !lift_by(kElbow))
+      throw Failed(Cause::OutOfReach, "no lift by shoulder or elbow clears the material");
     left_behind();
   }
 
@@ -84,6 +86,12 @@ class Performance {
       move_to(joint, arm_->home[joint]);
       left_behind();
     }
+  }
+  /// Back by the base from what it has come upon from the side.
+  void draw_aside() {
+    if (above_) return;
+    turn_near(workcell_->at(*target_));
+    left_behind();
   }
   void lift_if_above() {
     if (above_) lift();
@@ -135,9 +143,10 @@ class Performance {
     const double r = arm_->sphere.radius, beside = std::max({0.0, at.right, -at.left});
     const auto commands =
         workcell_->plane().inverse({at.out, at.top + (beside < r ? std::sqrt(r * r - beside * beside) : 0)});
-    if (!commands) throw Failed("the upper face of the material is out of reach");
+    if (!commands) throw Failed(Cause::OutOfReach, "the upper face of the material is out of reach");
     move_to(kElbow, commands->elbow);
     face(at);
+    shoulder_down_ = commands->shoulder;
     go_down();
   }
 
@@ -161,10 +170,9 @@ class Performance {
     return true;
   }
 
+  /// The shoulder, towards where inverse kinematics has it for the last place, and on if need be.
   void go_down() {
-    kinematics::Angles tried = angles_;
-    tried[kShoulder] += step_;
-    const bool up = arm_->sphere_at(tried).center.z() < arm_->sphere_at(angles_).center.z();
+    const bool up = shoulder_down_ > angles_[kShoulder];
     const double room = std::min(180.0, arm_->chain.room(angles_, kShoulder, up));
     move_until_contact(kShoulder, (up ? 1 : -1) * static_cast<long>(room / step_));
   }
@@ -177,7 +185,7 @@ class Performance {
     try {
       return arm_->chain.arc(angles_, joint, degrees, arm_->sphere.center);
     } catch (const std::out_of_range& beyond) {
-      throw Failed(fmt::format("{}: {}", what(joint, degrees), beyond.what()));
+      throw Failed(Cause::BeyondLimits, fmt::format("{}: {}", what(joint, degrees), beyond.what()));
     }
   }
 
@@ -191,19 +199,20 @@ class Performance {
     const kinematics::Arc way = arc(joint, degrees);
     const double radius = arm_->sphere.radius;
     if (const auto contact = kinematics::first_contact(way, radius, workcell_->obstacles().faces))
-      throw Failed(fmt::format("{}: after {:.2f} degrees the sphere touches {}", what(joint, degrees), contact->high,
-                               workcell_->obstacles().owners[contact->face]));
+      throw Failed(Cause::InTheWay, fmt::format("{}: after {:.2f} degrees the sphere touches {}", what(joint, degrees),
+                                                contact->high, workcell_->obstacles().owners[contact->face]));
     if (!material) return;
     if (const auto contact = kinematics::first_contact(way, radius, workcell_->at(*material).faces))
-      throw Failed(fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
-                               what(joint, degrees), contact->high, word(*material)));
+      throw Failed(Cause::InTheWay, fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
+                                                what(joint, degrees), contact->high, word(*material)));
   }
 
   /// Looks at the arm as it is. True if the sphere touches the target.
   bool stop(std::optional<Moved> joint, double turned) {
     const std::string hindrance = workcell_->hindrance(angles_, obstacle(), process.balls);
     if (!hindrance.empty())
-      throw Failed(joint ? fmt::format("{}: {}", what(*joint, turned), hindrance) : "at home " + hindrance);
+      throw Failed(Cause::InTheWay,
+                   joint ? fmt::format("{}: {}", what(*joint, turned), hindrance) : "at home " + hindrance);
     const Ball sphere = arm_->sphere_at(angles_);
     const auto touched = target_ ? workcell_->touched(sphere, *target_) : std::nullopt;
     process.stops.push_back({process.moves.size(), angles_, sphere, target_, touched});
@@ -235,8 +244,8 @@ class Performance {
     const auto contact =
         kinematics::first_contact(arc(joint, degrees(most)), arm_->sphere.radius, workcell_->at(*target_).faces);
     if (!contact)
-      throw Failed(fmt::format("{}: the sphere does not touch the material in the {}", what(joint, degrees(most)),
-                               word(*target_)));
+      throw Failed(Cause::NoContact, fmt::format("{}: the sphere does not touch the material in the {}",
+                                                 what(joint, degrees(most)), word(*target_)));
     const long sign = most < 0 ? -1 : 1, steps = sign * static_cast<long>(std::ceil(contact->high / step_));
     require_free_arc(joint, degrees(steps), obstacle());
     const long from = turned_[joint];
@@ -249,8 +258,8 @@ class Performance {
                                std::min(left, step_ - left), contact});
       return;
     }
-    throw Failed(fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}", what(joint, degrees(steps)),
-                             step_, contact->high));
+    throw Failed(Cause::NoContact, fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}",
+                                               what(joint, degrees(steps)), step_, contact->high));
   }
 
   void left_behind() {
@@ -279,6 +288,7 @@ class Performance {
   std::optional<Place> target_;  // what the sphere comes for or leaves
   bool leaving_ = false;
   bool above_ = false;                              // it has come from there
+  double shoulder_down_ = 0;                        // the command that inverse kinematics has for the upper face
   Eigen::Vector3d held_ = Eigen::Vector3d::Zero();  // the material's origin in the flange's frame
 };
 
@@ -291,6 +301,7 @@ struct Attempt {
 /// Leaves it at the first attempt that comes out.
 void first_of(const std::vector<Attempt>& attempts, Performance& performance) {
   std::string failures;
+  Cause cause = Cause::OutOfReach;
   for (const Attempt& attempt : attempts) {
     Performance tried = performance;
     try {
@@ -298,10 +309,11 @@ void first_of(const std::vector<Attempt>& attempts, Performance& performance) {
       performance = std::move(tried);
       return;
     } catch (const Failed& failed) {
+      cause = std::max(cause, failed.cause);
       failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", attempt.name, failed.what());
     }
   }
-  throw Failed(failures);
+  throw Failed(cause, failures);
 }
 
 Attempt upon(const char* name, Place place, Way way, Order order) {
@@ -350,10 +362,12 @@ void run(Performance& performance) {
              }},
             {"shoulder first",
              [](Performance& p) {
+               p.draw_aside();
                p.go_home({kShoulder, kElbow, kBase});
              }},
             {"elbow first",
              [](Performance& p) {
+               p.draw_aside();
                p.go_home({kElbow, kShoulder, kBase});
              }}},
            performance);
@@ -372,12 +386,18 @@ std::string_view word(Until until) {
   return words[static_cast<std::size_t>(until)];
 }
 
+std::string_view word(Cause cause) {
+  constexpr std::array<std::string_view, 4> words{"out-of-reach", "beyond-limits", "no-contact", "in-the-way"};
+  return words[static_cast<std::size_t>(cause)];
+}
+
 Process perform(const Workcell& workcell) {
   Performance performance(workcell);
   try {
     run(performance);
   } catch (const Failed& failed) {
     performance.process.failure = failed.what();
+    performance.process.cause = failed.cause;
   }
   return std::move(performance.process);
 }

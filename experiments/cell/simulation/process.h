@@ -63,11 +63,22 @@ struct Custody {
   double shift;  ///< of its frame's origin, from where the gripper held it to where it is put; 0 where it is gripped
 };
 
+/// Why a process ended before its end; where several ways were tried, the last in this order of their causes.
+enum class Cause {
+  OutOfReach,    ///< inverse kinematics has no angles, or no lift clears the material
+  BeyondLimits,  ///< a joint would have to turn further than it can
+  NoContact,     ///< the sphere does not touch what it comes for, or steps over it
+  InTheWay,      ///< sphere or arm come upon something else
+};
+/// `out-of-reach`, `beyond-limits`, ...
+[[nodiscard]] std::string_view word(Cause cause);
+
 struct Process {
   std::vector<Move> moves;
   std::vector<Stop> stops;
   std::vector<Custody> custody;  ///< the first is 0, in storage
   std::string failure;           ///< why it ended before its end; what was done until then stands above
+  std::optional<Cause> cause;    ///< set where there is a failure
   std::uint64_t balls = 0;       ///< asked of the obstacles: the sphere's, and those that cover the arm
 };
 
@@ -79,8 +90,8 @@ struct Process {
 /// kinematics has it for the sphere on the upper face, the base turns to face the place, the shoulder goes down until
 /// the sphere touches. From the side: shoulder and elbow go where inverse kinematics has them for half the height of
 /// the material, and the base turns until the sphere touches. At the machine it is from above. On the way back the base
-/// turns first, and home is reached base first, else shoulder or elbow first. What was come upon from above is left by
-/// a lift of the shoulder, or where that does not clear it, of the elbow.
+/// turns first, and home is reached base first, else shoulder or elbow first, once the base has drawn aside. What was
+/// come upon from above is left by a lift of the shoulder, or where that does not clear it, of the elbow.
 ///
 /// Guarantees
 ///  (1) at every stop the sphere touches no obstacle, nor, unless it comes for it or leaves it, the material, and no

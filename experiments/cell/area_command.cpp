@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/configuration/area.h"
+#include "experiments/cell/model/reach.h"
+#include "experiments/cell/model/read_cell.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  std::string file, meshes, output = "results/cell-area";
+  std::vector<std::string> changes;
+  double angle_step = 5, length_step = 25, overhang = 8;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  bool no_pictures = false;
+};
+
+std::string command_line(const Options& options) {
+  std::string line = "touchstone cell area " + run::shell_quoted(options.file);
+  for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
+  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
+  return line + fmt::format(" --angle-step {:g} --length-step {:g} --overhang {:g} --threads {} --output {}{}",
+                            options.angle_step, options.length_step, options.overhang, options.threads,
+                            run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+}
+
+/// The multiples of a step from `low` to `high`, both at most half a step away.
+std::vector<double> multiples(double low, double high, double step) {
+  std::vector<double> values;
+  for (long i = std::lround(low / step); i <= std::lround(high / step); ++i)
+    values.push_back(static_cast<double>(i) * step);
+  return values;
+}
+
+std::string text_of(const std::vector<Tried>& tried) {
+  std::string text = "angle_deg,radius,height,outcome,reason\n";
+  for (const Tried& each : tried)
+    text += fmt::format("{},{},{},{},{}\n", each.angle, each.radius, each.height,
+                        each.cause ? word(*each.cause) : "completed", run::csv_field(each.reason));
+  return text;
+}
+
+std::string table_of(const std::vector<Tried>& tried) {
+  std::array<std::size_t, 5> counts{};
+  for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
+  std::string text = fmt::format("{} completed", counts[0]);
+  for (const Cause cause : {Cause::OutOfReach, Cause::BeyondLimits, Cause::NoContact, Cause::InTheWay})
+    text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], word(cause));
+  return text;
+}
+
+int run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::filesystem::path folder = options.output;
+  run::make_folder(folder);
+  const Cell cell =
+      read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
+  const auto parts = build_model(cell);
+  const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts, options.overhang));
+  const Reach reach = reach_of(cell);
+  const double step = options.length_step, furthest = reach.radius + reach.outer + step,
+               lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;
+  const std::vector<double> radii = multiples(step, furthest, step);
+  const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
+  const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};
+
+  const run::Interrupt interrupt;
+  std::optional<std::vector<Tried>> in_plan, in_height;
+  {
+    run::ProgressLine line("places of the storage", plan.size() + heights.size());
+    in_plan = try_places(cell, parts, covered, plan, options.threads, interrupt.requested(), std::ref(line));
+    if (in_plan)
+      in_height = try_places(cell, parts, covered, heights, options.threads, interrupt.requested(),
+                             [&](std::uint64_t done) { line(plan.size() + done); });
+  }
+  if (!in_height) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  run::write_file(folder / "plan.csv", text_of(*in_plan));
+  run::write_file(folder / "heights.csv", text_of(*in_height));
+  const auto station = [&](const char* name, const Station& s) {
+    return fmt::format("{},{},{},{},{}\n", name, s.home, s.angle, s.radius, s.height);
+  };
+  run::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
+                                               station("storage", cell.storage) + station("machine", cell.machine));
+  run::write_run_record(folder,
+                        {.command = command_line(options),
+                         .samples_asked = plan.size() + heights.size(),
+                         .samples_done = plan.size() + heights.size(),
+                         .threads = options.threads,
+                         .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
+             cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
+  std::fflush(stdout);
+  if (!options.no_pictures) run::draw_pictures("cell_area.py", folder);
+  return 0;
+}
+
+}  // namespace
+
+void add_area(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand("area", "Where the storage may stand: the area of configuration and the heights");
+  auto options = std::make_shared<Options>();
+  command->footer(
+      "Runs the whole process with the storage at every place of a grid, and says which come to their end, and why "
+      "the\n"
+      "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and radii at "
+      "its\n"
+      "angle), stations.csv, and pictures of them.");
+  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      ->required();
+  command->add_option("--set", options->changes, "Change the cell first, as `touchstone cell run` does");
+  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command->add_option("--angle-step", options->angle_step, "Between angles, in degrees")
+      ->check(CLI::Range(0.1, 90.0))
+      ->capture_default_str();
+  command->add_option("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+  command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
+      ->capture_default_str();
+  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/configuration/area.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "experiments/cell/model/cell_entry.h"
+#include "experiments/cell/model/reach.h"
+#include "experiments/cell/model/solid_faces.h"
+
+namespace touchstone::cell {
+namespace {
+
+/// The parts with a stand that fits the storage's height.
+std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& storage) {
+  for (ModelPart& part : parts)
+    if (storage.stand && part.carrier == Carrier::Storage && part.name == "storage/stand")
+      part.faces = faces_of(stand_of(storage), part.name);
+  return parts;
+}
+
+Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
+                const std::shared_ptr<const std::vector<Covered>>& covered, double angle, double radius,
+                double height) {
+  cell.storage.angle = angle;
+  cell.storage.radius = radius;
+  cell.storage.height = height;
+  try {
+    check_reach(cell);
+  } catch (const BadCell& error) {
+    return {angle, radius, height, Cause::OutOfReach, error.what()};
+  }
+  Process process = perform({cell, with_stand(parts, cell.storage), covered});
+  return {angle, radius, height, process.cause, std::move(process.failure)};
+}
+
+}  // namespace
+
+std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
+                                             const std::shared_ptr<const std::vector<Covered>>& covered,
+                                             const Grid& grid, unsigned threads, const std::atomic<bool>& stop,
+                                             const run::Progress& progress) {
+  std::vector<Tried> tried(grid.size());
+  const std::size_t heights = grid.heights.size(), radii = grid.radii.size();
+  const std::uint64_t done = run::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
+    tried[i] = try_place(cell, parts, covered, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
+                         grid.heights[i % heights]);
+  });
+  if (done < tried.size()) return std::nullopt;
+  return tried;
+}
+
+}  // namespace touchstone::cell

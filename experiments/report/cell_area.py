@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of `touchstone cell area`: cell_area.py FOLDER draws where the storage may stand, in plan and by height, from
+the CSV files there.
+
+Same data, same bytes: nothing here depends on the time or on chance."""
+import csv
+import math
+import pathlib
+import sys
+
+from style import STYLES, plt, save
+
+BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
+OUTCOMES = {"completed": ("the whole process runs", GREEN, "o", 14),
+            "in-the-way": ("sphere or arm come upon something else", RED, "s", 5),
+            "no-contact": ("the sphere does not touch the material", PURPLE, "x", 8),
+            "beyond-limits": ("a joint is at its limit", ORANGE, "^", 8),
+            "out-of-reach": ("out of reach", "#bbbbbb", ".", 3)}
+
+
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def scatter(axes, rows, place):
+    for outcome, (label, color, marker, size) in OUTCOMES.items():
+        points = [place(row) for row in rows if row["outcome"] == outcome]
+        if points:
+            axes.scatter(*zip(*points), s=size, color=color, marker=marker, linewidths=0.8, label=f"{label} ({len(points)})")
+
+
+def here(axes, storage, machine, place):
+    for station, label, marker, color in ((storage, "storage of the cell file", "*", BLUE), (machine, "machine", "D", BLACK)):
+        axes.plot(*place(station), marker=marker, color=color, markeredgecolor="white", markersize=11, linestyle="",
+                  label=label)
+
+
+def plan(folder, stations):
+    rows = read(folder / "plan.csv")
+
+    def place(row):
+        home = float(row["home_deg"] if "home_deg" in row else stations["storage"]["home_deg"])
+        azimuth = math.radians(home + float(row["angle_deg"]))
+        return float(row["radius"]) * math.cos(azimuth), float(row["radius"]) * math.sin(azimuth)
+
+    figure, axes = plt.subplots(figsize=(8.5, 8), layout="constrained")
+    scatter(axes, rows, place)
+    here(axes, stations["storage"], stations["machine"], place)
+    axes.plot(0, 0, marker="+", color=BLACK, markersize=10)
+    axes.annotate("base", (0, 0), textcoords="offset points", xytext=(7, 5))
+    axes.set_aspect("equal")
+    axes.set_xlabel("from the base's axis, in the direction of the arm at home (cell's unit of length)")
+    axes.set_ylabel("to its left (cell's unit of length)")
+    axes.set_title(f"Where the storage may stand, at height {float(stations['storage']['height']):g}")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), fontsize=8, ncols=3)
+    save(figure, folder, "cell-area-plan")
+
+
+def heights(folder, stations):
+    rows = read(folder / "heights.csv")
+    figure, axes = plt.subplots(figsize=(7.5, 7), layout="constrained")
+    scatter(axes, rows, lambda row: (float(row["radius"]), float(row["height"])))
+    storage = stations["storage"]
+    axes.plot(float(storage["radius"]), float(storage["height"]), marker="*", color=BLUE, markeredgecolor="white",
+              markersize=11, linestyle="", label="storage of the cell file")
+    axes.set_aspect("equal")
+    axes.set_xlabel("from the base's axis (cell's unit of length)")
+    axes.set_ylabel("above the floor (cell's unit of length)")
+    axes.set_title(f"Which heights the storage may have, at {float(storage['angle_deg']):+g} degrees")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), fontsize=8, ncols=2)
+    save(figure, folder, "cell-area-heights")
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    stations = {row["station"]: row for row in read(folder / "stations.csv")}
+    plan(folder, stations)
+    heights(folder, stations)
+
+
+main()
