@@ -8,7 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "experiments/cell/kinematics/layout.h"
+#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/solve_layout.h"
 #include "robust/exact/exact.h"
 #include "tests/cell_simulation/cells.h"
 
@@ -53,6 +54,22 @@ TEST(Process, TheCaptionsOfBothCaseStudiesComeOutToTheDegree) {
                                                         {kElbow, 23}, {kBase, 100},  {kShoulder, 14}};
   EXPECT_EQ(moves_to_machine(first), one);
   EXPECT_EQ(moves_to_machine(second), two);
+}
+
+// The same moves by the cell's faces and by the layout that was solved for, which knows of no more than the material.
+TEST(Process, ItsMovesAreThoseOfTheLayoutsRehearsal) {
+  const kinematics::Layout layout = kinematics::chosen_layout();
+  for (std::size_t number = 0; number < kinematics::kCases.size(); ++number) {
+    const auto rehearsal =
+        kinematics::rehearse(layout, layout.storage(number, kinematics::kCases[number].storage_angle));
+    const Process process = cell::perform(aristo(number == 0 ? std::vector<std::string>{} : kSecondCase));
+    ASSERT_GE(process.moves.size(), rehearsal.moves.size());
+    for (std::size_t i = 0; i < rehearsal.moves.size(); ++i) {
+      EXPECT_EQ(process.moves[i].degrees, rehearsal.moves[i].degrees) << "case " << number + 1 << ", move " << i + 1;
+      EXPECT_NEAR(process.moves[i].exact, rehearsal.moves[i].exact, 1e-9)
+          << "case " << number + 1 << ", move " << i + 1;
+    }
+  }
 }
 
 // At 48 degrees and more the storage reaches into the machine.

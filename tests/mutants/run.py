@@ -19,6 +19,7 @@ SECONDS = 90  # a suite that does not end has noticed something
 # The suites that are run where a mutant names none. Those left out are slow, or see their own copy of the headers.
 SUITES = {
     "cell_tests": "*",
+    "cell_simulation_tests": "*",
     "contact_tests": "*",
     "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*",
     "scene_tests": "*",
