@@ -125,7 +125,8 @@ class Run {
                                     .samples_missing = result_.missing,
                                     .threads = settings_.threads,
                                     .seconds = seconds_since(begin),
-                                    .processes = processes_.count()});
+                                    .processes = processes_.count(),
+                                    .interrupted = interrupt_.requested()});
     fmt::print("{}", table(settings_, result_.counts));
     fmt::print(
         "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"

@@ -90,7 +90,8 @@ int run(const Options& options, const run::Processes& processes) {
                                  .samples_done = done,
                                  .threads = settings.threads,
                                  .seconds = seconds,
-                                 .processes = processes.count()});
+                                 .processes = processes.count(),
+                                 .interrupted = done < settings.cases});
 
   fmt::print("{}", table(tally));
   fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,

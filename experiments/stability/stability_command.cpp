@@ -113,7 +113,8 @@ class Run {
                                     .samples_missing = missing,
                                     .threads = settings_.threads,
                                     .seconds = seconds,
-                                    .processes = processes_.count()});
+                                    .processes = processes_.count(),
+                                    .interrupted = stopped});
     fmt::print("{}", table(settings_, summary, known));
     fmt::print("\n{} samples of each axis; {} polygons were not found. {:.0f} s. Tables and worst cases: {}\n",
                summary.samples(), missing, seconds, options_.output);

@@ -96,6 +96,12 @@ def end_behind_a_checkpoint(study, program, command, folder, end):
     return running.returncode, json.loads(checkpoint.read_text())[DONE[study]]
 
 
+def require_interrupted(what, folder, wanted):
+    told = json.loads(pathlib.Path(f"{folder}/run.json").read_text()).get("interrupted")
+    if told != wanted:
+        raise Failure(f"{what}: run.json says interrupted: {told}")
+
+
 def check(study, program, mpirun, folder):
     command = [program] + STUDIES[study]
     asked = int(command[-1])
@@ -120,9 +126,12 @@ def check(study, program, mpirun, folder):
             raise Failure(f"{what}: exit status {status}")
         if not 0 < done < asked * (3 if study == "stability" else 1):  # blocks of three axes
             raise Failure(f"{what}: when {done} of {asked} were done")
+        if end == signal.SIGINT:
+            require_interrupted(what, part, True)
         # Gone on with another number of processes than before.
         run((launcher(mpirun, 2) if mpirun and count == 0 else []) + command + ["--output", part, "--resume"])
         compare(f"{what} and resumed", wanted, part)
+        require_interrupted(f"{what} and resumed", part, False)
         print(f"{what} at {done} of {asked}: resumed, the same bytes")
     if mpirun:  # found out by the first process alone
         refused = run(launcher(mpirun, 3) + command + ["--output", "/dev/null/folder"], expected=2)
