@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "experiments/methods/all.h"
+#include "experiments/methods/engines/engines.h"
 
 namespace touchstone::methods {
 
@@ -35,6 +36,7 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_cgal_inexact(list);
     add_cgal_epeck(list);
     add_thesis(list);
+    add_engines(list);
     return list;
   }();
   return methods;

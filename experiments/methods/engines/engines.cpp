@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/engines/engines.h"
+
+namespace touchstone::methods {
+
+void add_engines(MethodList& list) {
+  add_cgal_triangles(list);
+  add_boost_geometry(list);
+#ifdef TOUCHSTONE_FCL
+  add_fcl(list);
+#endif
+#ifdef TOUCHSTONE_LIBCCD
+  add_libccd(list);
+#endif
+#ifdef TOUCHSTONE_BULLET
+  add_bullet(list);
+#endif
+#ifdef TOUCHSTONE_ODE
+  add_ode(list);
+#endif
+#ifdef TOUCHSTONE_EMBREE
+  add_embree(list);
+#endif
+}
+
+}  // namespace touchstone::methods

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "experiments/methods/method.h"
+
+// Engines of others as methods: one file each, built where its library is there. They say whether ball and polygon
+// touch, as their users would ask: those that know triangles are given those of a triangulation, its vertices not
+// lifted.
+namespace touchstone::methods {
+
+using MethodList = std::vector<std::unique_ptr<Method>>;
+
+void add_boost_geometry(MethodList& list);
+void add_bullet(MethodList& list);
+void add_cgal_triangles(MethodList& list);
+void add_embree(MethodList& list);
+void add_fcl(MethodList& list);
+void add_libccd(MethodList& list);
+void add_ode(MethodList& list);
+
+/// Those of this build.
+void add_engines(MethodList& list);
+
+}  // namespace touchstone::methods

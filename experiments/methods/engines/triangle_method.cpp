@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/engines/triangle_method.h"
+
+#include <utility>
+
+#include "experiments/cell/model/triangulate.h"
+
+namespace touchstone::methods {
+namespace {
+
+class Prepared : public PreparedMethod {
+ public:
+  Prepared(std::string_view stage, std::unique_ptr<TriangleSet> set) : stage_(stage), set_(std::move(set)) {}
+
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, Question) const override {
+    PartialAnswer answer;
+    answer.contact = set_->contact(ball);
+    answer.unsure = !answer.contact;
+    answer.stage = stage_;
+    return answer;
+  }
+
+ private:
+  std::string_view stage_;
+  std::unique_ptr<TriangleSet> set_;
+};
+
+/// Each triangle by itself.
+class EachTriangle : public TriangleSet {
+ public:
+  EachTriangle(std::vector<Triangle> triangles, TriangleContact touches)
+      : triangles_(std::move(triangles)), touches_(touches) {}
+
+  [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
+    bool unsure = false;
+    for (const Triangle& triangle : triangles_) {
+      const auto touched = touches_(ball, triangle);
+      if (touched == true) return true;
+      if (!touched) unsure = true;
+    }
+    if (unsure) return std::nullopt;
+    return false;
+  }
+
+ private:
+  std::vector<Triangle> triangles_;
+  TriangleContact touches_;
+};
+
+template <class Build>
+class Engine : public Method {
+ public:
+  Engine(std::string_view name, std::string_view summary, Build build)
+      : name_(name), summary_(summary), build_(std::move(build)) {}
+
+  [[nodiscard]] std::string_view name() const override { return name_; }
+  [[nodiscard]] std::string_view summary() const override { return summary_; }
+  [[nodiscard]] std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<Prepared>(name_, build_(triangles_of(polygon)));
+  }
+
+ private:
+  std::string_view name_, summary_;
+  Build build_;
+};
+
+template <class Build>
+std::unique_ptr<Method> engine(std::string_view name, std::string_view summary, Build build) {
+  return std::make_unique<Engine<Build>>(name, summary, std::move(build));
+}
+
+}  // namespace
+
+std::vector<Triangle> triangles_of(const Polygon& polygon) {
+  if (polygon.vertex_count() == 3) return {{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}};
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : cell::triangulate(polygon))
+    triangles.push_back({polygon.vertex(a), polygon.vertex(b), polygon.vertex(c)});
+  return triangles;
+}
+
+std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact) {
+  return engine(name, summary, [contact](std::vector<Triangle> triangles) -> std::unique_ptr<TriangleSet> {
+    return std::make_unique<EachTriangle>(std::move(triangles), contact);
+  });
+}
+
+std::unique_ptr<Method> triangle_set_method(std::string_view name, std::string_view summary, BuildTriangleSet build) {
+  return engine(name, summary, build);
+}
+
+}  // namespace touchstone::methods

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "experiments/methods/method.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+#include "geometry/shapes/triangle.h"
+
+namespace touchstone::methods {
+
+/// The polygon's triangles: itself where it is one, else those of a triangulation of its own vertices.
+[[nodiscard]] std::vector<Triangle> triangles_of(const Polygon& polygon);
+
+/// An engine that answers whether a ball touches one triangle; nothing where it cannot be asked.
+using TriangleContact = std::optional<bool> (*)(const Ball& ball, const Triangle& triangle);
+
+/// A method of such an engine: a ball touches a polygon if it touches one of its triangles. `summary` is one line.
+[[nodiscard]] std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary,
+                                                      TriangleContact contact);
+
+/// An engine that takes all triangles of a polygon at once.
+class TriangleSet {
+ public:
+  virtual ~TriangleSet() = default;
+  /// Nothing where the engine cannot be asked. Safe from several threads.
+  [[nodiscard]] virtual std::optional<bool> contact(const Ball& ball) const = 0;
+};
+using BuildTriangleSet = std::unique_ptr<TriangleSet> (*)(std::vector<Triangle> triangles);
+
+[[nodiscard]] std::unique_ptr<Method> triangle_set_method(std::string_view name, std::string_view summary,
+                                                          BuildTriangleSet build);
+
+}  // namespace touchstone::methods
