@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/judge/verdict.h"
+#include "experiments/regress/baseline.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/write_file.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace regress;
+
+struct Options {
+  std::string baseline, write, output;
+  std::vector<std::string> methods{"all"};
+  Settings settings;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+};
+
+std::string command_line(const Options& options) {
+  std::string line =
+      fmt::format("touchstone regress --method {} --seed {} --samples {} --threads {}", run::joined(options.methods),
+                  options.settings.seed, options.settings.samples, options.threads);
+  if (!options.baseline.empty()) line += " --baseline " + run::shell_quoted(options.baseline);
+  if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
+  return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
+}
+
+std::string cell(const Summary& summary) {
+  if (summary.wrong == 0) return "-";
+  const double share = 100.0 * static_cast<double>(summary.wrong) / static_cast<double>(summary.cases);
+  return fmt::format("{:.2g}{}", share, summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
+}
+
+std::string table_of(const Standing& standing, const Settings& settings) {
+  std::string text = fmt::format(
+      "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
+      "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
+      settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
+  for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", word(family));
+  text += "\n";
+  for (const auto& [method, families] : standing) {
+    text += fmt::format("{:<24}", method);
+    for (const auto family : workloads::all_families())
+      text += fmt::format("{:>14}", cell(summary_of(families.at(std::string(word(family))))));
+    text += "\n";
+  }
+  return text;
+}
+
+std::string standing_text(const Standing& standing) {
+  std::string text = "method,family,wrong,cases,first_offset_exponent\n";
+  for (const auto& [method, families] : standing)
+    for (const auto family : workloads::all_families()) {
+      const Summary summary = summary_of(families.at(std::string(word(family))));
+      text += fmt::format("{},{},{},{},{}\n", method, word(family), summary.wrong, summary.cases,
+                          summary.first ? std::to_string(*summary.first) : "");
+    }
+  return text;
+}
+
+/// The cases on which methods have become wrong, once each, as the judge reads them.
+std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
+  std::string text;
+  for (const auto family : workloads::all_families()) {
+    std::map<std::size_t, std::vector<std::string>> cases;
+    for (const Change& change : changes)
+      if (change.family == word(family))
+        for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
+    for (const auto& [n, tags] : cases) {
+      const auto sample = draw_case(settings, family, n);
+      const auto answer = methods::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
+      text += judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, tags, judge::object_of(answer)));
+    }
+  }
+  return text;
+}
+
+/// Says what changed, and returns how many cases are worse.
+std::size_t tell_changes(const std::vector<Change>& changes) {
+  std::size_t better = 0, worse = 0;
+  for (const Change& change : changes) {
+    fmt::print("{} on {}: {} better, {} worse", change.method, change.family, change.better.size(),
+               change.worse.size());
+    constexpr std::size_t kMost = 5;
+    for (std::size_t i = 0; i < std::min(kMost, change.worse.size()); ++i)
+      fmt::print("{}{}", i == 0 ? ": cases " : ", ", change.worse[i]);
+    fmt::print("{}\n", change.worse.size() > kMost ? ", ..." : "");
+    better += change.better.size();
+    worse += change.worse.size();
+  }
+  fmt::print("{} cases better than the baseline, {} worse\n", better, worse);
+  return worse;
+}
+
+int run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto methods = methods::find_methods(options.methods);
+  std::erase_if(methods, [](const methods::Method* method) {
+    if (answers(*method)) return false;
+    fmt::print("{}: does not say whether ball and polygon touch; left out\n", method->name());
+    return true;
+  });
+  std::optional<Baseline> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
+  const Settings settings = baseline ? baseline->settings : options.settings;
+  if (!options.output.empty()) run::make_folder(options.output);
+
+  const run::Interrupt interrupt;
+  std::optional<Standing> standing;
+  {
+    run::ProgressLine line("regress", blocks_of(settings));
+    standing = find_standing(settings, methods, options.threads, interrupt.requested(), std::ref(line));
+  }
+  if (!standing) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  fmt::print("{}\n", table_of(*standing, settings));
+
+  std::vector<Change> changed;
+  if (baseline) {
+    for (const auto& [method, families] : baseline->standing)
+      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", method);
+    for (const auto& [method, families] : *standing)
+      if (baseline->standing.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+    changed = changes(baseline->standing, *standing);
+  }
+  const std::size_t worse = baseline ? tell_changes(changed) : 0;
+  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *standing}));
+  if (!options.output.empty()) {
+    const std::filesystem::path folder = options.output;
+    run::write_file(folder / "standing.csv", standing_text(*standing));
+    run::write_file(folder / "worse.jsonl", worse_text(settings, changed));
+    run::write_run_record(folder,
+                          {.command = command_line(options),
+                           .seed = settings.seed,
+                           .samples_asked = settings.samples,
+                           .samples_done = settings.samples,
+                           .threads = options.threads,
+                           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  }
+  return worse > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_regress(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("regress", "Hold every method's failures against a baseline");
+  command->footer(
+      "Asks the methods whether balls near a face, an edge and a vertex of random polygons touch, with radii at "
+      "relative\n"
+      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
+      "answer\n"
+      "is seen. Exit status 1 if a method is wrong about a case that it was right about in the baseline.");
+  command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+  command->add_option("--write", options->write, "Write what was found as a baseline");
+  command->add_option("--method", options->methods, "Methods; `all` for every one of this build")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_option("--seed", options->settings.seed, "Seed")->capture_default_str();
+  command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
+      ->check(CLI::Range(1U, 100000U))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "Threads; they do not change the results")
+      ->check(CLI::Range(1U, 1024U))
+      ->capture_default_str();
+  command->add_option("--output", options->output,
+                      "Folder for standing.csv, worse.jsonl (cases that have become wrong, for `judge`) and run.json");
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::commands
