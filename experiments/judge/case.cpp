@@ -22,8 +22,7 @@ class Reader {
     if (!text_.value.is_object()) malformed("the case is not an object");
     if (text_.too_deep) malformed("nested deeper than " + std::to_string(kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("key \"" + *text_.duplicate_key + "\" stands twice in one object");
-    if (const json& id = member(text_.value, "id", "the case"); !id.is_string())
-      malformed("id is not a string");
+    if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
     (void)expected();
     check_tags();
   }

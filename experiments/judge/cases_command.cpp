@@ -39,8 +39,9 @@ void add_word(CLI::App& command, const std::string& name, Enumerator& target, co
     by_word.emplace(workloads::word(value), value);
     words.emplace_back(workloads::word(value));
   }
-  command.add_option_function<std::string>(
-             name, [&target, by_word](const std::string& word) { target = by_word.at(word); }, description)
+  command
+      .add_option_function<std::string>(
+          name, [&target, by_word](const std::string& word) { target = by_word.at(word); }, description)
       ->check(CLI::IsMember(words))
       ->default_str(std::string(workloads::word(target)));
 }
@@ -89,8 +90,8 @@ void print(const Options& options) {
 }  // namespace
 
 void add_cases(CLI::App& app) {
-  auto* command = app.add_subcommand(
-      "cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+  auto* command =
+      app.add_subcommand("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
   auto options = std::make_shared<Options>();
   auto& workload = options->workload;
   add_word(*command, "--family", workload.family, workloads::all_families(), "Outline");
@@ -100,20 +101,13 @@ void add_cases(CLI::App& app) {
   command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")
       ->check(run::whole_number(3, 1U << 17))
       ->capture_default_str();
-  command->add_option("--holes", workload.holes, "Holes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  command->add_option("--holes", workload.holes, "Holes")->check(run::whole_number(0))->capture_default_str();
   command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
   command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  command->add_option("--seed", options->seed, "Seed")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command->add_option("--first", options->first, "Number of the first sample")
-      ->check(run::whole_number(0));
-  command->add_option("--count", options->count, "Cases to print")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed")->check(run::whole_number(0))->capture_default_str();
+  command->add_option("--first", options->first, "Number of the first sample")->check(run::whole_number(0));
+  command->add_option("--count", options->count, "Cases to print")->check(run::whole_number(0))->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
   command->add_option("--failing", options->failing, "Only cases on which one of these methods errs")
       ->delimiter(',')

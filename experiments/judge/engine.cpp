@@ -12,6 +12,10 @@
 #include <csignal>
 #include <system_error>
 
+extern "C" {  // which the header of glibc 2.36 forgets
+#include <sys/pidfd.h>
+}
+
 namespace touchstone::judge {
 
 // The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
@@ -27,6 +31,7 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-
   }
   process_ = fork();
   if (process_ == 0) {
+    setpgid(0, 0);
     dup2(input[1], STDIN_FILENO);
     dup2(output[1], STDOUT_FILENO);
     std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and stop_reading relies on it
@@ -38,6 +43,7 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-
   close(output[1]);
   input_ = input[0];
   output_ = output[0];
+  if (process_ > 0) setpgid(process_, process_);  // here too: whichever of both comes first
   if (process_ < 0) {
     close(input_);
     close(output_);
@@ -64,15 +70,19 @@ bool Engine::send(const std::string& line) {
 
 void Engine::end_input() { shutdown(input_, SHUT_WR); }
 
+/// The first line of what is unread, whose first bytes, so many, have no end of a line.
+std::optional<std::string> Engine::take_line(std::size_t searched) {
+  const std::size_t end = unread_.find('\n', received_ + searched);
+  if (end == std::string::npos) return std::nullopt;
+  std::string line = unread_.substr(received_, end - received_);
+  received_ = end + 1;
+  return line;
+}
+
 std::optional<std::string> Engine::receive() {
-  for (std::size_t searched = received_;;) {
-    const std::size_t end = unread_.find('\n', searched);
-    if (end != std::string::npos) {
-      std::string line = unread_.substr(received_, end - received_);
-      received_ = end + 1;
-      return line;
-    }
-    searched = unread_.size() - received_;  // read_some drops what was received
+  for (std::size_t searched = 0;;) {
+    if (auto line = take_line(searched)) return line;
+    searched = unread_.size() - received_;
     if (searched > kLongestLine) stop_reading();
     if (!read_some()) break;
   }
@@ -82,13 +92,44 @@ std::optional<std::string> Engine::receive() {
   return rest;
 }
 
+std::optional<std::string> Engine::receive_within(std::chrono::milliseconds time, bool& late) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + time;
+  late = false;
+  for (std::size_t searched = 0;;) {
+    if (auto line = take_line(searched)) return line;
+    searched = unread_.size() - received_;
+    if (searched > kLongestLine) stop_reading();
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    if (output_ >= 0 && (left.count() <= 0 || !has_more_within(left))) {
+      late = true;
+      return std::nullopt;
+    }
+    if (!read_some()) return receive();  // what is left without the end of a line
+  }
+}
+
+bool Engine::drop_unread() {
+  while (has_more_within(std::chrono::milliseconds(0)) && read_some()) {
+  }
+  const bool any = received_ < unread_.size();
+  received_ = unread_.size();
+  return any;
+}
+
+bool Engine::has_more_within(std::chrono::milliseconds time) const {
+  pollfd output{.fd = output_, .events = POLLIN, .revents = 0};
+  return output_ >= 0 && poll(&output, 1, static_cast<int>(time.count())) > 0;
+}
+
 bool Engine::read_ahead(std::size_t most) {
-  const auto has_more = [this] {
-    pollfd output{.fd = output_, .events = POLLIN, .revents = 0};
-    return output_ >= 0 && poll(&output, 1, 0) > 0;
-  };
-  while (unread_.size() - received_ < most && has_more() && read_some()) {}
+  while (unread_.size() - received_ < most && has_more_within(std::chrono::milliseconds(0)) && read_some()) {
+  }
   return output_ >= 0 && unread_.size() - received_ >= most;
+}
+
+void Engine::kill() {
+  if (process_ >= 0) ::kill(-process_, SIGKILL);
 }
 
 void Engine::stop_reading() {
@@ -101,7 +142,8 @@ bool Engine::read_some() {
   if (output_ < 0) return false;
   std::array<char, 65536> bytes;
   ssize_t count = 0;
-  while ((count = read(output_, bytes.data(), bytes.size())) < 0 && errno == EINTR) {}
+  while ((count = read(output_, bytes.data(), bytes.size())) < 0 && errno == EINTR) {
+  }
   if (count <= 0) {
     stop_reading();
     return false;
@@ -112,10 +154,22 @@ bool Engine::read_some() {
   return true;
 }
 
+std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
+  const int process = process_ < 0 ? -1 : pidfd_open(process_, 0);
+  if (process >= 0) {
+    pollfd ended{.fd = process, .events = POLLIN, .revents = 0};
+    const bool in_time = poll(&ended, 1, static_cast<int>(time.count())) > 0;
+    close(process);
+    if (!in_time) return std::nullopt;
+  }
+  return wait();
+}
+
 std::string Engine::wait() {
   if (process_ < 0) return {};
   int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {}
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
   process_ = -1;
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
   if (WEXITSTATUS(status) != 0) return "exit status " + std::to_string(WEXITSTATUS(status));

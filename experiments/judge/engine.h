@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 
 namespace touchstone::judge {
 
@@ -13,7 +15,8 @@ class Engine {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
-  /// Starts `command` in a shell. Throws std::system_error if no process can be had.
+  /// Starts `command` in a shell, in a group of processes of its own. Throws std::system_error if no process can be
+  /// had.
   explicit Engine(const std::string& command);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -27,15 +30,25 @@ class Engine {
   /// The next line that it prints, without its end; nothing when the program has closed its output or prints a line
   /// longer than kLongestLine.
   [[nodiscard]] std::optional<std::string> receive();
+  /// The same, waiting no longer than `time`: nothing, with `late` true, where there was no whole line until then.
+  [[nodiscard]] std::optional<std::string> receive_within(std::chrono::milliseconds time, bool& late);
+  /// Drops what it has printed by now and was not received. Was there a line?
+  [[nodiscard]] bool drop_unread();
   /// Takes in what it has printed, without waiting. Does that come to `most` bytes that were not received?
   [[nodiscard]] bool read_ahead(std::size_t most);
   /// Takes in no more. A program that goes on printing is ended by the signal SIGPIPE.
   void stop_reading();
+  /// Ends the program, and those that it has started, at once.
+  void kill();
   /// Waits for the end of the program: how it ended, as in `exit status 3` or `signal 11`; empty if well.
   [[nodiscard]] std::string wait();
+  /// The same, waiting no longer than `time`: nothing where it has not ended by then.
+  [[nodiscard]] std::optional<std::string> wait_within(std::chrono::milliseconds time);
 
  private:
   bool read_some();
+  [[nodiscard]] bool has_more_within(std::chrono::milliseconds time) const;
+  [[nodiscard]] std::optional<std::string> take_line(std::size_t searched);
 
   pid_t process_;
   int input_, output_;  ///< output_ is -1 when nothing more is read

@@ -5,7 +5,9 @@
 
 namespace touchstone::judge {
 
-/// Judges the order's methods and, beside them, its engine.
+/// Judges the order's methods and, beside them, its engine, which may read all cases before it answers.
 [[nodiscard]] Status judge_with_engine(const Order& order);
+/// The same, case by case, each within the order's time limit.
+[[nodiscard]] Status judge_one_by_one(const Order& order);
 
 }  // namespace touchstone::judge

@@ -8,7 +8,7 @@
 namespace touchstone::judge {
 
 Status judge(const Order& order) {
-  if (!order.engine.empty()) return judge_with_engine(order);
+  if (!order.engine.empty()) return order.time_limit ? judge_one_by_one(order) : judge_with_engine(order);
   Proceedings proceedings(order);
   read_lines(order.files, [&](Line&& line) {
     if (line.read) {

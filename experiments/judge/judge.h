@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +13,11 @@ namespace touchstone::judge {
 
 /// What is judged and where it is printed.
 struct Order {
-  std::vector<std::string> files;                 ///< JSON Lines; none: standard input
-  std::vector<const methods::Method*> methods;    ///< asked about each case, in this order
-  std::string engine;                             ///< a command that reads cases and prints verdicts; asked last
+  std::vector<std::string> files;               ///< JSON Lines; none: standard input
+  std::vector<const methods::Method*> methods;  ///< asked about each case, in this order
+  std::string engine;                           ///< a command that reads cases and prints verdicts; asked last
+  /// For each verdict of the engine; none: it may read all cases before it answers.
+  std::optional<std::chrono::milliseconds> time_limit{};
   bool explain = false;
   std::FILE* verdicts = stdout;
   std::FILE* complaints = stderr;
@@ -27,6 +31,8 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 /// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
 /// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
 /// its replies back makes the cases wait in memory). Ids are not checked for being unique.
+/// With a time limit the engine is sent one case after the other: what is late, or ends without a verdict, is reported
+/// with its case, ended with what it started, and started anew for the next one.
 /// Throws std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
@@ -13,6 +16,7 @@ namespace {
 struct Options {
   std::vector<std::string> methods, files;
   std::string engine;
+  double time_limit = 0;
   bool explain = false;
 };
 
@@ -37,6 +41,12 @@ void add_judge(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
       ->check(check_utf8, "COMMAND");
+  command
+      ->add_option("--time-limit", options->time_limit,
+                   "Seconds for each verdict of the engine, which is then sent one case after the other, and started "
+                   "anew where it ends or is late")
+      ->check(CLI::PositiveNumber)
+      ->needs(command->get_option("--exec"));
   command->add_flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command->add_option("FILE", options->files, "Files of cases; none: standard input");
   command->callback([options, &status] {
@@ -44,6 +54,8 @@ void add_judge(CLI::App& app, int& status) {
     order.files = options->files;
     order.engine = options->engine;
     order.explain = options->explain;
+    if (options->time_limit > 0)
+      order.time_limit = std::chrono::milliseconds(std::max(1L, std::lround(1000 * options->time_limit)));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
     status = judge::judge(order);

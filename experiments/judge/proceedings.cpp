@@ -71,6 +71,11 @@ void Proceedings::give_reply(const Case& question, const std::string& reply) {
   compare(question, verdict);
 }
 
+void Proceedings::give_no_reply(const Case& question, const std::string& reason) {
+  complain(fmt::format("case {}: method {}: {}", *question.id, order_.engine, reason));
+  worsen(ExpectationNotMet);
+}
+
 void Proceedings::print(const Verdict& verdict) {
   const std::string line = to_line(verdict);
   const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();

@@ -21,6 +21,8 @@ class Proceedings {
   void give_own(const Case& question);
   /// The verdict of the engine on a case that is not rejected.
   void give_reply(const Case& question, const std::string& reply);
+  /// The engine gave no verdict on a case that is not rejected.
+  void give_no_reply(const Case& question, const std::string& reason);
   [[nodiscard]] Status status() const { return status_; }
 
  private:

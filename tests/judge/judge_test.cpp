@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace touchstone::judge {
 namespace {
@@ -82,7 +84,8 @@ TEST(Judge, ComparesExpectationsByValue) {
   const auto status = [](const std::string& expected) {
     return run(with(kTouching, R"(,"expected":)" + expected)).status;
   };
-  EXPECT_EQ(status(R"({"relation":"touching","point":[0.5,0.25,-0.0],"distance":1.0,"nearest":{"kind":"face"}})"), AllMet);
+  EXPECT_EQ(status(R"({"relation":"touching","point":[0.5,0.25,-0.0],"distance":1.0,"nearest":{"kind":"face"}})"),
+            AllMet);
   EXPECT_EQ(status(R"({"relation":"separate"})"), ExpectationNotMet);
   EXPECT_EQ(status(R"({"distance":1.0000000000000002})"), ExpectationNotMet);
   EXPECT_EQ(status(R"({"nearest":{"kind":"face","index":0}})"), ExpectationNotMet);
@@ -235,6 +238,68 @@ TEST(JudgeEngine, HasItsZerosWrittenWithoutASign) {
                             parrot(R"({"id":"t","distance":-0.0,"point":[-0.0,0,1e400]})"));
   EXPECT_NE(result.verdicts.find(R"("point":[0,0,null],"distance":0})"), std::string::npos) << result.verdicts;
   EXPECT_NE(result.complaints.find("point: expected [0,1,1], found [0,0,null]"), std::string::npos);
+}
+
+Order within(const std::string& command, int milliseconds = 20'000) {
+  Order order = engine(command);
+  order.time_limit = std::chrono::milliseconds(milliseconds);
+  return order;
+}
+
+std::string numbered(int count) {
+  std::string cases;
+  for (int i = 0; i < count; ++i) {
+    std::string line = with(kTouching, R"(,"expected":{"relation":"touching"})");
+    cases += line.replace(line.find("\"t\""), 3, "\"t" + std::to_string(i) + "\"") + "\n";
+  }
+  return cases;
+}
+
+// One that answers rightly at once, but for some cases.
+constexpr auto kMoody =
+    "python3 -uc \"import sys,json,os,signal\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
+    " %s\n print(json.dumps({'id':id,'relation':'touching'}))\"";
+
+TEST(JudgeEngineWithATimeLimit, MeetsWhatIsExpectedWhereItAnswersEveryCase) {
+  const Result result = run(numbered(5), within(with(kMoody, "pass")));
+  EXPECT_EQ(result.status, AllMet) << result.complaints;
+  EXPECT_EQ(result.complaints, "");
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 5);
+}
+
+TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItCrashesOn) {
+  for (const auto& [mood, ending] : {std::pair{"id=='t1' and os.kill(os.getpid(),signal.SIGSEGV)", "signal 11"},
+                                     {"id=='t1' and os._exit(3)", "exit status 3"},
+                                     {"id=='t1' and os._exit(0)", ""}}) {
+    const Result result = run(numbered(4), within("exec " + with(kMoody, mood)));
+    EXPECT_EQ(result.status, ExpectationNotMet);
+    const std::string said = ending[0] == 0 ? "ended without a verdict" : std::string("ended with ") + ending;
+    EXPECT_NE(result.complaints.find("case t1: method exec"), std::string::npos) << result.complaints;
+    EXPECT_NE(result.complaints.find(said), std::string::npos) << result.complaints;
+    EXPECT_EQ(std::count(result.complaints.begin(), result.complaints.end(), '\n'), 5)
+        << result.complaints;  // kMoody has 4
+    EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
+  }
+}
+
+TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItHangsOn) {
+  const Result result = run(numbered(3), within(with(kMoody, "id=='t1' and signal.pause()"), 2000));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_NE(result.complaints.find("no verdict within 2 s"), std::string::npos) << result.complaints;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2) << result.verdicts;
+}
+
+TEST(JudgeEngineWithATimeLimit, ReportsWhatItPrintsBesidesAndAtItsEnd) {
+  const Result twice = run(numbered(2), within(with(kMoody, "print('noise') if id=='t0' else None")));
+  EXPECT_EQ(twice.status, ExpectationNotMet);
+  EXPECT_NE(twice.complaints.find("not a verdict on this case: noise"), std::string::npos) << twice.complaints;
+  const Result closed = run(numbered(2), within("exec >&-; python3 -c \"import signal; signal.pause()\"", 500));
+  EXPECT_NE(closed.complaints.find("closed its output and did not end without a verdict"), std::string::npos)
+      << closed.complaints;
+  const Result deaf =
+      run(numbered(1), within("echo '{\"id\":\"t0\",\"relation\":\"touching\"}'; tail -f /dev/null", 500));
+  EXPECT_EQ(deaf.status, ExpectationNotMet);
+  EXPECT_NE(deaf.complaints.find("does not end with its input"), std::string::npos) << deaf.complaints;
 }
 
 // A name that cannot be written as JSON: an exception while the sender runs.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <chrono>
+#include <optional>
+#include <variant>
+
+#include "experiments/judge/engine.h"
+#include "experiments/judge/engine_trial.h"
+#include "experiments/judge/input_lines.h"
+#include "experiments/judge/proceedings.h"
+
+namespace touchstone::judge {
+namespace {
+
+/// An engine that is started when it is first asked, and anew after it has failed.
+class Restarted {
+ public:
+  explicit Restarted(const Order& order) : order_(order) {}
+  ~Restarted() {
+    if (engine_) engine_->kill();
+  }
+
+  /// Its reply to one case; nothing, and why, where there is none.
+  std::optional<std::string> ask(const std::string& line, std::string& reason) {
+    if (!engine_) engine_.emplace(order_.engine);
+    bool late = false;
+    std::optional<std::string> reply;
+    if (engine_->send(line + '\n')) reply = engine_->receive_within(*order_.time_limit, late);
+    if (reply) return reply;
+    if (late) {
+      reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(order_.time_limit->count()));
+      engine_->kill();
+    } else {
+      engine_->end_input();
+      reason = ending_of(*engine_) + " without a verdict";
+    }
+    engine_.reset();
+    return std::nullopt;
+  }
+
+  /// Has it printed more than one line for the last case? Forgets what.
+  [[nodiscard]] bool has_surplus() { return engine_ && engine_->drop_unread(); }
+
+  /// How it ended, once it has nothing more to read; it has the time limit for that.
+  [[nodiscard]] std::string end() {
+    if (!engine_) return {};
+    engine_->end_input();
+    bool late = false;
+    const bool surplus = engine_->receive_within(*order_.time_limit, late).has_value();
+    if (late) {
+      engine_->kill();
+      engine_.reset();
+      return "does not end with its input";
+    }
+    const std::string ending = ending_of(*engine_);
+    engine_.reset();
+    if (surplus) return "printed more lines than there were cases";
+    return ending == "ended" ? "" : ending;
+  }
+
+ private:
+  /// Of one that has closed its output, or will be read no more: it has the time limit to end.
+  [[nodiscard]] std::string ending_of(Engine& engine) const {
+    engine.stop_reading();
+    const auto ending = engine.wait_within(*order_.time_limit);
+    if (!ending) {
+      engine.kill();
+      return "closed its output and did not end";
+    }
+    return ending->empty() ? "ended" : "ended with " + *ending;
+  }
+
+  const Order& order_;
+  std::optional<Engine> engine_;
+};
+
+}  // namespace
+
+Status judge_one_by_one(const Order& order) {
+  Proceedings proceedings(order);
+  Restarted engine(order);
+  read_lines(order.files, [&](Line&& line) {
+    if (!line.read) {
+      proceedings.complain(line.complaint);
+      proceedings.worsen(InputRejected);
+      return true;
+    }
+    proceedings.give_own(*line.read);
+    if (std::holds_alternative<Rejection>(line.read->content)) return true;
+    if (engine.has_surplus()) {
+      proceedings.complain(
+          fmt::format("engine {}: printed more than a line before case {}", order.engine, *line.read->id));
+      proceedings.worsen(ExpectationNotMet);
+    }
+    std::string reason;
+    if (const auto reply = engine.ask(line.text, reason))
+      proceedings.give_reply(*line.read, *reply);
+    else
+      proceedings.give_no_reply(*line.read, reason);
+    return true;
+  });
+  if (const std::string ending = engine.end(); !ending.empty()) {
+    proceedings.complain(fmt::format("engine {}: {}", order.engine, ending));
+    proceedings.worsen(ExpectationNotMet);
+  }
+  return proceedings.status();
+}
+
+}  // namespace touchstone::judge
