@@ -24,6 +24,24 @@ AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point) {
   return sum;
 }
 
+GripperPoints gripper_points(const Outline& outline) {
+  // The end of the gap lies between the two corners at which the outline turns the other way.
+  const Box box = bounds(outline);
+  Eigen::Vector3d end = Eigen::Vector3d::Zero();
+  const std::size_t n = outline.corners.size();
+  double count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto& [x0, y0] = outline.corners[(i + n - 1) % n];
+    const auto& [x1, y1] = outline.corners[i];
+    const auto& [x2, y2] = outline.corners[(i + 1) % n];
+    if ((x1 - x0) * (y2 - y1) - (y1 - y0) * (x2 - x1) >= 0) continue;
+    end += Eigen::Vector3d(x1, y1, 0);
+    ++count;
+  }
+  end /= count;
+  return {{end.x(), (end.y() + box.top) / 2, 0}, {end.x(), (end.y() + box.bottom) / 2, 0}};
+}
+
 AngleMap map_angle_sums(const Outline& outline, std::size_t along) {
   const Polygon polygon = outline.polygon();
   const filtered::PreparedPolygon truth(polygon);

@@ -17,6 +17,13 @@ struct AngleSum {
 /// In doubles, by atan2: to some 1e-13. Requires a point in the plane z = 0.
 [[nodiscard]] AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point);
 
+/// Of a U: a point between the end of its gap and its back, and one between that end and the gap's mouth, where the
+/// mouth is at the bottom. Requires two corners at which the outline turns clockwise.
+struct GripperPoints {
+  Eigen::Vector3d palm, gap;
+};
+[[nodiscard]] GripperPoints gripper_points(const Outline& outline);
+
 /// A point of a map of the plane around an outline.
 struct MapPoint {
   double x, y, sum;     ///< unsigned, degrees

@@ -47,8 +47,12 @@ std::size_t deepest(const std::vector<AskedFace>& faces, const Ball& ball) {
 }  // namespace
 
 std::string face_words(std::size_t face) {
-  constexpr std::array<const char*, 6> words{"underside",           "upper face",         "side towards the base",
-                                             "side away from the base", "clockwise side", "counter-clockwise side"};
+  constexpr std::array<const char*, 6> words{"underside",
+                                             "upper face",
+                                             "side towards the base",
+                                             "side away from the base",
+                                             "clockwise side",
+                                             "counter-clockwise side"};
   return words.at(face);
 }
 

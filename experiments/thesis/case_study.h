@@ -38,8 +38,8 @@ struct CaseStudy {
   kinematics::Rehearsal rehearsal;
   std::vector<Moment> moments;  ///< home, then after each move
   std::vector<Stop> stops;
-  std::uint64_t asked = 0;                               ///< ball and face, at every degree of every move
-  std::array<std::uint64_t, kMethods.size()> wrong{};    ///< answers of each method
+  std::uint64_t asked = 0;                             ///< ball and face, at every degree of every move
+  std::array<std::uint64_t, kMethods.size()> wrong{};  ///< answers of each method
 };
 
 /// Case 0 or 1 in a layout. Where the rehearsal fails there are no moves.

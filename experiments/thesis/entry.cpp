@@ -54,7 +54,8 @@ std::string_view Entry::status_words() const {
 
 std::string Entry::file_stem() const {
   std::string stem(caption->id);
-  std::ranges::replace_if(stem, [](char c) { return c == '.' || c == ' '; }, '-');
+  std::ranges::replace_if(
+      stem, [](char c) { return c == '.' || c == ' '; }, '-');
   return stem;
 }
 

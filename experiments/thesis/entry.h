@@ -19,12 +19,12 @@ using cell::Label;
 struct Number {
   std::string what, unit;
   double ours;
-  bool chosen = false;                          ///< ours rests on chosen values
-  std::optional<statistics::Limits> limits{};   ///< 95 %, where ours is a share of random samples
-  std::uint64_t samples = 0;                    ///< of these
-  std::optional<double> stated{};               ///< in the thesis, elsewhere or derived
-  double tolerance = 0;                         ///< by which ours may differ from it and agree
-  std::optional<Label> label{};                 ///< where the stated one comes from
+  bool chosen = false;                         ///< ours rests on chosen values
+  std::optional<statistics::Limits> limits{};  ///< 95 %, where ours is a share of random samples
+  std::uint64_t samples = 0;                   ///< of these
+  std::optional<double> stated{};              ///< in the thesis, elsewhere or derived
+  double tolerance = 0;                        ///< by which ours may differ from it and agree
+  std::optional<Label> label{};                ///< where the stated one comes from
 
   /// Nothing where no number is stated.
   [[nodiscard]] std::optional<bool> agrees() const;

@@ -32,7 +32,7 @@ End turned(End end) {
 }
 
 bool in_box(const Ball& ball, const Box& box) {
-  const auto &c = ball.center;
+  const auto& c = ball.center;
   const Box reach = box.enlarged(ball.radius, ball.radius);
   return c.x() >= reach.left && c.x() <= reach.right && c.y() >= reach.bottom && c.y() <= reach.top &&
          std::abs(c.z()) <= ball.radius;
@@ -88,7 +88,8 @@ std::uint64_t Ends::misses() const {
   return sum(*this, [](End method, End exact) { return !is_hit(method) && is_hit(exact); });
 }
 
-Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed) {
+Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed,
+                            std::uint64_t stream) {
   Flowchart flowchart{&outline, radius};
   const Polygon polygon = outline.polygon();
   const Box bounds = thesis_figures::bounds(outline);
@@ -103,7 +104,7 @@ Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t
     swapped[m] = end_of(*prepared[m], far) != end_of(*truth, far);
   }
   for (std::uint64_t i = 0; i < balls; ++i) {
-    workloads::Random random(seed, i);
+    workloads::Random random(seed, i, stream);
     Ball ball{box.point(random), r};
     ball.center.z() = 1.5 * r * (2 * random.unit() - 1);
     const End exact = end_of(*truth, ball);

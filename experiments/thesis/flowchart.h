@@ -39,7 +39,7 @@ struct Ends {
 };
 
 /// The thesis's method as we read it first, its variants, and ours in plain doubles.
-inline constexpr std::array<std::string_view, 9> kMethods{"thesis",        "thesis-float", "thesis-0.9999",
+inline constexpr std::array<std::string_view, 9> kMethods{"thesis",        "thesis-float",  "thesis-0.9999",
                                                           "thesis-1",      "thesis-signed", "thesis-atan2",
                                                           "thesis-newell", "thesis-closed", "fast"};
 /// Of the balls, as shares of an outline's largest extent.
@@ -57,8 +57,9 @@ struct Flowchart {
 /// radii of its plane; every method's course beside that of exact tests.
 ///
 /// Front is what the method calls so: which side that is for each method is asked with one ball far off, and the exact
-/// sides are named alike. Truth is `filtered`. A function of its arguments. Cost: about 10 us a ball.
+/// sides are named alike. Truth is `filtered`. A function of its arguments; streams keep workloads
+/// apart. Cost: about 10 us a ball.
 [[nodiscard]] Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls,
-                                          std::uint64_t seed);
+                                          std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace touchstone::thesis_figures

@@ -33,8 +33,8 @@ Edge edge_of(const Outline& outline, std::size_t i) {
 }
 
 Edge random_edge(const Outline& outline, Random& random) {
-  return edge_of(outline, static_cast<std::size_t>(
-                              random.integer(0, static_cast<std::int64_t>(outline.corners.size()) - 1)));
+  return edge_of(outline,
+                 static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(outline.corners.size()) - 1)));
 }
 
 /// Of a flowchart's workload.
@@ -113,7 +113,8 @@ NotNumbers measure_not_numbers(const Outline& outline, std::uint64_t samples, st
 Touching measure_touching(const Outline& outline, Touched what, std::uint64_t samples, std::uint64_t seed) {
   const Polygon polygon = outline.polygon();
   const filtered::PreparedPolygon truth(polygon);
-  const thesis::PreparedPolygon<> strict(polygon), closed(polygon, {.comparison = thesis::Comparison::Closed});
+  const thesis::PreparedPolygon<> strict(polygon), closed(polygon, {.comparison = thesis::Comparison::Closed}),
+      signed_angles(polygon, {.angles = thesis::Angles::Signed});
   const Box box = bounds(outline);
   Touching result;
   for (std::uint64_t i = 0; i < samples; ++i) {
@@ -138,6 +139,7 @@ Touching measure_touching(const Outline& outline, Touched what, std::uint64_t sa
     if (answer.relation != Relation::Touching || other) continue;  // elsewhere: not over the polygon, or nearer to more
     ++result.samples;
     result.missed += !thesis::contact(ball, strict);
+    result.missed_signed += !thesis::contact(ball, signed_angles);
     result.missed_closed += !thesis::contact(ball, closed);
   }
   return result;
@@ -165,20 +167,26 @@ Collinear measure_collinear(const Outline& outline, std::uint64_t samples, std::
 }
 
 FarAway measure_far_away(const Outline& outline, double offset, std::uint64_t samples, std::uint64_t seed) {
-  const Eigen::Vector3d move = Eigen::Vector3d::Constant(offset);
+  Eigen::Matrix3d tilt;  // a rotation but for rounding: in the plane of axes, s would lose nothing
+  tilt << 2, -2, 1, 1, 2, 2, -2, -1, 2;
+  tilt /= 3;
+  const auto moved = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    return tilt * p + Eigen::Vector3d::Constant(offset);
+  };
   Loop loop;
-  for (const auto& [x, y] : outline.corners) loop.push_back(Eigen::Vector3d(x, y, 0) + move);
+  for (const auto& [x, y] : outline.corners) loop.push_back(moved({x, y, 0}));
   const Polygon polygon(loop);
   const filtered::PreparedPolygon truth(polygon);
-  const thesis::PreparedPolygon<double> in_doubles(polygon);
-  const thesis::PreparedPolygon<float> in_floats(polygon);
+  const thesis::Options options{.angles = thesis::Angles::Signed};
+  const thesis::PreparedPolygon<double> in_doubles(polygon, options);
+  const thesis::PreparedPolygon<float> in_floats(polygon, options);
   const fast::PreparedPolygon<> fast(polygon);
   const Box box = bounds(outline);
   FarAway result{offset};
   for (std::uint64_t i = 0; i < samples; ++i) {
     Random random(seed, i, kFarAway);
     Ball ball = random_ball(box, 0.05 * extent(box), random);
-    ball.center += move;
+    ball.center = moved(ball.center);
     const bool touches = filtered::contact(ball, truth);
     ++result.samples;
     result.wrong[0] += thesis::contact(ball, in_doubles) != touches;

@@ -37,7 +37,8 @@ struct NotNumbers {
 struct Touching {
   std::uint64_t samples = 0;
   std::uint64_t missed = 0;         ///< by the method as it is
-  std::uint64_t missed_closed = 0;  ///< where touching counts
+  std::uint64_t missed_signed = 0;  ///< with signed angles, which take in nothing beside the outline
+  std::uint64_t missed_closed = 0;  ///< as it is, but touching counts
 };
 enum class Touched { Face, Edge, Vertex };
 /// Requires an outline whose corners are whole numbers below 2^20, its edges 8 or longer and along the axes.
@@ -52,11 +53,14 @@ struct Collinear {
 };
 [[nodiscard]] Collinear measure_collinear(const Outline& outline, std::uint64_t samples, std::uint64_t seed);
 
-/// The outline and balls about it moved by `offset` along every axis, all rounded to doubles; truth is about these.
+/// The outline and balls about it, tilted and moved by `offset` along every axis, all rounded to doubles; truth is
+/// about these.
 struct FarAway {
   double offset;
   std::uint64_t samples = 0;
-  std::array<std::uint64_t, 3> wrong{};  ///< answers of `thesis`, `thesis-float`, `fast`
+  /// Answers of the method with signed angles, which alone would err in the gap anyway: in doubles and in floats; and
+  /// of `fast`.
+  std::array<std::uint64_t, 3> wrong{};
 };
 [[nodiscard]] FarAway measure_far_away(const Outline& outline, double offset, std::uint64_t samples,
                                        std::uint64_t seed);
