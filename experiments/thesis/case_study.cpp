@@ -73,7 +73,7 @@ CaseStudy study_case(const Layout& layout, std::size_t number) {
   for (std::size_t i = 0; i < study.rehearsal.moves.size(); ++i) {
     const Move& move = study.rehearsal.moves[i];
     const int sign = move.degrees < 0 ? -1 : 1;
-    const auto ball_at = [&](int degrees) {
+    const auto ball_at = [&](double degrees) {
       Angles there = angles;
       there[move.joint] += sign * degrees;
       return Ball{chain.place(there, sphere_center(layout)), layout.sphere_radius};
@@ -98,7 +98,8 @@ CaseStudy study_case(const Layout& layout, std::size_t number) {
         return std::ranges::any_of(faces, [&](const AskedFace& asked) { return asked.contact(0, ball); });
       };
       study.stops.push_back({i, face, filtered::answer(at, faces[face].truth),
-                             filtered::answer(before, faces[face].truth), by_thesis(at), by_thesis(before)});
+                             filtered::answer(before, faces[face].truth), at.center,
+                             ball_at(std::abs(move.exact)).center, before.center, by_thesis(at), by_thesis(before)});
       gripped = true;
     }
     angles[move.joint] += move.degrees;

@@ -27,6 +27,8 @@ struct Stop {
   std::size_t face;  ///< of the material: 0 underside, 1 upper face, 2 towards the base, 3 away, 4 and 5 clockwise
                      ///< and counter-clockwise round the base
   Answer at, before;
+  Eigen::Vector3d center_at, center_first,
+      center_before;              ///< the sphere's, at the stop, at first contact, a step before
   bool thesis_at, thesis_before;  ///< whether the thesis's method finds contact with any face
 };
 /// In a few words.

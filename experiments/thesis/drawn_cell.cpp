@@ -5,8 +5,10 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "experiments/cell/kinematics/degrees.h"
 #include "experiments/cell/model/triangulate.h"
@@ -129,6 +131,18 @@ ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
                    {"triangles", triangles},
                    {"loops", loops}});
   }
+  return all;
+}
+
+ordered_json drawn_primitives(const std::vector<cell::Part>& parts) {
+  ordered_json all = ordered_json::object();
+  for (const cell::Part& part : parts)
+    if (const auto* boolean = std::get_if<cell::Boolean>(&part.solid.shape)) {
+      std::vector<cell::ModelPart> primitives;
+      for (const cell::Solid& solid : boolean->parts)
+        primitives.push_back({cell::Carrier::Link, 0, part.name, cell::faces_of(solid, part.name)});
+      all[part.name] = drawn_parts(primitives);
+    }
   return all;
 }
 

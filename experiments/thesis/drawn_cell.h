@@ -26,6 +26,9 @@ namespace touchstone::thesis_figures {
 /// By part: what it moves with, vertices, triangles that cover its faces, and the faces' loops; in its own frame.
 [[nodiscard]] nlohmann::ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts);
 
+/// By part that is a Boolean of others: these, as above.
+[[nodiscard]] nlohmann::ordered_json drawn_primitives(const std::vector<cell::Part>& parts);
+
 /// By moment: where links (rotation, row by row, and translation), storage, machine, material and sphere stand, in the
 /// cell. The storage stands where the case study has it.
 [[nodiscard]] nlohmann::ordered_json drawn_moments(const cell::Cell& cell, const CaseStudy& study);

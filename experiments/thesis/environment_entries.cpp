@@ -327,7 +327,10 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
               pose(first, 0), "The cell in perspective, the arm at home.");
   entries.add("5.24", Status::WithChosen, "The first case, after the base's turn to the storage.", pose(first, 2),
               "The cell in perspective, the gripper at the material in storage.");
-  entries.add("5.25", Status::WithChosen, "The first case, after the shoulder's way down at the machine.",
+  entries.add("5.25", Status::WithChosen,
+              "The first case, after the shoulder's way down at the machine. The wrist is locked, so that the hand is "
+              "tilted with "
+              "the forearm, and the material with it.",
               pose(first, 5), "The cell in perspective, the gripper with the material at the machine's vice.");
   entries.add("5.26", Status::WithChosen,
               "The way to the machine gone back: after the shoulder has risen again by the 28 degrees that it came "

@@ -178,6 +178,18 @@ std::string sides_text(const Study& study) {
   return text;
 }
 
+std::string stops_text(const Study& study) {
+  std::string text = "case,stop,when,x_mm,y_mm,z_mm\n";
+  for (std::size_t i = 0; i < study.cases.size(); ++i)
+    for (std::size_t s = 0; s < study.cases[i].stops.size(); ++s) {
+      const Stop& stop = study.cases[i].stops[s];
+      for (const auto& [when, at] : {std::pair("before", stop.center_before), std::pair("first", stop.center_first),
+                                     std::pair("stop", stop.center_at)})
+        text += fmt::format("{},{},{},{},{},{}\n", i + 1, s + 1, when, at.x(), at.y(), at.z());
+    }
+  return text;
+}
+
 ordered_json box(const Eigen::AlignedBox2d& b) {
   return {{"from", {b.min().x(), b.min().y()}}, {"to", {b.max().x(), b.max().y()}}};
 }
@@ -198,6 +210,9 @@ ordered_json drawing(const Study& study) {
   };
   return {
       {"parts", drawn_parts(study.parts)},
+      {"primitives",
+       {{"Base", drawn_primitives(study.cell.robot.links[0].parts)},
+        {"Axis1", drawn_primitives(study.cell.robot.links[1].parts)}}},
       {"links", links},
       {"joints", joints},
       {"moments", moments},
@@ -229,6 +244,7 @@ void write_data(const std::filesystem::path& folder, const Study& study) {
   write_missed(folder, study.missed);
   run::write_file(folder / "places.csv", places_text(study));
   run::write_file(folder / "moves.csv", moves_text(study));
+  run::write_file(folder / "stops.csv", stops_text(study));
   run::write_file(folder / "sides.csv", sides_text(study));
   run::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
   run::make_folder(folder / "models");

@@ -22,6 +22,7 @@ void write_entries(const std::filesystem::path& folder, const std::vector<Entry>
 /// areas.csv, reach.csv, touching.csv, far.csv, missed.csv   the known errors
 /// places.csv    where the storage was tried: the area of configuration, radii, heights
 /// moves.csv     the moves of both cases
+/// stops.csv     the sphere where moves end at contact
 /// sides.csv     where the arm's joints stand in the plane of the arm
 /// drawing.json  the cell's parts, where they stand at every moment of both cases, the floor plan, the outlines
 /// models/       the model files of Axis1, of the gripper and of the machine's bottom part
