@@ -17,7 +17,7 @@ STYLE = """
           --link: #7cc4f2; } }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 1rem; max-width: 56rem; font: 1rem/1.5 system-ui, sans-serif; color: var(--ink);
-       background: var(--paper); overflow-wrap: anywhere; }
+       background: var(--paper); overflow-wrap: break-word; }
 h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-bottom: 2px solid var(--line); }
 a { color: var(--link); }
 article { margin: 1.5rem 0; padding: 1rem; border: 1px solid var(--line); border-radius: .5rem; background: var(--soft); }
@@ -30,6 +30,7 @@ table { width: 100%; border-collapse: collapse; font-size: .9rem; margin-top: .6
 th, td { text-align: left; vertical-align: top; padding: .25rem .5rem .25rem 0; border-top: 1px solid var(--line); }
 thead th { border-top: 0; color: var(--dim); font-weight: 600; }
 tbody th { font-weight: 400; width: 46%; }
+th:last-child, td:last-child { white-space: nowrap; padding-right: 0; } td { hyphens: manual; }
 nav ul, .summary ul { padding-left: 1.2rem; }
 .index { columns: 2 18rem; font-size: .88rem; padding-left: 0; list-style: none; }
 .index li { break-inside: avoid; padding: .1rem 0; }
@@ -44,11 +45,11 @@ def escaped(text):
     return html.escape(text, quote=True)
 
 
-def number(text):
+def number(text, digits=6):
     value = float(text)
     if value != value:
         return "none"
-    shown = f"{value:.6g}"
+    shown = f"{value:.{digits}g}"
     if "e" in shown:
         mantissa, exponent = shown.split("e")
         shown = f"{float(mantissa):.4g} × 10<sup>{int(exponent)}</sup>"
@@ -72,7 +73,7 @@ def picture(folder, entry):
     files = [(folder / f"{entry['picture']}.{kind}", mime) for kind, mime in (("svg", "image/svg+xml"), ("png", "image/png"))]
     path, mime = min(((path, mime) for path, mime in files), key=lambda file: file[0].stat().st_size)
     data = base64.b64encode(path.read_bytes()).decode()
-    return (f'<figure><img loading="lazy" alt="{escaped(entry["shows"])}" src="data:{mime};base64,{data}">'
+    return (f'<figure><img decoding="async" alt="{escaped(entry["shows"])}" src="data:{mime};base64,{data}">'
             f'<figcaption>{escaped(entry["shows"])} (<a href="{entry["picture"]}.svg">SVG</a>, '
             f'<a href="{entry["picture"]}.png">PNG</a>)</figcaption></figure>')
 
@@ -83,12 +84,11 @@ def numbers_table(rows):
     body = ""
     for row in rows:
         unit = "" if not row["unit"] else (row["unit"] if row["unit"] == "°" else " " + row["unit"])
-        ours = number(row["ours"]) + escaped(unit)
+        ours = number(row["ours"]) + escaped(unit) + (" <small>[C]</small>" if row["rests_on"] else "")
         if row["lower"]:
-            ours += f'<br><small>{number(row["lower"])} to {number(row["upper"])} (95 %, of {int(row["samples"]):,})</small>'.replace(",", " ", 0)
-        if row["rests_on"]:
-            ours += " <small>[C]</small>"
-        stated, agrees = "<small>nothing stated</small>", ""
+            ours += (f'<br><small>{number(row["lower"], 4)} to {number(row["upper"], 4)}, 95 %, '
+                     f'{int(row["samples"]):,} samples</small>')
+        stated, agrees = "<small>none</small>", ""
         if row["stated"]:
             stated = f'{number(row["stated"])}{escaped(unit)} <small>[{row["label"]}]</small>'
             if float(row["tolerance"]) > 0:

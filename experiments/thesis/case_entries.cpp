@@ -174,6 +174,7 @@ void add_second_case(const Study& study, EntryList& entries) {
 void add_heights(const Study& study, EntryList& entries) {
   std::vector<Number> highest, lowest;
   std::string above, below;
+  const int by = study.settings.height_scan;
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
     const auto& places = study.heights[i];
     const Run run = longest_run(places);
@@ -182,20 +183,19 @@ void add_heights(const Study& study, EntryList& entries) {
     highest.push_back(found("highest that completes, at " + which, "mm", places[run.last].height, true));
     lowest.push_back(found("lowest that completes, at " + which, "mm", places[run.first].height, true));
     if (run.last + 1 < places.size())
-      above += fmt::format(" Case {}, 2 mm higher: {}.", i + 1, places[run.last + 1].failure);
-    if (run.first > 0) below += fmt::format(" Case {}, 2 mm lower: {}.", i + 1, places[run.first - 1].failure);
+      above += fmt::format(" Case {}, {} mm higher: {}.", i + 1, by, places[run.last + 1].failure);
+    if (run.first > 0) below += fmt::format(" Case {}, {} mm lower: {}.", i + 1, by, places[run.first - 1].failure);
   }
   for (auto* numbers : {&highest, &lowest})
     numbers->push_back(found("height in the case studies", "mm", study.layout.storage_height[0], true));
-  entries.add(
-      "6.30", Status::WithChosen,
-      "The height of the material's underside in storage, raised by 2 mm at a time: the same rule of moves goes "
-      "on to complete until something ends it." +
-          above,
-      std::move(highest),
-      "The arm from the side, touching the material in storage at the chosen height and at the highest, and "
-      "the range of heights of both cases as bars.");
-  entries.add("6.31", Status::WithChosen, "The same, lowered by 2 mm at a time." + below, std::move(lowest),
+  entries.add("6.30", Status::WithChosen,
+              "The height of the material's underside in storage, raised step by step: the same rule of moves goes "
+              "on to complete until something ends it." +
+                  above,
+              std::move(highest),
+              "The arm from the side, touching the material in storage at the chosen height and at the highest, and "
+              "the range of heights of both cases as bars.");
+  entries.add("6.31", Status::WithChosen, "The same, lowered step by step." + below, std::move(lowest),
               "The arm from the side, touching the material in storage at the chosen height and at the lowest, and the "
               "range of heights of both cases as bars.");
 }

@@ -233,16 +233,18 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
 
   const Run run = longest_run(study.radii);
   std::vector<Number> close, far;
+  const double by = study.settings.radius_scan;
+  const std::string step = fmt::format("{:g} mm", by);
   std::string too_far;
   double reach_ends = 0;
   if (!run.empty()) {
-    close.push_back(beside(found("least radius that completes, by 1 mm", "mm", study.radii[run.first].radius, true),
-                           Label::Derived, std::ceil(study.plan.least_radius())));
+    close.push_back(beside(found("least radius that completes, by " + step, "mm", study.radii[run.first].radius, true),
+                           Label::Derived, std::ceil(study.plan.least_radius()), by - 1));
     close.push_back(found("circle in which the robot's body turns", "mm", study.plan.body, true));
     close.push_back(found("from the storage's axis to its near side", "mm", -study.plan.storage.min().x(), true));
-    far.push_back(found("largest radius that completes, by 1 mm", "mm", study.radii[run.last].radius, true));
+    far.push_back(found("largest radius that completes, by " + step, "mm", study.radii[run.last].radius, true));
     if (run.last + 1 < study.radii.size())
-      too_far = fmt::format(" A millimetre further: {}.", study.radii[run.last + 1].failure);
+      too_far = fmt::format(" {} further: {}.", step, study.radii[run.last + 1].failure);
     const auto out = std::ranges::find(study.radii, Outcome::OutOfReach, &Place::outcome);
     if (out != study.radii.end()) reach_ends = out->radius;
   }
@@ -252,8 +254,8 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   const double beside_axis = layout.sphere_radius - layout.gap;
   const double limit = std::sqrt(std::pow(kUpperArm + second_link, 2) - up * up - beside_axis * beside_axis);
   if (reach_ends > 0)
-    far.push_back(beside(found("least radius out of the arm's reach, by 1 mm", "mm", reach_ends, true), Label::Derived,
-                         std::floor(limit) + 1));
+    far.push_back(beside(found("least radius out of the arm's reach, by " + step, "mm", reach_ends, true),
+                         Label::Derived, std::floor(limit) + 1, by - 1));
   far.push_back(found("reach of the sphere's centre from the shoulder's axis", "mm", kUpperArm + second_link, true));
   entries.add("5.18", Status::WithChosen,
               fmt::format("Too close: seen from above, the storage would stand in the circle in which the robot's body "

@@ -22,8 +22,8 @@ using Task = std::function<void()>;
 
 constexpr int kLargestAngle = 60;
 constexpr int kLowestRadius = 150, kHighestRadius = 720;  // of the area of configuration
-constexpr int kHighestHeight = 900, kHeightStep = 2;      // mm
-constexpr int kFurthestOffset = 15;                       // a power of ten, mm
+constexpr int kHighestHeight = 900;
+constexpr int kFurthestOffset = 15;  // a power of ten, mm
 constexpr std::size_t kMapPoints = 180;
 constexpr std::uint64_t kFlowcharts = 128;  // the first of their streams of random numbers
 constexpr double kFlowchartRadius = kRadii[2];
@@ -115,13 +115,15 @@ std::vector<Task> tasks_of(Study& study) {
     return Where{-180.0 + settings.angle_step * static_cast<int>(i / radii),
                  kLowestRadius + static_cast<double>(settings.radius_step) * static_cast<double>(i % radii), height};
   });
-  scan(study.radii, kHighestRadius - kLowestRadius + 1, [=](std::size_t i) {
-    return Where{first_angle, kLowestRadius + static_cast<double>(i), height};
+  const auto count = [](int range, int step) { return static_cast<std::size_t>(range / step + 1); };
+  scan(study.radii, count(kHighestRadius - kLowestRadius, settings.radius_scan), [=](std::size_t i) {
+    return Where{first_angle, kLowestRadius + static_cast<double>(settings.radius_scan) * static_cast<double>(i),
+                 height};
   });
   for (std::size_t place = 0; place < kCases.size(); ++place)
-    scan(study.heights[place], kHighestHeight / kHeightStep + 1,
+    scan(study.heights[place], count(kHighestHeight, settings.height_scan),
          [=, angle = kCases[place].storage_angle, radius = layout.storage_radius[place]](std::size_t i) {
-           return Where{angle, radius, static_cast<double>(kHeightStep) * static_cast<double>(i) + 1};
+           return Where{angle, radius, static_cast<double>(settings.height_scan) * static_cast<double>(i) + 1};
          });
   tasks.emplace_back([&study] { study.predictions = predict(study.layout); });
 

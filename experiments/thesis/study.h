@@ -27,8 +27,9 @@ namespace touchstone::thesis_figures {
 struct Settings {
   std::uint64_t samples = 20'000;  ///< balls of each outline and radius; other measurements have their share of it
   std::uint64_t seed = 1;
-  int angle_step = 5;    ///< degrees, of the area of configuration
-  int radius_step = 10;  ///< mm
+  int angle_step = 5;                    ///< degrees, of the area of configuration
+  int radius_step = 10;                  ///< mm
+  int radius_scan = 1, height_scan = 2;  ///< mm, of the radii and heights at one angle
 };
 
 /// What rehearsals at every whole angle of the storage, from -60 to 60 degrees, came out with.
@@ -65,8 +66,8 @@ struct Study {
   std::array<CaseStudy, 2> cases;
   FloorPlan plan;
   std::vector<Place> area;                    ///< angle by angle, radius by radius, at the chosen height
-  std::vector<Place> radii;                   ///< at case 1's angle and height, by 1 mm
-  std::array<std::vector<Place>, 2> heights;  ///< at each case's angle and radius, by 2 mm
+  std::vector<Place> radii;                   ///< at case 1's angle and height
+  std::array<std::vector<Place>, 2> heights;  ///< at each case's angle and radius
 
   // Known errors
   AngleMap map;                  ///< around the gripper
