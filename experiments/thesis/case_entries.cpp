@@ -114,10 +114,12 @@ void add_first_case(const Study& study, EntryList& entries) {
   entries.add("6.17", Status::WithChosen, "The answers of the sphere's test that end the move.",
               detection_numbers(study, 0, 1),
               "The gripper, the material and the virtual material, close, in perspective.");
-  std::vector<Number> table{
-      captioned("elbow down", -moved(its, 0, kElbow), 3), captioned("base clockwise", -moved(its, 1, kBase), 149),
-      captioned("elbow up", moved(its, 2, kElbow), 38), captioned("base counter-clockwise", moved(its, 3, kBase), 66),
-      captioned("shoulder down", moved(its, 4, kShoulder), 28)};
+  std::vector<Number> table{angle.front(),
+                            captioned("elbow down", -moved(its, 0, kElbow), 3),
+                            captioned("base clockwise", -moved(its, 1, kBase), 149),
+                            captioned("elbow up", moved(its, 2, kElbow), 38),
+                            captioned("base counter-clockwise", moved(its, 3, kBase), 66),
+                            captioned("shoulder down", moved(its, 4, kShoulder), 28)};
   entries.add("table 6.1", Status::WithChosen,
               "All moves of the first case. The table itself is not public; its angles are those of the captions.",
               run_numbers(its, std::move(table)));
@@ -158,6 +160,7 @@ void add_second_case(const Study& study, EntryList& entries) {
               joined(moves(5, kBase, "base counter-clockwise", 1, 100), moves(6, kShoulder, "shoulder down", 1, 14)),
               views("after the shoulder has moved down 14 degrees at the machine"));
   std::vector<Number> table{
+      angle.front(),
       captioned("elbow up", moved(its, 0, kElbow), 12),
       captioned("base clockwise", -moved(its, 1, kBase), 183),
       captioned("shoulder down", moved(its, 2, kShoulder), 25),
@@ -177,7 +180,7 @@ void add_heights(const Study& study, EntryList& entries) {
   const int by = study.settings.height_scan;
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
     const auto& places = study.heights[i];
-    const Run run = longest_run(places);
+    const Stretch run = longest_stretch(places);
     if (run.empty()) continue;
     const std::string which = fmt::format("case {}'s angle and radius", i + 1);
     highest.push_back(found("highest that completes, at " + which, "mm", places[run.last].height, true));

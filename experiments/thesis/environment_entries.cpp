@@ -231,7 +231,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
               "The cell from above: robot, storage with three slots, machine, the circle in which the robot's body "
               "turns, and the arm at home.");
 
-  const Run run = longest_run(study.radii);
+  const Stretch run = longest_stretch(study.radii);
   std::vector<Number> close, far;
   const double by = study.settings.radius_scan;
   const std::string step = fmt::format("{:g} mm", by);

@@ -162,7 +162,7 @@ std::string sides_text(const Study& study) {
     for (const Moment& moment : its.moments)
       text += points_text(study.layout, moment.name, its.storage.height, moment.commanded);
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
-    const Run run = longest_run(study.heights[i]);
+    const Stretch run = longest_stretch(study.heights[i]);
     if (run.empty()) continue;
     for (const auto& [name, place] : {std::pair("lowest", run.first), std::pair("highest", run.last)}) {
       Station storage = study.cases[i].storage;

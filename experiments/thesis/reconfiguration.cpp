@@ -99,8 +99,8 @@ Place try_place(const Layout& layout, const FloorPlan& plan, double angle, doubl
   return {angle, radius, height, outcome_of(rehearsal), rehearsal.failure};
 }
 
-Run longest_run(const std::vector<Place>& places) {
-  Run best{1, 0};
+Stretch longest_stretch(const std::vector<Place>& places) {
+  Stretch best{1, 0};
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::size_t end = i;
     while (end < places.size() && completes(places[end].outcome)) ++end;

@@ -50,11 +50,11 @@ struct Place {
                               double height);
 
 /// An unbroken run of places that complete.
-struct Run {
+struct Stretch {
   std::size_t first, last;  ///< among the places
   [[nodiscard]] bool empty() const { return first > last; }
 };
 /// The longest, the first of equal ones.
-[[nodiscard]] Run longest_run(const std::vector<Place>& places);
+[[nodiscard]] Stretch longest_stretch(const std::vector<Place>& places);
 
 }  // namespace touchstone::thesis_figures
