@@ -74,7 +74,7 @@ def perspective(cell, moment, virtual=False):
     now = cell.moments[moment]
     label(axes, at((0, 0, 0)), "robot", (0, -26))
     label(axes, at((*now["storage"][9:11], 0)), "storage", (0, -16))
-    label(axes, at((*now["machine"][9:11], 0)), "machine", (64, 0))
+    label(axes, at(np.asarray(now["machine"][9:]) + (0, 0, 300)), "machine", (86, 0))
     return figure
 
 

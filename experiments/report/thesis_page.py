@@ -36,7 +36,7 @@ nav ul, .summary ul { padding-left: 1.2rem; }
 .index li { break-inside: avoid; padding: .1rem 0; }
 :target { outline: 3px solid var(--link); }
 @media (max-width: 34rem) { body { padding: .6rem; } article { padding: .7rem; } tbody th { width: 40%; } }
-@media print { body { max-width: none; font-size: 9.5pt; --soft: #fff; } article { break-inside: avoid; } nav { display: none; }
+@media print { body { max-width: none; font-size: 9.5pt; --soft: #fff; } article, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } nav { display: none; }
   article img { max-height: 9cm; } }
 """
 
@@ -81,6 +81,7 @@ def picture(folder, entry):
 def numbers_table(rows):
     if not rows:
         return ""
+    any_stated = any(row["stated"] for row in rows)
     body = ""
     for row in rows:
         unit = "" if not row["unit"] else (row["unit"] if row["unit"] == "°" else " " + row["unit"])
@@ -94,9 +95,11 @@ def numbers_table(rows):
             if float(row["tolerance"]) > 0:
                 stated += f'<br><small>± {float(row["tolerance"]):.2g}</small>'
             agrees = f'<span class="{row["agrees"]}">{row["agrees"]}</span>'
-        body += f'<tr><th scope="row">{escaped(row["what"])}</th><td>{ours}</td><td>{stated}</td><td>{agrees}</td></tr>'
-    return ('<table><thead><tr><th scope="col">number</th><th scope="col">ours</th><th scope="col">stated</th>'
-            f'<th scope="col">agrees</th></tr></thead><tbody>{body}</tbody></table>')
+        body += f'<tr><th scope="row">{escaped(row["what"])}</th><td>{ours}</td>'
+        body += f"<td>{stated}</td><td>{agrees}</td></tr>" if any_stated else "</tr>"
+    beside = '<th scope="col">stated</th><th scope="col">agrees</th>' if any_stated else ""
+    return (f'<table><thead><tr><th scope="col">number</th><th scope="col">ours</th>{beside}</tr></thead>'
+            f"<tbody>{body}</tbody></table>")
 
 
 def article(folder, entry, rows):

@@ -96,7 +96,7 @@ void add_model_files(const Study& study, EntryList& entries) {
       beside(found("parts", "", count(file_called(study, "Gripper1").model.parts.size()), true), Label::Text, 1));
   entries.add("5.14", Status::WithChosen,
               "One part, as the caption says: a box less a gap, so that front and back are not convex.",
-              std::move(gripper), "The gripper, and its whole file of 16 vertices and 10 polygons.");
+              std::move(gripper), "The gripper, and its whole file.");
   std::size_t polygons = 0, same = 0, converted = 0, converted_same = 0;
   for (const LinkFile& file : study.link_files) {
     for (const cell::LinkPart& part : file.model.parts) polygons += part.polygons.size();
@@ -186,10 +186,14 @@ void add_robot(const Study& study, EntryList& entries) {
   const double reach = kUpperArm + kForearm + kHand;
   entries.add(
       "table 5.1", Status::NotComputable,
-      "The table's rows are not public. Beside our model stands what other public sources say of an Aristo: a "
-      "Denavit-Hartenberg table, of a later model perhaps, and a weak source's reach of 0.8 m, which these "
-      "lengths do not give: the flange, stretched out, is 738 mm from the shoulder's axis. A payload (2.5 kg) "
-      "is nothing that geometry could compute.",
+      fmt::format(
+          "The table's rows are not public. Beside our model stands what other public sources say of an Aristo: a "
+          "Denavit-Hartenberg table, of a later model perhaps, and a weak source's reach of 0.8 m, which these lengths "
+          "do "
+          "not give: the flange, stretched out, is {:g} mm from the shoulder's axis. A payload (2.5 kg) is nothing "
+          "that "
+          "geometry could compute.",
+          reach),
       {beside(found("revolute axes", "", static_cast<double>(revolute), false), Label::Source, 6),
        beside(found("shoulder's axis above the floor", "mm", at(kShoulder).z(), false), Label::Source, 322),
        beside(found("upper arm", "mm", (at(kElbow) - at(kShoulder)).norm(), false), Label::Source, 300, 1e-9),
@@ -271,19 +275,19 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
               std::move(far),
               "The cell from above with the storage at a radius of 720 mm, beyond the circle that the sphere can "
               "reach at that height.");
-  const auto position = [&](const CaseStudy& its) -> std::vector<Number> {
+  const auto position = [&](const CaseStudy& its, int moves) -> std::vector<Number> {
     return {found("angle", "°", its.storage.azimuth - kStorageHome, true),
             found("radius", "mm", its.storage.radius, true),
             beside(found("moves that complete the way to the machine", "", count(its.rehearsal.moves.size()), true),
-                   Label::Derived, &its == &first ? 5 : 7)};
+                   Label::Derived, moves)};
   };
   entries.add("5.20", Status::WithChosen,
               "Where the thesis's position 1 is, its caption does not say; this is the storage of the first case.",
-              position(first), "The cell in perspective with the storage at 1 degree, the arm at home.");
+              position(first, 5), "The cell in perspective with the storage at 1 degree, the arm at home.");
   entries.add("5.21", Status::WithChosen,
               "Where the thesis's position 2 is, its caption does not say; this is the storage of the second case. Its "
               "moves are six that captions name and the lift that follows from them.",
-              position(second), "The cell in perspective with the storage at minus 33 degrees, the arm at home.");
+              position(second, 7), "The cell in perspective with the storage at minus 33 degrees, the arm at home.");
 
   std::vector<Number> area;
   double complete = 0;
@@ -325,7 +329,8 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
     return {found("sphere's centre, x", "mm", at.x(), true), found("y", "mm", at.y(), true),
             found("z", "mm", at.z(), true)};
   };
-  entries.add("5.23", Status::WithChosen, "The chosen home pose: the upper arm leans 23.8 degrees forward.",
+  entries.add("5.23", Status::WithChosen,
+              fmt::format("The chosen home pose: the upper arm leans {:g} degrees forward.", layout.home.lean),
               pose(first, 0), "The cell in perspective, the arm at home.");
   entries.add("5.24", Status::WithChosen, "The first case, after the base's turn to the storage.", pose(first, 2),
               "The cell in perspective, the gripper at the material in storage.");

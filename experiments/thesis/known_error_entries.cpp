@@ -54,13 +54,14 @@ void add_areas(const Study& study, EntryList& entries) {
                               found("the least sum of angles in the gap", "°", least, true),
                               found("from so much on a point is called inside", "°", threshold, false)};
   if (!study.areas.empty()) numbers.push_back(area_number(study.areas[0], true));
-  entries.add("E.1", Status::WithChosen,
-              "Angles without signs add up to 360 degrees inside a polygon, and to as much or more in the gap of a U. "
-              "A ball between the jaws of the chosen gripper touches it, by this method, wherever it is. With signs "
-              "nothing is wrong but the strip of Fig. E.4.",
-              std::move(numbers),
-              "Map of the plane around the gripper's front: the sum of the angles at every point. The gripper itself "
-              "and its whole gap are called inside; outside it the sum falls off.");
+  entries.add(
+      "E.1", Status::WithChosen,
+      "Angles without signs add up to 360 degrees or more inside a polygon; and so they do in the gap of a U. A ball "
+      "between the jaws of the chosen gripper touches it, by this method, wherever it is. "
+      "With signs the sum is 0 there (Fig. 4.8), and hardly a ball of Fig. 4.3 ends elsewhere than exactly.",
+      std::move(numbers),
+      "Map of the plane around the gripper's front: the sum of the angles at every point. The gripper itself "
+      "and its whole gap are called inside; outside it the sum falls off.");
 
   constexpr std::array<std::pair<double, double>, 8> kStated{
       {{4.2, 0.1}, {2.1, 0.1}, {28, 1}, {86, 1}, {151, 1}, {136, 1}, {81.6, 0.1}, {169, 1}}};
@@ -81,7 +82,8 @@ void add_areas(const Study& study, EntryList& entries) {
               "both and half a unit of the last digit.",
               std::move(areas),
               "For eight outlines and the gripper, a bar: the area wrongly called inside as a share of the outline's "
-              "own, from 2 % for a square to more than 150 % for a star; beside it a small drawing of each outline.");
+              "own; under it "
+              "a small drawing of the outline.");
 }
 
 void add_false_hits(const Study& study, EntryList& entries) {
@@ -245,13 +247,15 @@ void add_known_errors(const Study& study, EntryList& entries) {
                                        kinematics::kRadii[radius], kinematics::kSteps[2]),
                            missed.missed, missed.contacts, true));
   }
-  entries.add("E.9", Status::WithChosen,
-              "The arm is looked at after every whole degree, not between. Random moves of one joint through thin "
-              "sheets: the first contact is certified, the stops are asked exactly. In the case studies nothing is "
-              "passed over: the sphere is 12 mm wide. `touchstone cell missed` has more of this.",
-              std::move(passed),
-              "The share of certified first contacts that steps pass over, against the step, a line for each radius "
-              "of the sphere.");
+  entries.add(
+      "E.9", Status::WithChosen,
+      fmt::format("The arm is looked at after every whole degree, not between. Random moves of one joint through thin "
+                  "sheets: the first contact is certified, the stops are asked exactly. In the case studies nothing "
+                  "is passed over: the sphere is {:g} mm wide. `touchstone cell missed` has more of this.",
+                  2 * study.layout.sphere_radius),
+      std::move(passed),
+      "The share of certified first contacts that steps pass over, against the step, a line for each radius "
+      "of the sphere.");
 }
 
 }  // namespace touchstone::thesis_figures
