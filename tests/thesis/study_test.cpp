@@ -118,6 +118,23 @@ TEST(DrawnCell, HoldsTheSphereWhereTheRehearsalHasIt) {
   }
 }
 
+// Each part is drawn in the frame of its own link, not of a neighbour.
+TEST(DrawnCell, PutsEveryLinkAtItsJoint) {
+  const Study& study = begun();
+  const auto links = drawn_moments(study.cell, study.cases[0]).at("case 1, home").at("links");
+  ASSERT_EQ(links.size(), study.cell.robot.links.size());
+  const auto height = [&](std::size_t link) { return links.at(link).at(11).get<double>(); };
+  EXPECT_EQ(height(0), 0);
+  EXPECT_EQ(height(1), 200);
+  EXPECT_EQ(height(2), kinematics::kShoulderHeight);
+  const Eigen::Vector3d wrist =
+      kinematics::wrist(kinematics::aristo(study.layout.coupling), study.cases[0].moments[0].commanded);
+  EXPECT_NEAR(height(3), wrist.z(), 1e-9);  // the forearm is level at home
+  EXPECT_NEAR(height(5), wrist.z(), 1e-9);
+  EXPECT_NEAR(links.at(5).at(9).get<double>(), wrist.x(), 1e-9);
+  EXPECT_NEAR(height(6), wrist.z() - kinematics::kHand, 1e-9);
+}
+
 TEST(DrawnCell, CoversEveryFaceWithTriangles) {
   for (const auto& part : drawn_parts(begun().parts)) {
     const std::size_t vertices = part.at("vertices").size();
