@@ -124,17 +124,21 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
     box_in(axes, machine, material_box(cell, True), facecolor="none", edgecolor=BLACK, linestyle="--")
     name_at(axes, turned(machine["azimuth"], machine["radius"] + 150, 0), "machine")
     axes.add_patch(plt.Circle((0, 0), drawing["plan"]["body"], facecolor=COLORS["link"], alpha=0.5, edgecolor=BLACK))
+    taken = bool(moments) and cell.moments[moments[-1][0]]["gripped"]
     for name in storages:
         station = dict(drawing["stations"][name])
         if radius:
             station["radius"] = radius
         box_in(axes, station, drawing["plan"]["storage"], facecolor=SKY, alpha=0.45, edgecolor=STATION_COLORS[name])
-        box_in(axes, station, material_box(cell, False), facecolor=PURPLE, edgecolor=BLACK, linewidth=0.8)
+        box_in(axes, station, material_box(cell, False), facecolor="none" if taken else PURPLE, edgecolor=BLACK,
+               linewidth=0.8)
         angle = round(station["azimuth"] + 150)
         text = f"storage\n{angle}°".replace("-", "−")
         name_at(axes, turned(station["azimuth"], station["radius"] + 150, 0), text)
     for name, color, style in moments:
         arm(axes, cell, name, color, style)
+    if taken:
+        carried(axes, cell, moments[-1][0])
     axes.plot(0, 0, marker="o", color=BLACK, markersize=3)
     axes.set_aspect("equal")
     axes.set_xlim(-860, 620)
@@ -142,6 +146,14 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
     axes.set_xlabel("x (mm), where the arm points at home" if ticks else "")
     axes.set_ylabel("y (mm)")
     axes.grid(alpha=0.25)
+
+
+def carried(axes, cell, moment):
+    """The material in the hand, from above."""
+    part, solid = next((part, solid) for part, solid in cell.solids if part["moves_with"] == "material")
+    points = solid.moved(cell.moments[moment]["material"]).vertices[:, :2]
+    for loop in part["loops"]:
+        axes.fill(*points[loop].T, color=PURPLE, alpha=0.6, linewidth=0, zorder=3)
 
 
 def name_at(axes, at, text):
@@ -185,12 +197,14 @@ def side(axes, cell, case, before, now):
     drawing, stations = cell.drawing, cell.drawing["stations"]
     length = drawing["material"]["side"]
     storage, machine = stations[f"storage {case}"], stations["machine"]
-    square(axes, storage["radius"], storage["height"], length, STATION_COLORS[f"storage {case}"], "material\nin storage")
+    taken = cell.moments[before]["gripped"]
+    square(axes, storage["radius"], storage["height"], length, STATION_COLORS[f"storage {case}"],
+           "place\nin storage" if taken else "material\nin storage", "--" if taken else "-")
     square(axes, machine["radius"], machine["height"], length, GREEN, "virtual material\nat the machine", "--")
     arm_side(axes, cell, before, GREY, "--", "before", 2)
     arm_side(axes, cell, now, BLACK, "-", "after")
     axes.set_aspect("equal")
-    axes.set_xlim(-60, 800)
+    axes.set_xlim(-60, 860)
     axes.set_ylim(0, 1010)
     axes.set_xlabel("from the base's axis (mm)")
     axes.set_ylabel("above the floor (mm)")

@@ -111,7 +111,10 @@ void add_first_case(const Study& study, EntryList& entries) {
       stop_numbers(study, 0, 1),
       "From the side, close: the virtual material, dashed, and the sphere at the stop, where it overlaps the "
       "upper face, and a step before, where it does not.");
-  entries.add("6.17", Status::WithChosen, "The answers of the sphere's test that end the move.",
+  entries.add("6.17", Status::WithChosen,
+              "The answers of the sphere's test that end the move. It alone is asked: the wrist is locked, so that the "
+              "hand and "
+              "the material in it are tilted with the forearm, and that material overlaps its virtual copy.",
               detection_numbers(study, 0, 1),
               "The gripper, the material and the virtual material, close, in perspective.");
   std::vector<Number> table{angle.front(),

@@ -24,7 +24,8 @@ Number ratio(std::string what, std::uint64_t wrong, std::uint64_t right, std::ui
 Number beside_share(Number number, std::uint64_t wrong, std::uint64_t right, double percent, double unit,
                     std::uint64_t stated_samples) {
   const StatedShare stated{percent / 100, unit / 100, stated_samples};
-  return beside(std::move(number), Label::Derived, percent, 100 * tolerance(wrong, right, number.samples, stated));
+  const double allowed = 100 * tolerance(wrong, right, number.samples, stated);
+  return beside(std::move(number), Label::Derived, percent, allowed);
 }
 
 void add_areas(const Study& study, EntryList& entries) {
@@ -99,10 +100,10 @@ void add_false_hits(const Study& study, EntryList& entries) {
                                            {2, {1.2, 0.2, 0, 0}, 0.1}}};
   std::vector<Number> numbers;
   std::uint64_t misses = 0, hits = 0, false_hits = 0, culled = 0;
-  for (std::size_t i = 0; i < study.flowcharts.size(); ++i) {
-    const Ends& ends = study.flowcharts[i].methods[0];
+  for (const Flowchart& flowchart : study.flowcharts) {
+    const Ends& ends = flowchart.methods[0];
     misses += ends.misses(), hits += ends.misses() + ends.true_hits();
-    false_hits += ends.false_hits(), culled += study.flowcharts[i].culled;
+    false_hits += ends.false_hits(), culled += flowchart.culled;
   }
   const auto number = [&](std::size_t outline, std::size_t k) {
     const Ends& ends = study.flowchart(outline, k).methods[0];

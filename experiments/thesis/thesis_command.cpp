@@ -34,7 +34,7 @@ struct Options {
 
   [[nodiscard]] Settings settings() const {
     Settings settings;
-    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 30};
+    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 30, .radius_scan = 5, .height_scan = 10};
     if (samples) settings.samples = *samples;
     settings.seed = seed;
     return settings;
@@ -91,8 +91,7 @@ void add_thesis(CLI::App& app, int& status) {
   command
       ->add_option("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)")
       ->check(run::whole_number(100));
-  command->add_flag("--quick", options->quick,
-                    "A tenth of the samples, and coarser steps in the area of configuration");
+  command->add_flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
   command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
       ->check(run::whole_number(0))
       ->capture_default_str();
