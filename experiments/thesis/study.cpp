@@ -109,13 +109,13 @@ std::vector<Task> tasks_of(Study& study) {
   struct Where {
     double angle, radius, height;
   };
-  const auto radii = static_cast<std::size_t>((kHighestRadius - kLowestRadius) / settings.radius_step + 1);
+  const auto count = [](int range, int step) { return static_cast<std::size_t>(range / step) + 1; };
+  const std::size_t radii = count(kHighestRadius - kLowestRadius, settings.radius_step);
   const auto angles = static_cast<std::size_t>(360 / settings.angle_step);
   scan(study.area, angles * radii, [=](std::size_t i) {
     return Where{-180.0 + settings.angle_step * static_cast<int>(i / radii),
                  kLowestRadius + static_cast<double>(settings.radius_step) * static_cast<double>(i % radii), height};
   });
-  const auto count = [](int range, int step) { return static_cast<std::size_t>(range / step + 1); };
   scan(study.radii, count(kHighestRadius - kLowestRadius, settings.radius_scan), [=](std::size_t i) {
     return Where{first_angle, kLowestRadius + static_cast<double>(settings.radius_scan) * static_cast<double>(i),
                  height};
