@@ -347,10 +347,11 @@ def heights(cell, places, which):
             if outcome in ("from the side", "from above"):
                 right.bar(case, run[-1] - run[0] + 2, 0.8, bottom=run[0] - 1, linewidth=0, color=color,
                           alpha=0.85 if outcome == "from the side" else 0.4)
-        good = [row["height_mm"] for row in rows if row["outcome"] in ("from the side", "from above")]
-        if good:
-            right.annotate(f"{max(good):g} mm", (case, max(good) + 12), ha="center", fontsize=8)
-            right.annotate(f"{min(good):g} mm", (case, min(good) - 30), ha="center", fontsize=8)
+        for end, offset in (("highest", 12), ("lowest", -30)):
+            if f"case {case}, {end}" in cell.sides:
+                at = cell.sides[f"case {case}, {end}"][0]["height"]
+                right.annotate(f"{at:g} mm", (case, at + offset), ha="center", fontsize=8,
+                               bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
     chosen = cell.drawing["stations"]["storage 1"]["height"]
     right.axhline(chosen, color=BLACK, linewidth=0.8, linestyle=":")
     right.annotate("case studies", (2.55, chosen + 8), ha="right", fontsize=7)

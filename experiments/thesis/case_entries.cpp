@@ -186,8 +186,10 @@ void add_heights(const Study& study, EntryList& entries) {
     const Stretch run = longest_stretch(places);
     if (run.empty()) continue;
     const std::string which = fmt::format("case {}'s angle and radius", i + 1);
-    highest.push_back(found("highest that completes, at " + which, "mm", places[run.last].height, true));
-    lowest.push_back(found("lowest that completes, at " + which, "mm", places[run.first].height, true));
+    highest.push_back(
+        found("upper end of the longest unbroken range, at " + which, "mm", places[run.last].height, true));
+    lowest.push_back(
+        found("lower end of the longest unbroken range, at " + which, "mm", places[run.first].height, true));
     if (run.last + 1 < places.size())
       above += fmt::format(" Case {}, {} mm higher: {}.", i + 1, by, places[run.last + 1].failure);
     if (run.first > 0) below += fmt::format(" Case {}, {} mm lower: {}.", i + 1, by, places[run.first - 1].failure);
