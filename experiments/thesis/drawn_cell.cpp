@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/thesis/drawn_cell.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/cell/model/triangulate.h"
+
+namespace touchstone::thesis_figures {
+namespace {
+
+using nlohmann::ordered_json;
+
+Eigen::Vector3d moved(const Pose& pose, const Eigen::Vector3d& p) { return pose.rotation * p + pose.translation; }
+
+Pose after(const Pose& first, const Pose& then) {
+  return {first.rotation * then.rotation, moved(first, then.translation)};
+}
+
+Pose inverse(const Pose& pose) {
+  const Eigen::Matrix3d back = pose.rotation.transpose();
+  return {back, -(back * pose.translation)};
+}
+
+Pose station_pose(const kinematics::Station& station) {
+  const double c = kinematics::cosine(station.azimuth), s = kinematics::sine(station.azimuth);
+  Pose pose;
+  pose.rotation << c, -s, 0,  //
+      s, c, 0,                //
+      0, 0, 1;
+  pose.translation << station.radius * c, station.radius * s, station.height;
+  return pose;
+}
+
+ordered_json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+ordered_json numbers(const Pose& pose) {
+  ordered_json list = ordered_json::array();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) list.push_back(pose.rotation(row, column));
+  for (int row = 0; row < 3; ++row) list.push_back(pose.translation(row));
+  return list;
+}
+
+/// Of the links in the cell, the one that stands still first.
+std::vector<Pose> link_poses(const cell::Robot& robot, const kinematics::Angles& commanded) {
+  std::vector<Pose> poses = chain_of(robot).frames(commanded);
+  poses.pop_back();  // the flange's is that of the last link
+  for (Pose& pose : poses) pose = after(robot.base, pose);
+  poses.insert(poses.begin(), robot.base);
+  return poses;
+}
+
+const Polygon& front_face(const std::vector<cell::ModelPart>& parts) {
+  const Polygon* front = nullptr;
+  for (const cell::ModelPart& part : parts)
+    if (part.carrier == cell::Carrier::Gripper)
+      for (const cell::Face& face : part.faces.faces) {
+        const Polygon& polygon = face.polygon;
+        const auto y = polygon.coordinates(1);
+        const bool upright = std::ranges::all_of(y, [&](double v) { return v == y[0]; }) && y[0] < 0;
+        if (upright && (front == nullptr || polygon.vertex_count() > front->vertex_count())) front = &polygon;
+      }
+  if (front == nullptr) throw std::runtime_error("the cell's gripper has no face across its y axis");
+  return *front;
+}
+
+}  // namespace
+
+kinematics::Chain chain_of(const cell::Robot& robot) {
+  std::vector<kinematics::Joint> joints;
+  for (const cell::Joint& joint : robot.joints)
+    joints.push_back({joint.name, joint.origin, joint.axis, joint.lower, joint.upper});
+  std::optional<std::size_t> driver;
+  if (!robot.couplings.empty()) driver = robot.couplings.front().leader;
+  return {std::move(joints), {}, driver};
+}
+
+Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
+  const Polygon& face = front_face(parts);
+  Outline outline{"gripper", {}};
+  for (std::size_t i = 0; i < face.vertex_count(); ++i)
+    outline.corners.emplace_back(face.vertex(i).x(), face.vertex(i).z());
+  return outline;
+}
+
+Polygon gripper_face(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
+                     const kinematics::Angles& commanded) {
+  const Polygon& face = front_face(parts);
+  const Pose flange = link_poses(cell.robot, commanded).back();
+  Loop loop;
+  for (std::size_t i = 0; i < face.vertex_count(); ++i) loop.push_back(moved(flange, face.vertex(i)));
+  return Polygon(loop);
+}
+
+ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
+  ordered_json all = ordered_json::array();
+  for (const cell::ModelPart& part : parts) {
+    std::map<std::tuple<double, double, double>, std::size_t> numbers;
+    ordered_json vertices = ordered_json::array(), triangles = ordered_json::array(), loops = ordered_json::array();
+    const auto number_of = [&](const Eigen::Vector3d& p) {
+      const auto [found, added] = numbers.try_emplace({p.x(), p.y(), p.z()}, numbers.size());
+      if (added) vertices.push_back(point(p));
+      return found->second;
+    };
+    for (const cell::Face& face : part.faces.faces) {
+      const Polygon& polygon = face.polygon;
+      for (const auto& corners : cell::triangulate(polygon)) {
+        ordered_json triangle = ordered_json::array();
+        for (const std::uint32_t corner : corners) triangle.push_back(number_of(polygon.vertex(corner)));
+        triangles.push_back(triangle);
+      }
+      for (std::size_t loop = 0; loop < polygon.loop_count(); ++loop) {
+        ordered_json corners = ordered_json::array();
+        for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
+          corners.push_back(number_of(polygon.vertex(i)));
+        loops.push_back(corners);
+      }
+    }
+    all.push_back({{"name", part.name},
+                   {"moves_with", word(part.carrier)},
+                   {"link", part.link},
+                   {"vertices", vertices},
+                   {"triangles", triangles},
+                   {"loops", loops}});
+  }
+  return all;
+}
+
+ordered_json drawn_primitives(const std::vector<cell::Part>& parts) {
+  ordered_json all = ordered_json::object();
+  for (const cell::Part& part : parts)
+    if (const auto* boolean = std::get_if<cell::Boolean>(&part.solid.shape)) {
+      std::vector<cell::ModelPart> primitives;
+      for (const cell::Solid& solid : boolean->parts)
+        primitives.push_back({cell::Carrier::Link, 0, part.name, cell::faces_of(solid, part.name)});
+      all[part.name] = drawn_parts(primitives);
+    }
+  return all;
+}
+
+ordered_json drawn_moments(const cell::Cell& cell, const CaseStudy& study) {
+  ordered_json all = ordered_json::object();
+  const auto& slots = cell.storage.slots;
+  kinematics::Station storage = study.storage;
+  // A rehearsal counts heights from the material's underside, a cell file from the station's deck.
+  storage.height -= slots[cell.material.slot].place.z();
+  const Pose storage_pose = station_pose(storage);
+  const Pose machine_pose = station_pose({cell.machine.azimuth(), cell.machine.radius, cell.machine.height});
+  Pose material = storage_pose;
+  material.translation = moved(storage_pose, slots[cell.material.slot].place);
+  Pose at_machine = machine_pose;
+  at_machine.translation = moved(machine_pose, cell.machine.slots[cell.material.machine_slot].place);
+
+  std::optional<Pose> in_hand;
+  for (const Moment& moment : study.moments) {
+    const std::vector<Pose> links = link_poses(cell.robot, moment.commanded);
+    if (moment.gripped && !in_hand) in_hand = after(inverse(links.back()), material);
+    ordered_json poses = ordered_json::array();
+    for (const Pose& link : links) poses.push_back(numbers(link));
+    all[moment.name] = {{"links", poses},
+                        {"storage", numbers(storage_pose)},
+                        {"machine", numbers(machine_pose)},
+                        {"material", numbers(in_hand ? after(links.back(), *in_hand) : material)},
+                        {"virtual_material", numbers(at_machine)},
+                        {"gripped", moment.gripped},
+                        {"sphere", point(moved(links.back(), cell.gripper.sphere.center))},
+                        {"sphere_radius", cell.gripper.sphere.radius},
+                        {"commanded", moment.commanded}};
+  }
+  return all;
+}
+
+}  // namespace touchstone::thesis_figures

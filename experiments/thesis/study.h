@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/first_contact/missed_study.h"
+#include "experiments/cell/kinematics/layout.h"
+#include "experiments/cell/model/link_model.h"
+#include "experiments/cell/model/model.h"
+#include "experiments/run/blocks.h"
+#include "experiments/thesis/angle_sum.h"
+#include "experiments/thesis/case_study.h"
+#include "experiments/thesis/false_areas.h"
+#include "experiments/thesis/flowchart.h"
+#include "experiments/thesis/known_errors.h"
+#include "experiments/thesis/reconfiguration.h"
+
+/// What `touchstone thesis` computes, once, for all of its entries.
+namespace touchstone::thesis_figures {
+
+struct Settings {
+  std::uint64_t samples = 20'000;  ///< balls of each outline and radius; other measurements have their share of it
+  std::uint64_t seed = 1;
+  int angle_step = 5;                    ///< degrees, of the area of configuration
+  int radius_step = 10;                  ///< mm
+  int radius_scan = 1, height_scan = 2;  ///< mm, of the radii and heights at one angle
+};
+
+/// What rehearsals at every whole angle of the storage, from -60 to 60 degrees, came out with.
+struct Predictions {
+  std::uint64_t places = 0;      ///< angles, in both cases' places
+  std::uint64_t to_storage = 0;  ///< of these, the base turned by 150 degrees less the angle, clockwise
+  std::uint64_t to_machine = 0;  ///< and then by 67 less the angle, counter-clockwise
+  std::uint64_t net = 0;         ///< elbow and shoulder were at +35 and +28 at the machine
+};
+
+/// The way of a model file: written, read again.
+struct LinkFile {
+  cell::LinkModel model;
+  std::string text;
+  bool same = false;                              ///< read again it is the same model
+  std::size_t converted = 0, converted_same = 0;  ///< to meshes and read again: files, and those without a difference
+};
+
+struct Study {
+  Settings settings;
+  kinematics::Layout layout;
+  cell::Cell cell;
+  std::vector<cell::ModelPart> parts;
+  std::vector<LinkFile> link_files;  ///< of every link, and of the machine's bottom part
+  std::vector<Outline> outlines;     ///< the gripper's first, then those of outlines.h
+
+  // Chapter 4
+  std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius
+  FootErrors feet;                    ///< on the gripper's front, where it touches in case 1
+  EdgePlaces edges;                   ///< on the gripper
+  Predictions predictions;
+
+  // Chapters 5 and 6
+  std::array<CaseStudy, 2> cases;
+  FloorPlan plan;
+  std::vector<Place> area;                    ///< angle by angle, radius by radius, at the chosen height
+  std::vector<Place> radii;                   ///< at case 1's angle and height
+  std::array<std::vector<Place>, 2> heights;  ///< at each case's angle and radius
+
+  // Known errors
+  AngleMap map;                  ///< around the gripper
+  std::vector<FalseArea> areas;  ///< in the order of `outlines`
+  std::vector<FactorReach> square_reach, gripper_reach;
+  NotNumbers not_numbers;
+  std::array<Touching, 3> touching;  ///< in the order of Touched
+  Collinear collinear;
+  std::vector<FarAway> far_away;
+  kinematics::MissedStudy missed;
+
+  [[nodiscard]] const Outline& gripper() const { return outlines.front(); }
+  /// That of an outline, by its place in `outlines`, and radius, by its place in kRadii.
+  [[nodiscard]] const Flowchart& flowchart(std::size_t outline, std::size_t radius) const {
+    return flowcharts[outline * kRadii.size() + radius];
+  }
+};
+
+/// Told how much of all is done.
+using StudyProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// What needs neither samples nor time: the model, the case studies in this layout. The rest is empty.
+///
+/// Throws cell::BadCell where the cell's file (of the sources) cannot be read.
+[[nodiscard]] Study begin_study(const Settings& settings, const kinematics::Layout& layout);
+
+/// All of it, in the chosen layout; nothing where it was stopped. The same for any number of threads.
+///
+/// Throws as begin_study does. Cost: some 40 s of one core with the default settings.
+[[nodiscard]] std::optional<Study> run_study(const Settings& settings, unsigned threads, const std::atomic<bool>& stop,
+                                             const StudyProgress& progress);
+
+}  // namespace touchstone::thesis_figures

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "experiments/commands.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/pictures.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/progress_line.h"
+#include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
+#include "experiments/run/write_file.h"
+#include "experiments/thesis/entries.h"
+#include "experiments/thesis/output.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace thesis_figures;
+
+struct Options {
+  std::optional<std::uint64_t> samples;
+  std::uint64_t seed = 1;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::string output = "results/thesis";
+  bool quick = false, no_pictures = false;
+
+  [[nodiscard]] Settings settings() const {
+    Settings settings;
+    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 30, .radius_scan = 5, .height_scan = 10};
+    if (samples) settings.samples = *samples;
+    settings.seed = seed;
+    return settings;
+  }
+};
+
+int run_thesis(const Options& options) {
+  const std::filesystem::path folder = options.output;
+  run::make_folder(folder);
+  const auto begin = std::chrono::steady_clock::now();
+  const Settings settings = options.settings();
+  const run::Interrupt interrupt;
+  const auto study = [&] {
+    std::optional<run::ProgressLine> line;
+    return run_study(settings, options.threads, interrupt.requested(), [&](std::uint64_t done, std::uint64_t total) {
+      if (!line) line.emplace("thesis: parts", total);
+      (*line)(done);
+    });
+  }();
+  if (!study) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  const std::vector<Entry> entries = entries_of(*study);
+  write_entries(folder, entries);
+  write_data(folder, *study);
+  run::Run record;
+  record.command = fmt::format("touchstone thesis{} --samples {} --seed {} --threads {} --output {}{}",
+                               options.quick ? " --quick" : "", settings.samples, settings.seed, options.threads,
+                               run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+  record.seed = settings.seed;
+  record.samples_asked = record.samples_done = settings.samples;
+  record.threads = options.threads;
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  run::write_run_record(folder, record);
+  fmt::print("{}", table(entries));
+  std::fflush(stdout);
+  if (!options.no_pictures) {
+    run::draw_pictures("thesis.py", folder);
+    fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_thesis(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("thesis", "Every figure and table of the 2008 thesis: its numbers beside ours");
+  command->footer(
+      "One entry for each figure and table that the thesis lists, and for each known error of its method: the numbers\n"
+      "that can be computed, what is stated of them, whether they agree, and a picture. Writes CSV files, run.json,\n"
+      "pictures (SVG and PNG) and index.html, which shows all of them.");
+  command
+      ->add_option("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)")
+      ->check(run::whole_number(100));
+  command->add_flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
+  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
+      ->check(run::whole_number(0))
+      ->capture_default_str();
+  command->add_option("--threads", options->threads, "They do not change the results")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--output", options->output, "Folder for all files")->capture_default_str();
+  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  command->callback([options, &status] { status = run::run_alone([&] { return run_thesis(*options); }); });
+}
+
+}  // namespace touchstone::commands
