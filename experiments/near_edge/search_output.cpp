@@ -125,7 +125,9 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
          "polygon's\n"
          "size, asked about at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest of these that "
          "was\n"
-         "wrong. Distance from the origin, in sizes. Furthest: of all samples; climbed: after moving their "
+         "wrong. Rotated polygons; the truth is filtered's, and exact's of what was climbed. Distance from the origin, "
+         "in "
+         "sizes. Furthest: of all samples; climbed: after moving their "
          "coordinates.\n";
 }
 

@@ -177,7 +177,7 @@ def draw_conditions(folder, rows, stage, words):
         axes.set_axis_off()
     for i, (axes, name) in enumerate(zip(grid.flat, names)):
         every = [(float(row["condition"]), float(row["relative_error"])) for row in rows if row["quantity"] == name]
-        points = np.array([(x, y) for x, y in every if least_error < y < 1e8 and x < 1e22])
+        points = np.array([(x, y) for x, y in every if least_error < y < 1e8 and x < (1e60 if stage == "double-double" else 1e22)])
         exact = sum(y == 0 for _, y in every)
         constant = next(float(row["constant"]) for row in rows if row["quantity"] == name)
         if len(points):

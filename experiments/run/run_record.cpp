@@ -9,9 +9,11 @@
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <thread>
 
 #include "experiments/run/write_file.h"
+#include "touchstone_commit.h"
 
 #ifndef TOUCHSTONE_COMPILE_FLAGS
 #define TOUCHSTONE_COMPILE_FLAGS ""
@@ -26,24 +28,10 @@ constexpr const char* kCompiler = "clang++ " __clang_version__;
 constexpr const char* kCompiler = "g++ " __VERSION__;
 #endif
 
-/// What a shell command prints, without its last line end; empty where it fails.
-std::string output_of(const std::string& command) {
-  std::string text;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return text;
-  char buffer[256];
-  while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) text += buffer;
-  if (pclose(pipe) != 0) return "";
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
-/// Null where git or a commit is missing; `+` marks sources that differ from it.
+/// Of the sources that the program was built from; null where git or a commit was missing then. `+`: they differed.
 nlohmann::ordered_json commit() {
-  const std::string git = "git -C " + shell_quoted(source_folder().string());
-  const std::string head = output_of(git + " rev-parse --verify --quiet HEAD 2>/dev/null");
-  if (head.empty()) return nullptr;
-  return output_of(git + " status --porcelain 2>/dev/null").empty() ? head : head + "+";
+  constexpr std::string_view commit = TOUCHSTONE_COMMIT;
+  return commit.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(commit);
 }
 
 std::string processor() {

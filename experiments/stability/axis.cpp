@@ -132,7 +132,8 @@ const std::vector<Level>& levels(Axis axis) {
 
 bool is_drawn(Axis axis, std::size_t level, std::uint64_t sample) {
   const std::uint64_t one_in = levels(axis)[level].one_in;
-  return sample % one_in == one_in / 2;
+  const std::uint64_t group = sample / one_in;
+  return sample % one_in == (one_in / 2 + 7 * group) % one_in;
 }
 
 bool against_motion(Axis axis) { return axis == Axis::ChainMotion || axis == Axis::PoseMotion; }

@@ -43,7 +43,8 @@ struct Level {
 [[nodiscard]] const std::vector<Axis>& all_axes();
 /// From harmless to worst.
 [[nodiscard]] const std::vector<Level>& levels(Axis axis);
-/// Is this sample one of those that are drawn at the level? The first one is half of Level::one_in.
+/// Is this sample one of those that are drawn at the level? One of each Level::one_in; which of them changes from one
+/// to the next, because scenes alternate with the sample's number.
 [[nodiscard]] bool is_drawn(Axis axis, std::size_t level, std::uint64_t sample);
 /// Is the answer compared with that of the motion that was meant, not with that on the doubles asked about?
 [[nodiscard]] bool against_motion(Axis axis);

@@ -103,8 +103,7 @@ class Study {
     if (!probes.empty()) to_confirm[0] = true;
     for (std::size_t m = 0; m < settings_.methods.size(); ++m) ask(scene, probes, level, m, block, to_confirm);
     if (oracle.spares_exact()) confirm(oracle, probes, to_confirm, block);
-    if (block.sample / levels(block.axis)[level].one_in % kBoundsOneIn == 0)
-      observe_bounds(scene, probes, level, block);
+    if (bounds_number(block.axis, level, block.sample)) observe_bounds(scene, probes, level, block);
   }
 
   void ask(const Scene& scene, const std::vector<Probe>& probes, std::size_t level, std::size_t m, Block& block,
@@ -210,5 +209,11 @@ std::string_view word(Quantity quantity) { return quantity == Quantity::Distance
 std::uint64_t block_count(const Settings& settings) { return settings.samples * settings.axes.size(); }
 
 Block ask_block(const Settings& settings, std::uint64_t number) { return Study(settings).block(number); }
+
+std::optional<std::uint64_t> bounds_number(Axis axis, std::size_t level, std::uint64_t sample) {
+  const std::uint64_t drawn = sample / levels(axis)[level].one_in, row = drawn / kBoundsOneIn;
+  if (row % kBoundsOneIn != 0) return std::nullopt;
+  return row / kBoundsOneIn * kBoundsOneIn + drawn % kBoundsOneIn;
+}
 
 }  // namespace touchstone::stability

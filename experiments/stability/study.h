@@ -73,9 +73,12 @@ struct Block {
   std::uint64_t confirmed = 0, disputed = 0;  ///< truths by `filtered` that `exact` was asked about
 };
 
-/// Bounds are observed on one of so many samples that are drawn at a level, on polygons of at most so many vertices;
-/// cases are kept of smaller ones.
+/// Bounds are observed on one of so many samples that are drawn at a level. As many in a row are taken, because scenes
+/// alternate with the sample's number: all kinds of them take part.
 inline constexpr std::uint64_t kBoundsOneIn = 4;
+/// The number of a sample among those on which bounds are observed; nothing if it is none of them.
+[[nodiscard]] std::optional<std::uint64_t> bounds_number(Axis axis, std::size_t level, std::uint64_t sample);
+/// Bounds are observed on polygons of at most so many vertices; cases are kept of smaller ones.
 inline constexpr std::size_t kMostForBounds = 1100, kMostForCases = 200;
 
 /// Draws one sample of every level of an axis and asks every method.

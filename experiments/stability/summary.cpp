@@ -54,7 +54,7 @@ void Summary::add_bounds(const Block& block, std::size_t axis) {
     BoundSummary& bound = found[{level, o.quantity}];
     bound.tightness.add(o.tightness);
     bound.exceeded += o.holds ? 0 : 1;
-    if (block.sample / levels(block.axis)[level].one_in / kBoundsOneIn >= kSamplesShown) continue;
+    if (bounds_number(block.axis, level, block.sample).value() >= kSamplesShown) continue;
     if (!std::isnan(o.relative_error)) shown.push_back({level, o.quantity, o.condition, o.relative_error});
   }
   for (auto& [place, bound] : found) {

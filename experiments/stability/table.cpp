@@ -121,11 +121,12 @@ std::string totals(const Settings& settings, const Summary& summary) {
     if (total.balls == 0) continue;
     if (total.wrong == 0)
       text += fmt::format(
-          "{}: none of {} answers about {} polygons was wrong: at most {:.2g} of such polygons (95 %).\n",
+          "{}: none of {} answers to all five tests about {} polygons was wrong: at most {:.2g} of such polygons (95 "
+          "%).\n",
           settings.methods[m]->name(), total.balls, total.samples, statistics::clopper_pearson(0, total.samples).upper);
     else
-      text += fmt::format("{}: {} of {} answers about {} polygons were wrong.\n", settings.methods[m]->name(),
-                          total.wrong, total.balls, total.samples);
+      text += fmt::format("{}: {} of {} answers to all five tests about {} polygons were wrong.\n",
+                          settings.methods[m]->name(), total.wrong, total.balls, total.samples);
   }
   if (summary.confirmed + summary.disputed > 0)
     text += fmt::format(
@@ -170,8 +171,10 @@ std::string onset_table(const Onset& onset) {
                         k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)),
                         limits_text(onset.failures(1, m, 36), onset.triangles()));
   return text +
-         "Methods that begin with differences of the input lose nothing by its distance from the origin; those that\n"
-         "compute a point (ericson-absolute) or a plane's offset (thesis) there lose what the coordinates have lost.\n";
+         "About a triangle, whose plane its vertices are never off, methods that begin with differences of the input "
+         "lose\n"
+         "nothing by its distance from the origin; those that compute a point (ericson-absolute) or a plane's offset\n"
+         "(thesis) there lose what the coordinates have lost. 1e6 sizes: moved by a vector of coordinates up to 2e6.\n";
 }
 
 std::string contraction_table(const std::vector<ContractionCount>& counts) {

@@ -117,8 +117,7 @@ FootPlace foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygo
     const Scalar side = start_u * edge.direction[v] - start_v * edge.direction[u];
     if (side == 0) {  // a rounded zero is all that doubles can see of the boundary
       const Scalar along = -(start_u * edge.direction[u] + start_v * edge.direction[v]);
-      const Scalar length =
-          edge.direction[u] * edge.direction[u] + edge.direction[v] * edge.direction[v];
+      const Scalar length = edge.direction[u] * edge.direction[u] + edge.direction[v] * edge.direction[v];
       if (along >= 0 && along <= length) return FootPlace::Boundary;
     }
     if ((upwards && side > 0) || (downwards && side < 0)) inside = !inside;
@@ -272,11 +271,13 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const FootPlace place = detail::foot(height, sphere, polygon);
   const auto nearest = detail::nearest_feature(height, place, sphere, polygon);
   const auto plane = detail::plane_distance(height, polygon);
-  return {.plane = detail::plane_side(height, sphere, polygon),
+  const PlaneSide side = detail::plane_side(height, sphere, polygon);
+  const bool meets_plane = side == PlaneSide::Intersects;
+  return {.plane = side,
           .plane_tangent = detail::relation(plane, sphere.radius_squared) == Relation::Touching,
           .foot = place,
           .edges_hit = edges_hit(ball, polygon),
-          .relation = detail::relation(nearest.distance, sphere.radius_squared),
+          .relation = meets_plane ? detail::relation(nearest.distance, sphere.radius_squared) : Relation::Separate,
           .nearest = nearest.feature,
           .point = detail::to_doubles(detail::closest_point(height, nearest.feature, sphere, polygon)),
           .distance = detail::root(nearest.distance),
