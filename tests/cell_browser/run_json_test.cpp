@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page is told of the cell and of its runs.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "experiments/cell/browser/cell_json.h"
+#include "robust/exact/exact.h"
+#include "tests/cell_browser/aristo.h"
+
+namespace touchstone::cell_browser_tests {
+namespace {
+
+using namespace cell::browser;
+
+TEST(CellJson, HoldsEveryPartWithIndicesInBounds) {
+  const Json cell = cell_json(simulator());
+  ASSERT_EQ(cell["parts"].size(), simulator().parts().size());
+  for (const Json& part : cell["parts"]) {
+    const std::size_t points = part["points"].size() / 3;
+    EXPECT_EQ(part["points"].size() % 3, 0U);
+    for (const Json& corner : part["triangles"]) EXPECT_LT(corner.get<std::size_t>(), points);
+    for (const Json& end : part["outline"]) EXPECT_LT(end.get<std::size_t>(), points);
+    EXPECT_EQ(3 * part["face_ends"].back().get<std::size_t>(), part["triangles"].size());
+  }
+  // A cube: all its edges are outlines, and each of its faces is two triangles.
+  const Json& material = cell["parts"].back();
+  EXPECT_EQ(material["points"].size(), 24U);
+  EXPECT_EQ(material["triangles"].size(), 36U);
+  EXPECT_EQ(material["outline"].size(), 24U);
+  EXPECT_EQ(material["face_ends"], Json({2, 4, 6, 8, 10, 12}));
+}
+
+// The sides of a cylinder of 24 meet in 15 degrees, those with its ends in 90.
+TEST(CellJson, OutlinesWhereFacesBend) {
+  const Json cell = cell_json(simulator());
+  for (const Json& part : cell["parts"])
+    if (part["name"] == "Axis6/flange") {
+      EXPECT_EQ(part["outline"].size(), 2 * 48U);
+    }
+}
+
+TEST(CellJson, SaysWhichValuesAreChosen) {
+  const Json labels = cell_json(simulator())["labels"];
+  EXPECT_EQ(labels["storage.angle"], "T");
+  EXPECT_EQ(labels["storage.radius"], "C");
+  EXPECT_EQ(labels["step"], "D");
+}
+
+TEST(RunJson, IsWhatTheProcessSays) {
+  const Recording& run = recording();
+  ASSERT_EQ(run.process.failure, "");
+  const Json json = run_json(run);
+  ASSERT_EQ(json["stops"].size(), run.process.stops.size());
+  ASSERT_EQ(json["moves"].size(), run.process.moves.size());
+  for (std::size_t i = 0; i < run.process.stops.size(); ++i) {
+    const cell::Stop& stop = run.process.stops[i];
+    EXPECT_EQ(json["stops"][i]["commanded"], Json(stop.commanded));
+    EXPECT_EQ(json["stops"][i]["touched"].is_null(), !stop.touched.has_value());
+    EXPECT_EQ(json["stops"][i]["target"].is_null(), !stop.target.has_value());
+  }
+  EXPECT_EQ(json["methods"][0],
+            Json({{"name", "filtered"}, {"asked", run.contest.scores[0].asked}, {"wrong", 0}, {"unsure", 0}}));
+}
+
+// A face that is named by a wrong number would be coloured though the sphere is elsewhere.
+TEST(RunJson, NamesTheFaceThatIsTouched) {
+  const Recording& run = recording();
+  const Json json = run_json(run);
+  const auto& faces = run.parts.back().faces.faces;
+  std::set<std::string> touched_for;
+  for (std::size_t i = 0; i < run.process.stops.size(); ++i) {
+    const Json& stop = json["stops"][i];
+    if (stop["touched"].is_null()) continue;
+    const cell::Stop& at = run.process.stops[i];
+    const Pose& pose = run.places[static_cast<std::size_t>(*at.target)];
+    Loop loop;
+    const Polygon& face = faces[stop["touched"].get<std::size_t>()].polygon;
+    for (std::size_t k = 0; k < face.vertex_count(); ++k)
+      loop.push_back(pose.rotation * face.vertex(k) + pose.translation);
+    EXPECT_LT(exact::answer(at.sphere, Polygon(loop)).distance, at.sphere.radius + 1e-9);
+    touched_for.insert(stop["target"]);
+  }
+  EXPECT_EQ(touched_for, (std::set<std::string>{"storage", "machine"}));
+}
+
+TEST(RunJson, FollowsTheMaterial) {
+  const Recording& run = recording();
+  const Json json = run_json(run);
+  std::string places;
+  for (std::size_t i = 0; i < run.looks.size(); ++i) {
+    const Json& place = json["stops"][i]["place"];
+    const std::string word = place.is_null() ? "gripper" : place.get<std::string>();
+    if (i == 0 || place != json["stops"][i - 1]["place"]) places += word + " ";
+  }
+  EXPECT_EQ(places, "storage gripper machine gripper storage ");
+  // Gripped, it does not jump; it is rigid on the way.
+  for (std::size_t i = 1; i < run.looks.size(); ++i) {
+    if (run.looks[i].place) continue;
+    const Eigen::Vector3d before = run.looks[i - 1].material.translation, after = run.looks[i].material.translation;
+    EXPECT_LT((after - before).norm(), 20) << i;  // a degree at a reach of less than a metre
+    const Eigen::Matrix3d& r = run.looks[i].material.rotation;
+    EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  }
+}
+
+TEST(RunJson, TellsOfAFailureAndOfTheWayUntilThen) {
+  Setting setting = setting_of(aristo());
+  setting.angle = 67;  // where the machine is
+  const Json json = run_json(simulator().run(setting));
+  EXPECT_NE(json["failure"], "");
+  EXPECT_EQ(json["setting"]["storage"]["angle"], 67);
+  EXPECT_EQ(json["labels"]["storage.angle"], "C");
+}
+
+// The stand grows with the height: what is drawn, and what is asked about, is the new one.
+TEST(RunJson, BuildsTheStandAnew) {
+  Setting setting = setting_of(aristo());
+  setting.height = 300;
+  const Recording run = simulator().run(setting);
+  const Json json = run_json(run);
+  double lowest = 0;
+  for (const Json& coordinate : json["stand"]["points"]) lowest = std::min(lowest, coordinate.get<double>());
+  EXPECT_EQ(lowest, -300);
+}
+
+}  // namespace
+}  // namespace touchstone::cell_browser_tests
