@@ -9,7 +9,7 @@ const node = (kind, text, attributes = {}) => {
   return element;
 };
 const digits = (x, most) => String(+x.toFixed(most)).replace("-", "−");
-const signed = (x) => (x > 0 ? "+" : "") + digits(x, 3);
+const signed = (x, most = 3) => (x > 0 ? "+" : "") + digits(x, most);
 
 const PHASES = {
   "to-storage": "to the storage", "to-machine": "to the machine", "withdraw": "withdrawing", "to-piece": "to the milled piece",
@@ -38,9 +38,10 @@ async function main() {
 
   at("name").textContent = cell.name;
   document.title = `${cell.name} · Touchstone`;
-  at("origin").textContent = answers.live
-    ? `${cell.robot.name}. Every answer on this page is one of the program that serves it.`
-    : `${cell.robot.name}. A recorded run: nothing is asked of anybody. \`touchstone cell serve\` lets the storage be moved.`;
+  if (answers.live) at("origin").textContent = `${cell.robot.name}. Every answer on this page is one of the program that serves it.`;
+  else
+    at("origin").append(`${cell.robot.name}. A recorded run: nothing is asked of anybody. `, node("code", "touchstone cell serve"),
+                        " lets the storage be moved.");
 
   // The picture.
   let scene = null;
@@ -66,7 +67,7 @@ async function main() {
     scene.behind = (cell.storage.home + cell.storage.angle + cell.machine.home + cell.machine.angle) / 2 + 180;
     scene.frame(middle, size);
     ball = scene.ball(), rings = scene.rings();
-    floor = scene.floor(1.6 * size, 10 ** Math.floor(Math.log10(size)) / 4);
+    floor = scene.floor(1.6 * size, niceStep(size / 6));
   }
   let colours = readColours();
 
@@ -128,10 +129,10 @@ async function main() {
     if (look.virtual && !look.puts)
       things.push({mesh: materialMesh, pose: run.materials[look.target], hollow: true, lines: signal, dash: cell.bounds.longest / 500,
                    highlight: touching ? [look.touched, colours.touching] : null});
-    const size = Math.max(cell.sphere, 0);
-    things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true});
+    const size = cell.sphere;
+    things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
     if (look.errors && look.errors.length) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, lines: colours.wrong});
-    scene.draw(things, colours);
+    scene.draw(things, colours, look.sphere);
   }
 
   // Words.
@@ -183,7 +184,7 @@ async function main() {
     answer.push(["comes for", !look.target ? "nothing" : `the ${look.virtual ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`]);
     if (look.target)
       answer.push(["nearest", `${face(look.nearest)}, ${digits(look.distance, lengthDigits + 2)} ${cell.unit} from its centre; its radius is ${says(cell.sphere)}`]);
-    answer.push(["the material", holding(look).replace(/^The gripper/, "the gripper").replace(/^The material is /, "").replace(/\.$/, "")]);
+    answer.push(["the material", look.place === null ? "is held by the gripper" : look.place === "machine" ? "is at the machine" : "is in the storage"]);
     const move = number > 0 && run ? run.moves[look.move] : null;
     if (move && move.contact)
       answer.push(["this move", `contact begins within ${digits(move.contact.low, 6)}° and ${digits(move.contact.high, 6)}° of it, certified`]);
@@ -248,7 +249,8 @@ async function main() {
       go.addEventListener("click", () => (player.pause(), player.go(end)));
       const first = node("td", "");
       first.append(go);
-      row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), node("td", UNTIL[move.until]));
+      row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), node("td", UNTIL[move.until]),
+                 node("td", `${signed(move.exact, 6)}°`, {class: "number exactly"}));
       return row;
     });
     at("moves").tBodies[0].replaceChildren(...rows);
@@ -469,7 +471,7 @@ async function main() {
       draw();
     });
     for (const button of document.querySelectorAll("[data-look]"))
-      button.addEventListener("click", () => (scene.look(button.dataset.look), draw()));
+      button.addEventListener("click", () => ((button.dataset.look === "near" ? scene.lookNear() : scene.look(button.dataset.look), draw())));
     new ResizeObserver(draw).observe(canvas);
   }
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => (colours = readColours(), draw()));

@@ -46,8 +46,7 @@ class Plan {
     this.far = far;
     svg.setAttribute("viewBox", `${-far} ${-far} ${2 * far} ${2 * far}`);
     svg.replaceChildren();
-    const third = far / 3, round = 10 ** Math.floor(Math.log10(third));
-    const every = round * [5, 2.5, 2, 1].find((k) => k * round <= third);
+    const every = niceStep(far / 3);
     for (let r = every; r < far; r += every) {
       drawn("circle", {class: "ring thin", r}, svg);
       drawn("text", {x: 0.02 * far, y: -r + 0.05 * far, "font-size": 0.06 * far}, svg).textContent =
@@ -133,7 +132,7 @@ class Plan {
     const pose = standing(this.cell.storage.home + angle, radius, 0);
     this.place(this.storage, pose);
     this.aim.setAttribute("x2", pose[3]), this.aim.setAttribute("y2", -pose[7]);
-    const [x, y] = posed(pose, [0.16 * this.far, 0, 0]), inside = 0.84 * this.far;
+    const [x, y] = posed(pose, [0.19 * this.far, 0, 0]), inside = 0.84 * this.far;
     this.put(this.storageName, [Math.max(-inside, Math.min(inside, x)), y]);
     this.handle.setAttribute("aria-valuenow", angle);
     this.handle.setAttribute("aria-valuetext", words);

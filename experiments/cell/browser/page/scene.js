@@ -26,7 +26,7 @@ const LINES = `
   uniform mat4 pose, view; varying float way;
   void main() {
     gl_Position = view * (pose * vec4(at, 1.0));
-    gl_Position.z -= 0.0008 * gl_Position.w;
+    gl_Position.z -= 0.0015 * gl_Position.w;
     way = along;
   }`;
 const LINE_COLOUR = `
@@ -137,17 +137,22 @@ class Scene {
     this.look("front");
   }
   look(from) {
-    [this.azimuth, this.elevation] = {front: [this.behind + 25, 24], side: [this.behind + 70, 5], top: [-90, 89.9]}[from];
-    this.distance = 1;
+    [this.azimuth, this.elevation] = {front: [this.behind - 45, 24], side: [this.behind - 90, 5], top: [-90, 89.9]}[from];
+    this.distance = 1, this.near = false;
+  }
+  /// From where one looks now, but at the sphere.
+  lookNear() {
+    this.near = true, this.distance = 0.16;
   }
   turn(azimuth, elevation) {
     this.azimuth += azimuth;
     this.elevation = Math.max(-10, Math.min(89.9, this.elevation + elevation));
   }
-  approach(factor) { this.distance = Math.max(0.1, Math.min(3, this.distance * factor)); }
+  approach(factor) { this.distance = Math.max(0.05, Math.min(3, this.distance * factor)); }
 
-  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow}]
-  draw(things, colours) {
+  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, through}]; what goes
+  /// through is to be seen, paler, behind others, and so are highlights.
+  draw(things, colours, sphere) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
     if (canvas.width !== width || canvas.height !== height) canvas.width = width, canvas.height = height;
@@ -157,11 +162,12 @@ class Scene {
     gl.enable(gl.DEPTH_TEST);
 
     const aspect = width / Math.max(1, height), angle = 32;
-    const reach = this.size / Math.sin(angle / 2 * Math.PI / 180) / Math.min(1, aspect) * this.distance * 0.86;
+    const reach = this.size / Math.sin(angle / 2 * Math.PI / 180) / Math.min(1, aspect) * this.distance * 0.76;
     const a = this.azimuth * Math.PI / 180, e = this.elevation * Math.PI / 180;
-    const eye = add(this.target, times(reach, [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)]));
-    const view = product(perspective(angle, aspect, Math.max(reach - 2.5 * this.size, this.size / 50), reach + 3 * this.size),
-                         lookingAt(eye, this.target, [0, 0, 1]));
+    const target = this.near ? sphere : this.target;
+    const eye = add(target, times(reach, [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)]));
+    const view = product(perspective(angle, aspect, Math.max(reach - 2.5 * this.size, reach / 30), reach + 3 * this.size),
+                         lookingAt(eye, target, [0, 0, 1]));
     const whole = matrixOf(IDENTITY);
 
     const fill = (thing, colour, lit, first, count) => {
@@ -187,14 +193,22 @@ class Scene {
       fill(thing, [...thing.colour, 1], 1, 0, thing.mesh.corners);
     }
     // Touched faces over themselves.
+    const highlight = (thing, alpha, lit) => {
+      const [face, colour] = thing.highlight, ends = thing.mesh.ends, begin = face > 0 ? ends[face - 1] : 0;
+      fill(thing, [...colour, alpha], lit, 3 * begin, 3 * (ends[face] - begin));
+    };
     gl.depthFunc(gl.LEQUAL);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    for (const thing of things) if (thing.highlight) highlight(thing, thing.hollow ? 0.75 : 1, 0.5);
+    gl.depthFunc(gl.GREATER);
+    gl.depthMask(false);
     for (const thing of things) {
-      if (!thing.highlight) continue;
-      const [face, colour] = thing.highlight, ends = thing.mesh.ends, begin = face > 0 ? ends[face - 1] : 0;
-      fill(thing, [...colour, thing.hollow ? 0.6 : 1], thing.hollow ? 0 : 0.6, 3 * begin, 3 * (ends[face] - begin));
+      if (thing.highlight) highlight(thing, 0.55, 0);
+      if (thing.through) fill(thing, [...thing.colour, 0.45], 0, 0, thing.mesh.corners);
     }
+    gl.depthMask(true);
+    gl.depthFunc(gl.LEQUAL);
     // Each point of the floor is darkened once.
     if (this.elevation > 0) {
       const flat = [1, 0, 0, 0, 0, 1, 0, 0, -light[0] / light[2], -light[1] / light[2], 0, 0, 0, 0, 0.0005 * this.size, 1];

@@ -23,6 +23,12 @@ function standing(degrees, radius, height) {
   return [c, -s, 0, c * radius, s, c, 0, s * radius, 0, 0, 1, height];
 }
 
+/// The largest of 1, 2, 2.5 and 5 times a power of ten that is not above x.
+function niceStep(x) {
+  const round = 10 ** Math.floor(Math.log10(x));
+  return round * [5, 2.5, 2, 1].find((k) => k * round <= x);
+}
+
 function product(a, b) {
   const result = new Array(16).fill(0);
   for (let column = 0; column < 4; ++column)
