@@ -35,7 +35,8 @@ int run(const Options& options) {
   browser::HttpServer server(options.host, options.port,
                              [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
   routes.emplace(simulator, server.loopback());
-  fmt::print("{}: http://{}:{}/ (Ctrl-C ends it)\n", simulator.cell().name, options.host, server.port());
+  const std::string host = options.host.find(':') == std::string::npos ? options.host : "[" + options.host + "]";
+  fmt::print("{}: http://{}:{}/ (Ctrl-C ends it)\n", simulator.cell().name, host, server.port());
   std::fflush(stdout);
   server.run(interrupt.requested());
   return 0;

@@ -71,9 +71,7 @@ TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": -1}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", std::string(65537, ' ')), 413, "a request's body may have 65536 bytes");
-  const Received unreachable = ask(port, "POST", "/api/run", R"({"storage": {"radius": 1500}})");
-  refuses(unreachable, 422, aristo().file.string());
-  EXPECT_NE(unreachable.body.find("storage.radius: out of reach"), std::string::npos);
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1500}})"), 422, "storage.radius: out of reach");
 }
 
 // A page from elsewhere, whose name leads to this machine, sends its own name.

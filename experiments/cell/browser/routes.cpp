@@ -14,6 +14,11 @@ HttpReply refusal(unsigned status, const std::string& reason, std::string allow 
   return {status, kJson, Json{{"error", reason}}.dump(), std::move(allow)};
 }
 
+/// A message that does not begin with what only who started the program need know.
+std::string without(const std::string& prefix, const std::string& message) {
+  return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
+}
+
 bool is_this_machine(const std::string& host) {
   return host == "localhost" || host == "[::1]" || host.rfind("127.", 0) == 0;
 }
@@ -44,7 +49,7 @@ HttpReply Routes::run(const HttpRequest& request) const {
   } catch (const BadSetting& error) {
     return refusal(400, error.what());
   } catch (const BadCell& error) {
-    return refusal(422, error.what());
+    return refusal(422, without(simulator_->cell().file.string() + ": ", error.what()));
   }
 }
 

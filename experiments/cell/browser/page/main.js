@@ -144,17 +144,19 @@ async function main() {
     const before = move && run.stops[run.stops.findIndex((s, i) => i > 0 && s.move === look.move) - 1];
     const where = number === 0 ? "home" : !move ? "a move that did not come out"
       : `${PHASES[move.phase]}, ${move.joint} ${signed(look.commanded[joint] - before.commanded[joint])}° of ${signed(move.degrees)}°`;
-    return `Stop ${number} of ${run.stops.length - 1}: ${where}. ${verdict(look)} ${holding(look)}`;
+    const wrong = [...new Set(look.errors.flatMap(({methods}) => methods))];
+    const errs = wrong.length ? ` Wrong here: ${wrong.join(", ")}.` : "";
+    return `Stop ${number} of ${run.stops.length - 1}: ${where}. ${verdict(look)} ${holding(look)}${errs}`;
   }
   function verdict(look) {
     if (!look.target) return "The sphere touches nothing.";
-    const what = `${look.virtual && !look.puts ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`;
+    const what = `${look.virtual ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`;
     if (look.touched !== null) return `The sphere touches ${face(look.touched)} of the ${what}.`;
     return `The sphere touches nothing; nearest is ${face(look.nearest)} of the ${what}.`;
   }
   function holding(look) {
     if (look.grips) return "The gripper takes the material.";
-    if (look.puts) return "The gripper lets the material go.";
+    if (look.puts) return "The gripper puts the material there.";
     return look.place === null ? "The gripper holds the material."
       : look.place === "machine" ? "The material is at the machine." : "The material is in the storage.";
   }
@@ -202,7 +204,7 @@ async function main() {
   function showDisagreements(look) {
     const list = run ? run.disagreements : [], here = look.errors || [];
     const parts = here.map((d) =>
-      node("p", `Here ${d.methods.join(", ")} ${d.methods.length > 1 ? "err" : "errs"} on face ${d.face} of ${d.owner}.`, {class: "verdict wrong"}));
+      node("p", `Wrong here: ${d.methods.join(", ")}, on face ${d.face} of ${d.owner}.`, {class: "verdict wrong"}));
     if (run) {
       const where = new Set(list.map((d) => d.stop)).size;
       const asked = run.methods.reduce((sum, method) => sum + method.asked, 0).toLocaleString("en");
