@@ -253,9 +253,11 @@ def check_configuration(page, address):
 
     page.script("document.querySelector('#plan .handle').focus()")
     angle = page.script("return +document.getElementById('angle').value")
-    page.keys(Keys.ARROW_LEFT)
+    page.keys(Keys.ARROW_LEFT, Keys.ARROW_LEFT, Keys.ARROW_LEFT)
     page.settled()
-    expect(page.script("return +document.getElementById('angle').value") == angle + 1, "an arrow key does not turn the storage")
+    expect(page.script("return +document.getElementById('angle').value") == angle + 3, "arrow keys do not turn the storage")
+    run = ask(address, {"storage": dict(setting["storage"], angle=angle + 3)})
+    expect(page.stop() == (0, len(run["stops"]) - 1), "of several questions, the last is not the one answered")
 
     page.find("#reset").click()
     page.settled()
@@ -313,6 +315,26 @@ def check_phone(page):
         box = page.find(selector).rect
         expect(box["x"] >= 0 and box["x"] + box["width"] <= 390, f"{selector} is out of the window: {box}")
         expect(box["height"] >= 24, f"{selector} is too low for a finger: {box}")
+
+
+def check_touch(page):
+    """A finger drags the storage, and the page stays where it is."""
+    page.script("document.getElementById('plan').scrollIntoView({block: 'center'})")
+    box = page.script("const b = document.querySelector('#plan .handle .grip').getBoundingClientRect();"
+                      "return [b.x + b.width / 2, b.y + b.height / 2]")
+    angle = "return document.getElementById('angle').value"
+    place = "return document.getElementById('plan').getBoundingClientRect().y"
+    before, places = page.script(angle), []
+    page.cdp("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": box[0], "y": box[1]}])
+    for i in range(1, 9):
+        page.cdp("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": box[0] - i, "y": box[1] - 4 * i}])
+        places.append(page.script(place))
+    page.cdp("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    page.settled()
+    expect(page.script(angle) != before, "a finger does not drag the storage")
+    expect(places[-1] == places[1], f"dragging the storage scrolls the page: {places}")
+    page.find("#reset").click()
+    page.settled()
 
 
 def check_calm(page):
@@ -394,6 +416,7 @@ def main(touchstone, pictures=None):
             page.go(300)
             page.picture("phone")
             check_phone(page)
+            check_touch(page)
             done.append("phone")
         with Page(pictures, prefers_color_scheme="dark") as page:
             page.open(address)

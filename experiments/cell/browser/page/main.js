@@ -119,7 +119,7 @@ async function main() {
     at("plan").plan.show(look.links, look.sphere, look.material, touching);
     if (!scene) return;
     const signal = touching ? colours.touching : colours.free;
-    const things = [{mesh: floor, pose: IDENTITY, hollow: true, lines: colours.floor}];
+    const things = [{mesh: floor, pose: IDENTITY, hollow: true, flat: true, lines: colours.floor}];
     for (const {part, mesh} of meshes) {
       const material = part.carrier === "material";
       things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: colours.edge,
@@ -164,9 +164,12 @@ async function main() {
   function announce(text) {
     if (text !== said) at("live").textContent = said = text;
   }
-  function complain(text) {
+  /// One reason a line: the program parts them by semicolons.
+  function complain(text, reasons = "") {
     at("failure").hidden = !text;
-    at("failure").textContent = text || "";
+    const list = node("ul", "");
+    if (reasons) list.append(...reasons.split("; ").map((reason) => node("li", reason)));
+    at("failure").replaceChildren(text || "", ...(reasons ? [list] : []));
   }
 
   function show(number) {
@@ -189,7 +192,7 @@ async function main() {
     answer.push(["the material", look.place === null ? "is held by the gripper" : look.place === "machine" ? "is at the machine" : "is in the storage"]);
     const move = number > 0 && run ? run.moves[look.move] : null;
     if (move && move.contact)
-      answer.push(["this move", `contact begins within ${digits(move.contact.low, 6)}° and ${digits(move.contact.high, 6)}° of it, certified`]);
+      answer.push(["this move", `the sphere begins to touch after ${digits(move.contact.low, 9)}°, certified to ${(move.contact.high - move.contact.low).toExponential(0)}°`]);
     at("answer").replaceChildren(...answer.flatMap(([term, value]) => {
       const dd = node("dd", "");
       dd.append(value);
@@ -326,7 +329,7 @@ async function main() {
 
   // The setting.
   const fields = {
-    angle: {least: -180, most: 180, step: 1, says: (x) => `${digits(x, 2)}°`},
+    angle: {least: Math.min(-180, cell.setting.storage.angle), most: Math.max(180, cell.setting.storage.angle), step: 1, says: (x) => `${digits(x, 2)}°`},
     radius: {least: cell.bounds.longest / 40, most: cell.bounds.longest / 4 * 1.2, step: length, says},
     height: {least: 0, most: cell.bounds.longest / 4 * 1.2, step: length, says},
   };
@@ -389,32 +392,34 @@ async function main() {
     at("status").textContent = "The storage is being moved; the program is asked when it is let go.";
   }
 
+  /// One question at a time; of those that come meanwhile, the last one next.
   async function ask() {
-    const number = ++wanted;
     showSetting();
-    at("asked").textContent = answers.live ? "The program runs the process …" : "";
+    ++wanted;
+    if (document.body.hasAttribute("aria-busy")) return;
     document.body.setAttribute("aria-busy", "true");
-    try {
-      const answer = await answers.run(setting);
-      if (number !== wanted) return;
-      take(answer);
-    } catch (refused) {
-      if (number !== wanted) return;
-      if (!(refused instanceof Refused)) throw refused;
-      run = null, shown = null, player.count = 0;
-      usable(false);
-      show(0);
-      at("moves").tBodies[0].replaceChildren(), at("phases").replaceChildren();
-      at("status").textContent = "There is no run. The arm is shown at home.";
-      announce("");
-      complain(`This cell cannot be run. ${refused.message}`);
-    } finally {
-      if (number === wanted) at("asked").textContent = "", document.body.removeAttribute("aria-busy");
+    at("asked").textContent = answers.live ? "The program runs the process …" : "";
+    for (let asked = 0; asked !== wanted;) {
+      asked = wanted;
+      const heard = await answers.run(setting).then((answer) => () => take(answer), (refused) => () => refuse(refused));
+      if (asked === wanted) heard();
     }
+    at("asked").textContent = "";
+    document.body.removeAttribute("aria-busy");
+  }
+  function refuse(refused) {
+    if (!(refused instanceof Refused)) throw refused;
+    run = null, shown = null, player.count = 0;
+    usable(false);
+    show(0);
+    at("moves").tBodies[0].replaceChildren(), at("phases").replaceChildren();
+    at("status").textContent = "There is no run. The arm is shown at home.";
+    announce("");
+    complain("This cell cannot be run:", refused.message);
   }
   function take(answer) {
     run = answer;
-    complain(run.failure && `The process does not come out; it ends after stop ${run.stops.length - 1}. ${run.failure}`);
+    complain(run.failure && `The process does not come out; it ends after stop ${run.stops.length - 1}:`, run.failure);
     if (scene && run.stand) {
       const stand = meshes.find(({part}) => part.name === run.stand.name);
       scene.forget(stand.mesh);

@@ -23,10 +23,10 @@ const FACE_COLOUR = `
   }`;
 const LINES = `
   attribute vec3 at; attribute float along;
-  uniform mat4 pose, view; varying float way;
+  uniform mat4 pose, view; uniform vec3 eye; uniform float lift; varying float way;
   void main() {
-    gl_Position = view * (pose * vec4(at, 1.0));
-    gl_Position.z -= 0.0015 * gl_Position.w;
+    vec4 there = pose * vec4(at, 1.0);
+    gl_Position = view * vec4(mix(there.xyz, eye, lift), 1.0);  // before the faces that meet there
     way = along;
   }`;
 const LINE_COLOUR = `
@@ -44,7 +44,7 @@ class Scene {
     if (!gl) throw new Error("no WebGL");
     this.gl = gl;
     this.faces = this.program(FACES, FACE_COLOUR, ["pose", "view", "shadow", "eye", "sun", "colour", "lit"]);
-    this.lines = this.program(LINES, LINE_COLOUR, ["pose", "view", "colour", "dash"]);
+    this.lines = this.program(LINES, LINE_COLOUR, ["pose", "view", "eye", "lift", "colour", "dash"]);
     this.target = [0, 0, 0], this.size = 1;
     this.behind = 0;  // degrees: where one sees the stations from, across the robot
     this.look("front");
@@ -150,7 +150,7 @@ class Scene {
   }
   approach(factor) { this.distance = Math.max(0.05, Math.min(3, this.distance * factor)); }
 
-  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, through}]; what goes
+  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}]; what goes
   /// through is to be seen, paler, behind others, and so are highlights.
   draw(things, colours, sphere) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(2, window.devicePixelRatio || 1);
@@ -225,6 +225,7 @@ class Scene {
 
     gl.useProgram(this.lines.program);
     gl.uniformMatrix4fv(this.lines.view, false, view);
+    gl.uniform3f(this.lines.eye, ...eye);
     for (const thing of things) {
       if (!thing.lines) continue;
       gl.bindBuffer(gl.ARRAY_BUFFER, thing.mesh.lines);
@@ -236,6 +237,7 @@ class Scene {
       gl.uniformMatrix4fv(this.lines.pose, false, matrixOf(thing.pose));
       gl.uniform4f(this.lines.colour, ...thing.lines, 1);
       gl.uniform1f(this.lines.dash, thing.dash || 0);
+      gl.uniform1f(this.lines.lift, thing.flat ? 0 : 0.002);
       gl.drawArrays(gl.LINES, 0, thing.mesh.line_ends);
     }
   }
