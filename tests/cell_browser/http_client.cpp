@@ -2,6 +2,8 @@
 #include "tests/cell_browser/http_client.h"
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 
@@ -55,6 +57,15 @@ Received send_raw(std::uint16_t port, const std::string& bytes) {
   boost::system::error_code ignored;
   asio::write(connection.stream, asio::buffer(bytes), ignored);
   return connection.receive();
+}
+
+std::string read_all(std::uint16_t port, const std::string& bytes) {
+  Connection connection(port);
+  asio::write(connection.stream, asio::buffer(bytes));
+  std::string all;
+  boost::system::error_code end;
+  asio::read(connection.stream, asio::dynamic_buffer(all), end);
+  return all;
 }
 
 }  // namespace touchstone::cell_browser_tests

@@ -19,4 +19,7 @@ struct Received {
 /// Sends these bytes, and nothing more, and reads a reply.
 [[nodiscard]] Received send_raw(std::uint16_t port, const std::string& bytes);
 
+/// Sends these bytes, and reads until the server closes.
+[[nodiscard]] std::string read_all(std::uint16_t port, const std::string& bytes);
+
 }  // namespace touchstone::cell_browser_tests

@@ -38,6 +38,16 @@ TEST_F(Server, HandsOverMethodPathHostAndBody) {
   EXPECT_EQ(ask(serving.port(), "BREW", "/").body, "BREW / localhost ");
 }
 
+// On the same connection, a body after the first reply would be taken for the second one.
+TEST_F(Server, SendsNoBodyToHead) {
+  const std::string bytes = read_all(serving.port(),
+                                     "HEAD / HTTP/1.1\r\nHost: localhost\r\n\r\n"
+                                     "GET /second HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+  const std::size_t end = bytes.find("\r\n\r\n");
+  EXPECT_EQ(bytes.rfind("HTTP/1.1 200 OK\r\n", 0), 0U) << bytes;
+  EXPECT_EQ(bytes.compare(end + 4, 17, "HTTP/1.1 200 OK\r\n"), 0) << bytes;
+}
+
 TEST_F(Server, RefusesABodyOfOneByteTooMany) {
   EXPECT_EQ(ask(serving.port(), "POST", "/", std::string(1000, 'x')).status, 200U);
   const Received refused = ask(serving.port(), "POST", "/", std::string(1001, 'x'));

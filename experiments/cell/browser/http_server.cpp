@@ -85,6 +85,7 @@ class Session : public std::enable_shared_from_this<Session> {
     }
     const auto& message = parser_->get();
     const std::string_view target = view(message.target());
+    head_ = message.method() == http::verb::head;
     write(answer({.method = std::string(view(message.method_string())),
                   .path = std::string(target.substr(0, target.find('?'))),
                   .host = without_port(view(message[http::field::host])),
@@ -110,6 +111,7 @@ class Session : public std::enable_shared_from_this<Session> {
     reply_->body() = std::move(reply.body);
     reply_->keep_alive(keep_alive);
     reply_->prepare_payload();
+    if (head_) reply_->body().clear();  // its length is told, but it is not sent
     stream_.expires_after(shared_->limits.patience);
     http::async_write(stream_, *reply_, [self = shared_from_this(), keep_alive](error_code error, std::size_t) {
       if (error) return;
@@ -133,6 +135,7 @@ class Session : public std::enable_shared_from_this<Session> {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> reply_;
+  bool head_ = false;
   std::array<char, 4096> drained_{};
   std::size_t drained_count_ = 0;
 };
