@@ -116,13 +116,23 @@ TEST(RunJson, FollowsTheMaterial) {
     if (i == 0 || place != json["stops"][i - 1]["place"]) places += word + " ";
   }
   EXPECT_EQ(places, "storage gripper machine gripper storage ");
-  // Gripped, it does not jump; it is rigid on the way.
-  for (std::size_t i = 1; i < run.looks.size(); ++i) {
-    if (run.looks[i].place) continue;
-    const Eigen::Vector3d before = run.looks[i - 1].material.translation, after = run.looks[i].material.translation;
-    EXPECT_LT((after - before).norm(), 20) << i;  // a degree at a reach of less than a metre
-    const Eigen::Matrix3d& r = run.looks[i].material.rotation;
-    EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  // From the stop on at which it is gripped, where it lay, it is fixed to the flange.
+  const auto in_flange = [&](std::size_t i) -> Eigen::Vector3d {
+    const Pose& flange = run.looks[i].links.back();
+    return flange.rotation.transpose() * (run.looks[i].material.translation - flange.translation);
+  };
+  Eigen::Vector3d held = Eigen::Vector3d::Zero();
+  std::size_t last = 0;
+  for (const cell::Custody& custody : run.process.custody) {
+    EXPECT_EQ(run.looks[custody.stop].place, custody.place);
+    if (custody.place) {
+      for (std::size_t i = last; i < custody.stop; ++i) EXPECT_LT((in_flange(i) - held).norm(), 1e-9) << i;
+      last = custody.stop;
+      continue;
+    }
+    const Pose& before = run.looks[custody.stop - 1].material;
+    EXPECT_LT((run.looks[custody.stop].material.translation - before.translation).norm(), 1e-9);
+    held = in_flange(last = custody.stop);
   }
 }
 

@@ -27,7 +27,7 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::uint32_t kMostHead = 8 * 1024;
 constexpr int kMostConnections = 64, kThreads = 4;
-constexpr std::size_t kMostDrained = 16 * 1024 * 1024;
+constexpr std::size_t kMostDrained = std::size_t{16} * 1024 * 1024;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 

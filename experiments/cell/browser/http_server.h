@@ -35,7 +35,7 @@ class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;
   struct Limits {
-    std::size_t most_body = 64 * 1024;
+    std::size_t most_body = std::size_t{64} * 1024;
     std::chrono::milliseconds patience = std::chrono::seconds(10);
   };
 

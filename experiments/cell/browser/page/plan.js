@@ -140,7 +140,10 @@ class Plan {
   }
 
   show(links, sphere, material, touching) {
-    this.arm.setAttribute("points", flat([...links.map((p) => [p[3], p[7]]), sphere]));
+    const way = [];
+    for (const [x, y] of [...links.map((p) => [p[3], p[7]]), sphere])
+      if (!way.length || Math.hypot(x - way.at(-1)[0], y - way.at(-1)[1]) > 0.02 * this.far) way.push([x, y]);
+    this.arm.setAttribute("points", flat(way));
     this.ball.setAttribute("cx", sphere[0]), this.ball.setAttribute("cy", -sphere[1]);
     this.ball.setAttribute("class", touching ? "ball touching" : "ball free");
     this.material.toggleAttribute("hidden", !material);
