@@ -272,7 +272,7 @@ def check_configuration(page, address):
     expect(page.find("#failure").is_displayed() and page.stop(), "a process that fails is not shown")
     page.picture("failing")
     page.slide("radius", 980)
-    expect("out of reach" in page.text("failure"), f"too far: {page.text('failure')!r}")
+    expect("storage.radius: " in page.text("failure"), f"too far: {page.text('failure')!r}")
     expect(page.find("#failure").is_displayed(), "the reason is hidden")
     expect(page.script("return document.getElementById('run').disabled"), "what cannot be can be run")
     page.picture("too-far")
