@@ -15,6 +15,8 @@ void add_cell(CLI::App& app, int& status) {
   cell::add_missed(*command, status);
   cell::add_run(*command, status);
   cell::add_area(*command, status);
+  cell::add_serve(*command, status);
+  cell::add_export(*command, status);
 }
 
 }  // namespace touchstone::commands

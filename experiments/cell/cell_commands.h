@@ -14,5 +14,7 @@ void add_layout(CLI::App& cell, int& status);
 void add_missed(CLI::App& cell, int& status);
 void add_run(CLI::App& cell, int& status);
 void add_area(CLI::App& cell, int& status);
+void add_serve(CLI::App& cell, int& status);
+void add_export(CLI::App& cell, int& status);
 
 }  // namespace touchstone::cell

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/browser/cell_json.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "experiments/cell/browser/drawing.h"
+#include "experiments/cell/simulation/arm.h"
+
+namespace touchstone::cell::browser {
+namespace {
+
+/// For pictures: the shortest number that is read as the nearest float.
+double drawn(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), static_cast<float>(value)).ptr;
+  double result = 0;
+  std::from_chars(text.begin(), end, result);
+  return result;
+}
+
+Json drawn(const Eigen::Vector3d& at) { return {drawn(at.x()), drawn(at.y()), drawn(at.z())}; }
+
+Json part_json(const ModelPart& part) {
+  const Drawing drawing = drawing_of(part.faces);
+  Json points = Json::array(), triangles = Json::array(), outline = Json::array();
+  for (const Eigen::Vector3d& point : drawing.points)
+    for (const double coordinate : point) points.push_back(drawn(coordinate));
+  for (const auto& triangle : drawing.triangles)
+    for (const std::uint32_t corner : triangle) triangles.push_back(corner);
+  for (const auto& edge : drawing.outline)
+    for (const std::uint32_t end : edge) outline.push_back(end);
+  return {{"name", part.name},
+          {"carrier", word(part.carrier)},
+          {"link", part.link},
+          {"points", std::move(points)},
+          {"triangles", std::move(triangles)},
+          {"face_ends", drawing.face_ends},
+          {"outline", std::move(outline)}};
+}
+
+/// Where a face looks, in the frame of the material.
+std::string side_of(const Polygon& face) {
+  double area = 0, up = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < face.loop_end(0); ++i) sum += face.vertex(i).cross(face.vertex(face.next(i)));
+  area = sum.norm(), up = sum.z();
+  return up > 0.9 * area ? "top" : up < -0.9 * area ? "underside" : "side";
+}
+
+Json station_json(const Station& station) {
+  return {{"home", station.home}, {"angle", station.angle}, {"radius", station.radius}, {"height", station.height}};
+}
+
+Json setting_json(const Cell& cell) {
+  const Setting setting = setting_of(cell);
+  return {{"storage", {{"angle", setting.angle}, {"radius", setting.radius}, {"height", setting.height}}},
+          {"slot", cell.storage.slots[setting.slot].name},
+          {"step", setting.step}};
+}
+
+Json labels_json(const Cell& cell) {
+  Json labels;
+  for (const char* path : {"storage.angle", "storage.radius", "storage.height", "step", "clearance", "machine.angle",
+                           "machine.radius", "machine.height", "gripper.sphere.radius"})
+    labels[path] = std::string(1, static_cast<char>(cell.label(path)));
+  return labels;
+}
+
+const ModelPart& material_of(const std::vector<ModelPart>& parts) { return parts.back(); }
+
+}  // namespace
+
+Json json_of(const Pose& pose) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) rows.push_back(drawn(pose.rotation(i, k)));
+    rows.push_back(drawn(pose.translation[i]));
+  }
+  return rows;
+}
+
+Json cell_json(const Simulator& simulator) {
+  const Cell& cell = simulator.cell();
+  const Arm arm = arm_of(cell);
+  Json joints = Json::array();
+  for (std::size_t i = 0; i < arm.home.size(); ++i) {
+    const kinematics::Joint& joint = arm.chain.joints()[i];
+    joints.push_back({{"name", joint.name}, {"lower", joint.lowest}, {"upper", joint.highest}, {"home", arm.home[i]}});
+  }
+  Json slots = Json::array(), links = Json::array(), parts = Json::array(), sides = Json::array();
+  for (const Slot& slot : cell.storage.slots) slots.push_back({{"name", slot.name}, {"place", drawn(slot.place)}});
+  for (const Pose& pose : arm.link_poses(arm.home)) links.push_back(json_of(pose));
+  for (const ModelPart& part : simulator.parts()) parts.push_back(part_json(part));
+  for (const Face& face : material_of(simulator.parts()).faces.faces) sides.push_back(side_of(face.polygon));
+  return {{"name", cell.name},
+          {"unit", cell.unit.name},
+          {"clearance", cell.clearance},
+          {"sphere", cell.gripper.sphere.radius},
+          {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
+          {"setting", setting_json(cell)},
+          {"labels", labels_json(cell)},
+          {"bounds",
+           {{"longest", longest(cell)},
+            {"most_degrees", kMostDegrees},
+            {"least_step", kLeastStep},
+            {"most_step", kMostStep}}},
+          {"slots", std::move(slots)},
+          {"storage", station_json(cell.storage)},
+          {"machine", station_json(cell.machine)},
+          {"links", std::move(links)},
+          {"home_sphere", drawn(arm.sphere_at(arm.home).center)},
+          {"material_faces", std::move(sides)},
+          {"parts", std::move(parts)}};
+}
+
+Json run_json(const Recording& recording) {
+  const Process& process = recording.process;
+  const Arm arm = arm_of(recording.cell);
+  const auto numbers = scene_faces(material_of(recording.parts).faces).numbers;
+
+  Json moves = Json::array();
+  for (const Move& move : process.moves) {
+    Json contact;
+    if (move.contact)
+      contact = {{"low", move.contact->low}, {"high", move.contact->high}, {"kind", word(move.contact->kind)}};
+    moves.push_back({{"phase", word(move.phase)},
+                     {"joint", arm.chain.joints()[move.joint].name},
+                     {"until", word(move.until)},
+                     {"degrees", move.degrees},
+                     {"exact", move.exact},
+                     {"contact", std::move(contact)}});
+  }
+
+  Json stops = Json::array();
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    const Stop& stop = process.stops[i];
+    const Look& look = recording.looks[i];
+    Json links = Json::array();
+    for (const Pose& pose : look.links) links.push_back(json_of(pose));
+    const auto place = [](const std::optional<Place>& p) { return p ? Json(word(*p)) : Json(); };
+    stops.push_back({{"move", stop.move},
+                     {"commanded", stop.commanded},
+                     {"links", std::move(links)},
+                     {"sphere", drawn(stop.sphere.center)},
+                     {"material", json_of(look.material)},
+                     {"place", place(look.place)},
+                     {"target", place(stop.target)},
+                     {"nearest", look.nearest ? Json(numbers[look.nearest->face.face]) : Json()},
+                     {"distance", look.nearest ? Json(look.nearest->distance) : Json()},
+                     {"touched", stop.touched ? Json(numbers[*stop.touched]) : Json()}});
+  }
+
+  Json methods = Json::array(), disagreements = Json::array();
+  for (const Score& score : recording.contest.scores)
+    methods.push_back({{"name", score.method->name()},
+                       {"asked", score.asked},
+                       {"wrong", score.wrong_hits + score.wrong_misses},
+                       {"unsure", score.unsure}});
+  for (const Disagreement& d : recording.contest.disagreements)
+    disagreements.push_back({{"stop", d.stop},
+                             {"owner", d.owner},
+                             {"face", d.owner == "material" ? numbers[d.face] : d.face},
+                             {"methods", d.methods}});
+
+  Json stand;
+  for (const ModelPart& part : recording.parts)
+    if (part.name == "storage/stand") stand = part_json(part);
+  return {
+      {"setting", setting_json(recording.cell)},
+      {"labels", labels_json(recording.cell)},
+      {"failure", process.failure},
+      {"balls", process.balls},
+      {"stations",
+       {{"storage", json_of(pose_of(recording.cell.storage))}, {"machine", json_of(pose_of(recording.cell.machine))}}},
+      {"materials", {{"storage", json_of(recording.places[0])}, {"machine", json_of(recording.places[1])}}},
+      {"stand", std::move(stand)},
+      {"moves", std::move(moves)},
+      {"stops", std::move(stops)},
+      {"methods", std::move(methods)},
+      {"disagreements", std::move(disagreements)}};
+}
+
+}  // namespace touchstone::cell::browser

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "experiments/cell/browser/recording.h"
+
+namespace touchstone::cell::browser {
+
+using Json = nlohmann::ordered_json;
+
+/// A pose as the twelve numbers of its upper rows, [R t], row by row. Coordinates that are drawn are nearest floats.
+[[nodiscard]] Json json_of(const Pose& pose);
+
+/// What the page shows of a cell, whatever the run:
+///   name, unit, clearance; sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn;
+///   setting: as read_setting takes it; labels: {path: "T", "S", "D" or "C"} of it;
+///   bounds: {longest, most_degrees, least_step, most_step}; slots: [{name, place}];
+///   storage, machine: {home, angle, radius, height}; links, home_sphere: where they stand at home;
+///   material_faces: where they look, in words: `top`, `underside`, `side`;
+///   parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in Drawing, in flat arrays.
+[[nodiscard]] Json cell_json(const Simulator& simulator);
+
+/// What the page shows of a run:
+///   setting, labels; failure: text, empty where it came out; balls: asked of the obstacles;
+///   stations: {storage, machine}: poses; materials: {storage, machine}: poses; stand: the part `storage/stand`, or
+///   null; moves: [{phase, joint, until, degrees, exact, contact: null or {low, high, kind}}]; stops: [{move,
+///   commanded, links, sphere, material, place, target, nearest, distance, touched}]: the number of the move; poses;
+///   place is null where the gripper has the material, target where the sphere comes for nothing; then so is nearest,
+///   the face of the target that is nearest to the sphere's centre, at that distance from it; disagreements: [{stop,
+///   owner, face, methods}].
+/// Faces are numbers of SolidFaces::faces of the material.
+[[nodiscard]] Json run_json(const Recording& recording);
+
+}  // namespace touchstone::cell::browser

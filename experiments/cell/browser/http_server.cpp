@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cell/browser/http_server.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace touchstone::cell::browser {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using boost::system::error_code;
+using Tcp = asio::ip::tcp;
+
+constexpr std::uint32_t kMostHead = 8 * 1024;
+constexpr int kMostConnections = 64, kThreads = 4;
+constexpr std::size_t kMostDrained = std::size_t{16} * 1024 * 1024;
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+/// Of `localhost:8080`, `[::1]:8080`, `127.0.0.1`.
+std::string without_port(std::string_view host) {
+  if (!host.empty() && host.front() == '[') return std::string(host.substr(0, host.find(']') + 1));
+  return std::string(host.substr(0, host.find(':')));
+}
+
+HttpReply refusal(unsigned status, const std::string& reason) {
+  return {status, "application/json", nlohmann::json{{"error", reason}}.dump(), ""};
+}
+
+/// What to answer to something that could not be read; none where nobody waits for an answer.
+std::optional<HttpReply> refusal(const error_code& error, const HttpServer::Limits& limits) {
+  if (error == http::error::body_limit)
+    return refusal(413, fmt::format("a request's body may have {} bytes", limits.most_body));
+  if (error == http::error::header_limit)
+    return refusal(431, fmt::format("a request's head may have {} bytes", kMostHead));
+  if (error == http::error::end_of_stream || error.category() != make_error_code(http::error::bad_method).category())
+    return std::nullopt;
+  return refusal(400, "this is not HTTP: " + error.message());
+}
+
+struct Shared {
+  HttpServer::Handler handler;
+  HttpServer::Limits limits;
+  std::atomic<int> connections = 0;
+};
+
+/// One connection: requests one after the other. Keeps itself alive while something is under way.
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  Session(Tcp::socket socket, std::shared_ptr<Shared> shared) : stream_(std::move(socket)), shared_(std::move(shared)) {
+    ++shared_->connections;
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() { --shared_->connections; }
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(kMostHead);
+    parser_->body_limit(shared_->limits.most_body);
+    stream_.expires_after(shared_->limits.patience);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](error_code error, std::size_t) { self->take(error); });
+  }
+
+ private:
+  void take(const error_code& error) {
+    if (error) {
+      if (auto reply = refusal(error, shared_->limits)) write(*std::move(reply), 11, false);
+      return;
+    }
+    const auto& message = parser_->get();
+    const std::string_view target = view(message.target());
+    head_ = message.method() == http::verb::head;
+    write(answer({.method = std::string(view(message.method_string())),
+                  .path = std::string(target.substr(0, target.find('?'))),
+                  .host = without_port(view(message[http::field::host])),
+                  .content_type = std::string(view(message[http::field::content_type])),
+                  .body = message.body()}),
+          message.version(), message.keep_alive());
+  }
+
+  [[nodiscard]] HttpReply answer(const HttpRequest& request) const {
+    try {
+      return shared_->handler(request);
+    } catch (const std::exception& error) {
+      return refusal(500, error.what());
+    }
+  }
+
+  void write(HttpReply reply, unsigned version, bool keep_alive) {
+    reply_.emplace(static_cast<http::status>(reply.status), version);
+    reply_->set(http::field::content_type, reply.content_type);
+    reply_->set(http::field::cache_control, "no-store");
+    reply_->set("X-Content-Type-Options", "nosniff");
+    if (!reply.allow.empty()) reply_->set(http::field::allow, reply.allow);
+    reply_->body() = std::move(reply.body);
+    reply_->keep_alive(keep_alive);
+    reply_->prepare_payload();
+    if (head_) reply_->body().clear();  // its length is told, but it is not sent
+    stream_.expires_after(shared_->limits.patience);
+    http::async_write(stream_, *reply_, [self = shared_from_this(), keep_alive](error_code error, std::size_t) {
+      if (error) return;
+      if (keep_alive) return self->read();
+      error_code ignored;
+      self->stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+      self->drain();
+    });
+  }
+
+  /// Takes what is still being sent, for a while: closed at once, the reply would be lost with it.
+  void drain() {
+    stream_.async_read_some(asio::buffer(drained_), [self = shared_from_this()](error_code error, std::size_t count) {
+      if (error || (self->drained_count_ += count) > kMostDrained) return;
+      self->drain();
+    });
+  }
+
+  beast::tcp_stream stream_;
+  std::shared_ptr<Shared> shared_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  std::optional<http::response<http::string_body>> reply_;
+  bool head_ = false;
+  std::array<char, 4096> drained_{};
+  std::size_t drained_count_ = 0;
+};
+
+}  // namespace
+
+struct HttpServer::State {
+  asio::io_context context;
+  Tcp::acceptor acceptor{context};
+  asio::steady_timer clock{context};
+  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
+
+  void accept() {
+    acceptor.async_accept(asio::make_strand(context), [this](error_code error, Tcp::socket socket) {
+      if (!error && shared->connections < kMostConnections)
+        std::make_shared<Session>(std::move(socket), shared)->read();
+      accept();
+    });
+  }
+
+  void watch(const std::atomic<bool>& stop) {
+    if (stop) return context.stop();
+    clock.expires_after(std::chrono::milliseconds(100));
+    clock.async_wait([this, &stop](error_code) { watch(stop); });
+  }
+};
+
+HttpServer::HttpServer(const std::string& host, std::uint16_t port, Handler handler, const Limits& limits)
+    : state_(std::make_unique<State>()) {
+  state_->shared->handler = std::move(handler);
+  state_->shared->limits = limits;
+  try {
+    const auto found = Tcp::resolver(state_->context).resolve(host, std::to_string(port));
+    const Tcp::endpoint endpoint = found.begin()->endpoint();
+    state_->acceptor.open(endpoint.protocol());
+    state_->acceptor.set_option(asio::socket_base::reuse_address(true));
+    state_->acceptor.bind(endpoint);
+    state_->acceptor.listen();
+  } catch (const boost::system::system_error& error) {
+    throw std::runtime_error(fmt::format("cannot listen at {}, port {}: {}", host, port, error.code().message()));
+  }
+}
+
+HttpServer::~HttpServer() = default;
+
+std::uint16_t HttpServer::port() const { return state_->acceptor.local_endpoint().port(); }
+
+bool HttpServer::loopback() const { return state_->acceptor.local_endpoint().address().is_loopback(); }
+
+void HttpServer::run(const std::atomic<bool>& stop) {
+  state_->accept();
+  state_->watch(stop);
+  std::vector<std::jthread> threads;
+  for (int i = 1; i < kThreads; ++i) threads.emplace_back([this] { state_->context.run(); });
+  state_->context.run();
+}
+
+}  // namespace touchstone::cell::browser

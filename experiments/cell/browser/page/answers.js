@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where answers come from: the program that serves the page, or the run that is recorded in it.
+
+/// What the program said instead of an answer.
+class Refused extends Error {}
+
+function answersOf(recorded) {
+  if (recorded) {
+    return {
+      live: false,
+      cell: async () => recorded.cell,
+      run: async () => recorded.run,
+    };
+  }
+  const ask = async (path, options) => {
+    let reply;
+    try {
+      reply = await fetch(path, options);
+    } catch {
+      throw new Refused("the program does not answer; is `touchstone cell serve` still running?");
+    }
+    const answer = await reply.json();
+    if (!reply.ok) throw new Refused(answer.error);
+    return answer;
+  };
+  return {
+    live: true,
+    cell: () => ask("/api/cell"),
+    run: (setting) =>
+      ask("/api/run", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(setting)}),
+  };
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The configuration window: the cell from above, as SVG, x to the right and y up; the storage can be dragged.
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function drawn(kind, attributes = {}, parent = null) {
+  const element = document.createElementNS(SVG, kind);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  if (parent) parent.append(element);
+  return element;
+}
+
+/// Around points of the plan, counter-clockwise.
+function convexHull(points) {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const half = (list) => {
+    const hull = [];
+    for (const p of list) {
+      while (hull.length > 1) {
+        const [a, b] = hull.slice(-2);
+        if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0) break;
+        hull.pop();
+      }
+      hull.push(p);
+    }
+    return hull.slice(0, -1);
+  };
+  return [...half(sorted), ...half(sorted.reverse())];
+}
+const flat = (points) => points.map(([x, y]) => `${x.toFixed(4)},${(-y).toFixed(4)}`).join(" ");
+
+function hullOf(part) {
+  const points = [];
+  for (let i = 0; i < part.points.length; i += 3) points.push([part.points[i], part.points[i + 1]]);
+  return convexHull(points);
+}
+
+class Plan {
+  /// `moved(angle, radius, done)` is told where the storage is dragged to, and when it has come there.
+  constructor(svg, cell, moved) {
+    this.svg = svg, this.cell = cell, this.moved = moved;
+    const station = cell.machine, machinePose = standing(station.home + station.angle, station.radius, 0);
+    const machineParts = cell.parts.filter((p) => p.carrier === "machine").map(hullOf);
+    const corners = machineParts.flat().map((p) => posed(machinePose, [...p, 0]));
+    const far = 1.05 * Math.max(cell.bounds.longest / 4, ...corners.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y))));
+    this.far = far;
+    svg.setAttribute("viewBox", `${-far} ${-far} ${2 * far} ${2 * far}`);
+    svg.replaceChildren();
+    const every = niceStep(far / 3);
+    for (let r = every; r < far; r += every) {
+      drawn("circle", {class: "ring thin", r}, svg);
+      drawn("text", {x: 0.02 * far, y: -r + 0.05 * far, "font-size": 0.06 * far}, svg).textContent =
+        `${+r.toPrecision(3)} ${cell.unit}`;
+    }
+    const place = (element, pose) => element.setAttribute("transform",
+      `matrix(${pose[0]} ${-pose[4]} ${-pose[1]} ${pose[5]} ${pose[3]} ${-pose[7]})`);
+    this.place = place;
+
+    const machine = drawn("g", {class: "machine thin"}, svg);
+    for (const hull of machineParts) drawn("polygon", {points: flat(hull), class: "thin"}, machine);
+    place(machine, machinePose);
+    this.put(this.label("machine", 0.07), posed(machinePose, [0.17 * far, 0, 0]));
+
+    this.aim = drawn("line", {class: "aim", x1: 0, y1: 0}, svg);
+    this.handle = drawn("g", {class: "handle", tabindex: 0, role: "slider", "aria-label": "Storage: angle and radius",
+                              "aria-valuemin": -180, "aria-valuemax": 180}, svg);
+    this.storage = drawn("g", {}, this.handle);
+    const decks = cell.parts.filter((p) => p.carrier === "storage");
+    for (const part of decks) drawn("polygon", {points: flat(hullOf(part)), class: "grip thin"}, this.storage);
+    for (const slot of cell.slots) {
+      const text = drawn("text", {x: slot.place[0], y: -slot.place[1], "font-size": 0.055 * far, "text-anchor": "middle",
+                                  "dominant-baseline": "central"}, this.storage);
+      text.textContent = slot.name;
+    }
+    this.storageName = this.label("storage", 0.07);
+
+    const material = cell.parts.find((p) => p.carrier === "material");
+    this.material = drawn("polygon", {points: flat(hullOf(material)), class: "material thin"}, svg);
+    this.arm = drawn("polyline", {class: "arm", "stroke-width": 0.035 * far}, svg);
+    drawn("circle", {class: "joint thin", r: 0.05 * far}, svg);
+    this.ball = drawn("circle", {class: "ball free", r: Math.max(cell.sphere, 0.018 * far)}, svg);
+    for (const still of [this.material, this.arm, this.ball]) still.setAttribute("pointer-events", "none");
+    this.listen();
+  }
+
+  label(text, size) {
+    const element = drawn("text", {"font-size": size * this.far, "text-anchor": "middle", "dominant-baseline": "central", "pointer-events": "none"}, this.svg);
+    element.textContent = text;
+    return element;
+  }
+
+  put(text, [x, y]) {
+    text.setAttribute("x", x), text.setAttribute("y", -y);
+  }
+
+  listen() {
+    const point = (event) => {
+      const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+      return [p.x, -p.y];
+    };
+    let grabbed = null;
+    this.handle.addEventListener("pointerdown", (event) => {
+      if (this.fixed) return;
+      const [x, y] = point(event);
+      grabbed = {azimuth: Math.atan2(y, x) * 180 / Math.PI - this.angle, radius: Math.hypot(x, y) - this.radius};
+      this.handle.setPointerCapture(event.pointerId);
+      this.handle.focus({preventScroll: true});
+      event.preventDefault();
+    });
+    this.handle.addEventListener("pointermove", (event) => {
+      if (!grabbed) return;
+      const [x, y] = point(event);
+      this.moved(Math.atan2(y, x) * 180 / Math.PI - grabbed.azimuth, Math.hypot(x, y) - grabbed.radius, false);
+    });
+    const end = () => {
+      if (grabbed) grabbed = null, this.moved(this.angle, this.radius, true);
+    };
+    this.handle.addEventListener("pointerup", end);
+    this.handle.addEventListener("pointercancel", end);
+    this.handle.addEventListener("keydown", (event) => {
+      const turn = {ArrowLeft: 1, ArrowRight: -1}[event.key], out = {ArrowUp: 1, ArrowDown: -1}[event.key];
+      if (this.fixed || (!turn && !out)) return;
+      event.preventDefault(), event.stopPropagation();
+      const far = event.shiftKey ? 10 : 1;
+      this.moved(this.angle + far * (turn || 0), this.radius + far * (out || 0) * this.cell.bounds.longest / 1000, true);
+    });
+  }
+
+  /// Where the storage stands.
+  configure(angle, radius, words, fixed) {
+    this.angle = angle, this.radius = radius, this.fixed = fixed;
+    const pose = standing(this.cell.storage.home + angle, radius, 0);
+    this.place(this.storage, pose);
+    this.aim.setAttribute("x2", pose[3]), this.aim.setAttribute("y2", -pose[7]);
+    const [x, y] = posed(pose, [0.19 * this.far, 0, 0]), inside = 0.84 * this.far;
+    this.put(this.storageName, [Math.max(-inside, Math.min(inside, x)), y]);
+    this.handle.setAttribute("aria-valuenow", angle);
+    this.handle.setAttribute("aria-valuetext", words);
+    this.handle.setAttribute("aria-disabled", Boolean(fixed));
+  }
+
+  show(links, sphere, material, touching) {
+    const way = [];
+    for (const [x, y] of [...links.map((p) => [p[3], p[7]]), sphere])
+      if (!way.length || Math.hypot(x - way.at(-1)[0], y - way.at(-1)[1]) > 0.02 * this.far) way.push([x, y]);
+    this.arm.setAttribute("points", flat(way));
+    this.ball.setAttribute("cx", sphere[0]), this.ball.setAttribute("cy", -sphere[1]);
+    this.ball.setAttribute("class", touching ? "ball touching" : "ball free");
+    this.material.toggleAttribute("hidden", !material);
+    this.material.style.display = material ? "" : "none";
+    if (material) this.place(this.material, material);
+  }
+}

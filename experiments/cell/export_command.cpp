@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/cell/browser/cell_json.h"
+#include "experiments/cell/browser/gltf.h"
+#include "experiments/cell/browser/page.h"
+#include "experiments/cell/browser/recording.h"
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/run_options.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/write_file.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  RunOptions run;
+  std::string file;
+  double rate = 25;
+};
+
+int run(const Options& options) {
+  const std::string extension = std::filesystem::path(options.file).extension().string();
+  if (extension != ".html" && extension != ".gltf" && extension != ".glb")
+    throw std::invalid_argument(
+        fmt::format("{}: the extension '{}' is none of .html, .gltf and .glb", options.file, extension));
+  const browser::Simulator simulator = simulator_of(options.run);
+  const browser::Recording recording = simulator.run(browser::setting_of(simulator.cell()));
+  const std::string text = extension == ".html"
+                               ? browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording))
+                           : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
+                                                  : browser::gltf_binary(recording, options.rate);
+  run::write_file(options.file, text);
+  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.looks.size(), text.size(), options.file);
+  if (recording.process.failure.empty()) return 0;
+  fmt::print("not completed: {}\n", recording.process.failure);
+  return 1;
+}
+
+}  // namespace
+
+void add_export(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand("export", "Run the process and write it down as a page or a 3D model");
+  auto options = std::make_shared<Options>();
+  command->add_option("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      ->required();
+  command
+      ->add_option("FILE", options->file,
+                   "What to write: .html, the page of `serve`, which plays the run and needs no other file; .gltf or "
+                   ".glb, the cell with the run as an animation")
+      ->required();
+  command->add_option("--rate", options->rate, "Stops a second of the animation (.gltf, .glb)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_run_options(*command, options->run);
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell

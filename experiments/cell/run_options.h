@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/cell/browser/recording.h"
+
+namespace CLI {
+class App;
+}
+
+namespace touchstone::cell {
+
+/// What `touchstone cell serve` and `export` are told of the cell and of its runs.
+struct RunOptions {
+  std::string file, meshes;
+  std::vector<std::string> changes;
+  std::vector<std::string> methods{"filtered",      "fast",     "fast-float",    "thesis",        "thesis-float",
+                                   "thesis-0.9999", "thesis-1", "thesis-signed", "thesis-newell", "thesis-closed"};
+  double overhang = 8;
+};
+
+/// Adds all but the file. The options must outlive the command.
+void add_run_options(CLI::App& command, RunOptions& options);
+
+/// Reads the cell and builds its model. Throws what read_cell, find_methods and build_model throw.
+[[nodiscard]] browser::Simulator simulator_of(const RunOptions& options);
+
+}  // namespace touchstone::cell

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "experiments/cell/browser/http_server.h"
+#include "experiments/cell/browser/recording.h"
+#include "experiments/cell/browser/routes.h"
+#include "experiments/cell/cell_commands.h"
+#include "experiments/cell/run_options.h"
+#include "experiments/run/interrupt.h"
+#include "experiments/run/processes.h"
+#include "experiments/run/run_record.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct Options {
+  RunOptions run;
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 8080;
+};
+
+int run(const Options& options) {
+  const run::Interrupt interrupt;
+  RunOptions chosen = options.run;
+  if (chosen.file.empty()) chosen.file = (run::source_folder() / "experiments/cell/cells/aristo.json").string();
+  const browser::Simulator simulator = simulator_of(chosen);
+  std::optional<browser::Routes> routes;
+  browser::HttpServer server(options.host, options.port,
+                             [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
+  routes.emplace(simulator, server.loopback());
+  const std::string host = options.host.find(':') == std::string::npos ? options.host : "[" + options.host + "]";
+  fmt::print("{}: http://{}:{}/ (Ctrl-C ends it)\n", simulator.cell().name, host, server.port());
+  std::fflush(stdout);
+  server.run(interrupt.requested());
+  return 0;
+}
+
+}  // namespace
+
+void add_serve(CLI::App& cell, int& status) {
+  auto* command = cell.add_subcommand("serve", "Show the cell in a browser: move the storage, run the process, look");
+  auto options = std::make_shared<Options>();
+  command->add_option("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
+  command->add_option("--port", options->port, "Where to listen; 0: at a free port")->capture_default_str();
+  command->add_option("--host", options->host, "The address to listen at; the default can be reached from here alone")
+      ->capture_default_str();
+  add_run_options(*command, options->run);
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::cell

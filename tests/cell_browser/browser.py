@@ -1,0 +1,451 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: browser.py TOUCHSTONE [PICTURES]
+
+The page of `touchstone cell serve` and `export` in a headless Chromium: run, pause, step, scrub, keys, sliders, the
+storage dragged, a cell that cannot be; on a desk, in a phone-sized window, dark, without motion, offline. What it says
+and colours is compared with what the program answers. Screenshots go to the folder PICTURES. Exit status 1 at the first
+thing that is not as it should be.
+"""
+
+import base64
+import contextlib
+import json
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import urllib.request
+
+from selenium import webdriver
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.support.ui import WebDriverWait
+
+PATIENCE = 60  # seconds, for what takes one
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CELL = ROOT / "experiments/cell/cells/aristo.json"
+
+
+class Failure(Exception):
+    pass
+
+
+def expect(holds, otherwise):
+    if not holds:
+        raise Failure(otherwise)
+
+
+@contextlib.contextmanager
+def server(touchstone):
+    """The address of a server that ends well when it is interrupted."""
+    process = subprocess.Popen([touchstone, "cell", "serve", str(CELL), "--port", "0"], stdout=subprocess.PIPE, text=True)
+    try:
+        yield re.search(r"http://\S+/", process.stdout.readline()).group()
+        process.send_signal(signal.SIGINT)
+        expect(process.wait(PATIENCE) == 0, f"interrupted, the server ends with status {process.returncode}")
+    finally:
+        process.kill()
+
+
+def ask(address, setting):
+    request = urllib.request.Request(address + "api/run", json.dumps(setting).encode(),
+                                     {"Content-Type": "application/json"})
+    with urllib.request.urlopen(request, timeout=PATIENCE) as reply:
+        return json.load(reply)
+
+
+class Page:
+    def __init__(self, pictures, width=1280, height=800, phone=False, arguments=(), **media):
+        options = webdriver.ChromeOptions()
+        for argument in (*arguments, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
+                         "--enable-unsafe-swiftshader", "--hide-scrollbars"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(options=options, service=webdriver.chrome.service.Service("/usr/bin/chromedriver"))
+        self.pictures = pictures
+        self.cdp("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=2 if phone else 1,
+                 mobile=phone)
+        self.cdp("Emulation.setEmulatedMedia", features=[{"name": name.replace("_", "-"), "value": value}
+                                                         for name, value in media.items()])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        try:
+            if kind is None:
+                worst = [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
+                worst = [text for text in worst if "422" not in text]  # Chromium's own note on a refusal
+                expect(not worst, f"the console says {worst}")
+            elif self.pictures:
+                self.picture("failed")
+        finally:
+            self.driver.quit()
+
+    def cdp(self, command, **arguments):
+        return self.driver.execute_cdp_cmd(command, arguments)
+
+    def script(self, text, *arguments):
+        return self.driver.execute_script(text, *arguments)
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def text(self, name):
+        return self.script("return document.getElementById(arguments[0]).textContent", name)
+
+    def wait(self, what, holds):
+        WebDriverWait(self.driver, PATIENCE, 0.05).until(lambda _: holds(), what)
+
+    def open(self, address):
+        self.driver.get(address)
+        self.settled()
+        self.wait("the first stop", lambda: self.text("status").startswith("Stop 0 of"))
+
+    def settled(self):
+        self.wait("an answer", lambda: not self.script("return document.body.hasAttribute('aria-busy')"))
+
+    def stop(self):
+        found = re.match(r"Stop (\d+) of (\d+):", self.text("status"))
+        return (int(found[1]), int(found[2])) if found else None
+
+    def go(self, number):
+        self.script("const e = document.getElementById('stop'); e.value = arguments[0];"
+                    "e.dispatchEvent(new Event('input', {bubbles: true}))", number)
+
+    def slide(self, name, value):
+        self.script("const e = document.getElementById(arguments[0]); e.value = arguments[1];"
+                    "e.dispatchEvent(new Event('input', {bubbles: true})); e.dispatchEvent(new Event('change', {bubbles: true}))",
+                    name, value)
+        self.settled()
+
+    def keys(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def blur(self):
+        self.script("document.activeElement && document.activeElement.blur()")
+
+    def seen(self, count):
+        """What a function of the bytes of the perspective view gives, once it is drawn."""
+        return self.script("""
+          return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => {
+            const canvas = document.getElementById('scene'), gl = canvas.getContext('webgl');
+            const bytes = new Uint8Array(4 * canvas.width * canvas.height);
+            gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+            done((""" + count + """)(bytes));
+          })))""")
+
+    def pixels(self, holds):
+        return self.seen("bytes => { let count = 0; for (let i = 0; i < bytes.length; i += 4) {"
+                         f"const [r, g, b] = [bytes[i], bytes[i + 1], bytes[i + 2]]; if ({holds}) ++count; }} return count; }}")
+
+    def orange(self):
+        """Pixels of the perspective view in the colour of touching."""
+        return self.pixels("r > 140 && g > 0.25 * r && g < 0.65 * r && b < 0.4 * r")
+
+    def magenta(self):
+        return self.pixels("r > 140 && g < 0.65 * r && b > 0.7 * r && b > 1.2 * g")
+
+    def kinds_of_pixels(self):
+        return self.seen("bytes => new Set(new Uint32Array(bytes.buffer)).size")
+
+    def look(self, name):
+        self.script("document.querySelector(`[data-look=${arguments[0]}]`).click()", name)
+
+    def picture(self, name):
+        if self.pictures:
+            size = self.script("return [document.documentElement.scrollWidth, document.documentElement.scrollHeight]")
+            self.driver.save_screenshot(str(self.pictures / f"{name}.png"))
+            shot = self.cdp("Page.captureScreenshot", captureBeyondViewport=True,
+                            clip={"x": 0, "y": 0, "width": size[0], "height": size[1], "scale": 1})
+            (self.pictures / f"{name}-whole.png").write_bytes(base64.b64decode(shot["data"]))
+
+
+def check_words(page, run):
+    """At the stops where something happens the page says what the program has answered."""
+    page.look("near")
+    number = len(run["stops"])
+    events = [i for i in range(number) if run["stops"][i]["touched"] is not None]
+    expect(events, "the run touches nothing")
+    for i in [0, number // 3, number - 1] + events:
+        page.go(i)
+        stop, status = run["stops"][i], page.text("status")
+        expect(page.stop() == (i, number - 1), f"at stop {i} it says {status!r}")
+        if stop["touched"] is None:
+            expect("touches nothing" in status, f"at stop {i}: {status!r}")
+            expect(page.orange() == 0, f"at stop {i} something is orange that is not touched")
+        else:
+            expect(f"touches face {stop['touched']} (" in status, f"at stop {i}: {status!r}")
+            expect(page.orange() > 100, f"at stop {i} nothing is orange")
+        expect(("gripper holds" in status or "gripper takes" in status) == (stop["place"] is None),
+               f"at stop {i}: {status!r}")
+        angles = page.script("return [...document.querySelectorAll('#joints tbody tr')].map(r => r.cells[1].textContent)")
+        for said, angle in zip(angles, stop["commanded"]):
+            expect(abs(float(said.replace("−", "-").rstrip("°")) - angle) < 0.006, f"at stop {i}: {angles}")
+
+
+def check_transport(page):
+    page.go(0)
+    page.find("#forward").click()
+    expect(page.stop()[0] == 1, "a step does not go one stop on")
+    page.find("#back").click()
+    expect(page.stop()[0] == 0, "a step back does not go one stop back")
+    page.find("#run").click()
+    expect(page.text("run") == "Pause", "running, the button does not say Pause")
+    page.wait("the run to run", lambda: page.stop()[0] > 10)
+    page.find("#run").click()
+    expect(page.text("run") == "Run", "pausing, the button does not say Run")
+    here = page.stop()[0]
+    page.kinds_of_pixels()
+    expect(page.stop()[0] == here, "it runs on while it pauses")
+    page.find("#last").click()
+    expect(page.stop()[0] == page.stop()[1], "the end is not the end")
+
+
+def check_keys(page):
+    page.blur()
+    page.keys(Keys.HOME)
+    expect(page.stop()[0] == 0, "Home does not go home")
+    page.keys(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT, Keys.ARROW_LEFT)
+    expect(page.stop()[0] == 1, "arrows do not step")
+    before = page.text("speed-says")
+    page.keys("+")
+    expect(page.text("speed-says") != before, "+ does not change the speed")
+    page.keys("-")
+    expect(page.text("speed-says") == before, "- does not change it back")
+    page.keys(Keys.SPACE)
+    page.wait("space to run", lambda: page.stop()[0] > 5)
+    page.keys(Keys.SPACE)
+    expect(page.text("run") == "Run", "space does not pause")
+    expect(page.text("live") == page.text("status"), "a pause is not announced")
+    page.keys(Keys.END)
+    expect(page.stop()[0] == page.stop()[1], "End does not go to the end")
+    # Everything that can be clicked can be reached by the tabulator.
+    page.script("document.body.tabIndex = -1; document.body.focus(); document.body.removeAttribute('tabindex')")
+    reached = set()
+    for _ in range(60):
+        page.keys(Keys.TAB)
+        reached.add(page.script("const e = document.activeElement; return e.id || e.getAttribute('class') || e.dataset.look"))
+    for name in ("scene", "top", "run", "forward", "speed", "stop", "handle", "angle", "radius", "height", "slot", "step", "reset"):
+        expect(name in reached, f"{name} cannot be reached by the tabulator, but {sorted(map(str, reached))}")
+
+
+def check_configuration(page, address):
+    before = page.script("return document.getElementById('angle').value")
+    page.script("document.getElementById('plan').scrollIntoView({block: 'center'})")
+    handle = page.find("#plan .handle .grip")
+    ActionChains(page.driver).click_and_hold(handle).move_by_offset(-12, -60).perform()
+    expect("being moved" in page.text("status"), "while it is dragged an old run is shown")
+    expect(page.script("return document.getElementById('run').disabled"), "while it is dragged an old run can be run")
+    ActionChains(page.driver).release().perform()
+    page.settled()
+    setting = {"storage": {name: float(page.script("return document.getElementById(arguments[0]).value", name))
+                           for name in ("angle", "radius", "height")}}
+    expect(str(setting["storage"]["angle"]) != before, "dragging does not turn the storage")
+    run = ask(address, setting)
+    expect(page.stop() == (0, len(run["stops"]) - 1), f"dragged: {page.text('status')!r}, not {len(run['stops'])} stops")
+    expect(page.script("return document.querySelector('[data-label=\"storage.angle\"]').textContent") == "C",
+           "a dragged angle is not labelled as chosen")
+    page.picture("dragged")
+
+    page.script("document.querySelector('#plan .handle').focus()")
+    angle = page.script("return +document.getElementById('angle').value")
+    page.keys(Keys.ARROW_LEFT, Keys.ARROW_LEFT, Keys.ARROW_LEFT)
+    page.settled()
+    expect(page.script("return +document.getElementById('angle').value") == angle + 3, "arrow keys do not turn the storage")
+    run = ask(address, {"storage": dict(setting["storage"], angle=angle + 3)})
+    expect(page.stop() == (0, len(run["stops"]) - 1), "of several questions, the last is not the one answered")
+
+    page.find("#reset").click()
+    page.settled()
+    page.slide("angle", -33)
+    page.slide("radius", 621.8)
+    expect("−183" in page.text("moves"), "at -33 degrees the base does not turn by 183")
+    page.slide("height", 432)
+    run = ask(address, {"storage": {"angle": -33, "radius": 621.8, "height": 432}})
+    expect(page.stop() in ((0, len(run["stops"]) - 1), None), page.text("status"))
+    page.slide("angle", 67)
+    expect("does not come out" in page.text("failure"), "a process that fails says nothing")
+    expect(page.find("#failure").is_displayed() and page.stop(), "a process that fails is not shown")
+    page.picture("failing")
+    page.slide("radius", 980)
+    expect("storage.radius: " in page.text("failure"), f"too far: {page.text('failure')!r}")
+    expect(page.find("#failure").is_displayed(), "the reason is hidden")
+    expect(page.script("return document.getElementById('run').disabled"), "what cannot be can be run")
+    page.picture("too-far")
+    page.find("#reset").click()
+    page.settled()
+    expect(page.stop() and not page.find("#failure").is_displayed(), "it does not recover from a cell that cannot be")
+    page.slide("step", 2)
+    expect(page.stop()[1] < 400, "a step of 2 degrees does not halve the stops")
+    page.slide("slot", "C")
+    page.find("#reset").click()
+    page.settled()
+
+
+CONTRAST = """
+  const style = getComputedStyle(document.documentElement);
+  const light = name => {
+    const hex = style.getPropertyValue('--' + name).trim();
+    return [1, 3, 5].map(i => parseInt(hex.slice(i, i + 2), 16) / 255)
+      .map(c => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  };
+  const [a, b] = arguments.map ? arguments.map(light) : [light(arguments[0]), light(arguments[1])];
+  return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+"""
+
+
+def check_contrast(page):
+    """Text is told from what is behind it: 4.5 to 1 by the Web Content Accessibility Guidelines."""
+    for ink, ground in (("ink", "ground"), ("ink", "card"), ("quiet", "ground"), ("quiet", "card"), ("quiet", "view"),
+                        ("accent", "card"), ("on-accent", "accent"), ("free-ink", "card"), ("touching-ink", "card"),
+                        ("wrong", "card"), ("bad", "bad-ground")):
+        ratio = page.script(CONTRAST, ink, ground)
+        expect(ratio >= 4.5, f"{ink} on {ground}: {ratio:.2f} to 1")
+
+
+def check_phone(page):
+    width = page.script("return document.documentElement.scrollWidth")
+    expect(width <= 390, f"in a window of 390 pixels the page is {width} wide")
+    for selector in ("#run", "#forward", "#angle", "#height", "#plan", "#scene"):
+        box = page.find(selector).rect
+        expect(box["x"] >= 0 and box["x"] + box["width"] <= 390, f"{selector} is out of the window: {box}")
+        expect(box["height"] >= 24, f"{selector} is too low for a finger: {box}")
+
+
+def check_touch(page):
+    """A finger drags the storage, and the page stays where it is."""
+    page.script("document.getElementById('plan').scrollIntoView({block: 'center'})")
+    box = page.script("const b = document.querySelector('#plan .handle .grip').getBoundingClientRect();"
+                      "return [b.x + b.width / 2, b.y + b.height / 2]")
+    angle = "return document.getElementById('angle').value"
+    place = "return document.getElementById('plan').getBoundingClientRect().y"
+    before, places = page.script(angle), []
+    page.cdp("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": box[0], "y": box[1]}])
+    for i in range(1, 9):
+        page.cdp("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": box[0] - i, "y": box[1] - 4 * i}])
+        places.append(page.script(place))
+    page.cdp("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    page.settled()
+    expect(page.script(angle) != before, "a finger does not drag the storage")
+    expect(places[-1] == places[1], f"dragging the storage scrolls the page: {places}")
+    page.find("#reset").click()
+    page.settled()
+
+
+def check_calm(page):
+    page.find("#run").click()
+    page.wait("the end of a move", lambda: page.stop()[0] > 0)
+    ends = page.script("""return [...document.querySelectorAll('#moves tbody tr')].findIndex(row => row.className === 'now')""")
+    here = page.stop()[0]
+    page.find("#forward").click()
+    now = page.script("""return [...document.querySelectorAll('#moves tbody tr')].findIndex(row => row.className === 'now')""")
+    expect(page.stop()[0] == here + 1 and now == ends + 1, "without motion, it does not go by whole moves")
+
+
+RECORDED = re.compile(r'(id="recorded">)(.*?)(</script>)', re.S)
+
+
+def recorded(file):
+    return json.loads(RECORDED.search(file.read_text())[2])
+
+
+def check_disagreements(page, file):
+    """A recording in which a method has erred at one stop."""
+    answers = recorded(file)
+    answers["run"]["disagreements"] = [{"stop": 40, "owner": "machine/vice", "face": 3, "methods": ["thesis"]}]
+    wrong = file.with_name("wrong.html")
+    wrong.write_text(RECORDED.sub(lambda found: found[1] + json.dumps(answers) + found[3], file.read_text()))
+    page.open(wrong.as_uri())
+    page.look("near")
+    expect(page.magenta() == 0, "magenta where no method errs")
+    page.find("#next-wrong").click()
+    expect(page.stop()[0] == 40, "the next stop where a method errs is not gone to")
+    expect("Wrong here: thesis." in page.text("status"), page.text("status"))
+    expect("Wrong here: thesis, on face 3 of machine/vice." in page.text("disagreements"), page.text("disagreements"))
+    expect(page.magenta() > 20, "a stop where a method errs is not marked")
+    page.picture("disagreement")
+
+
+def check_without_webgl(page, address):
+    page.open(address)
+    expect(page.find("#no-scene").is_displayed() and not page.find("#scene").is_displayed(), "no word of what is missing")
+    page.find("#forward").click()
+    expect(page.stop()[0] == 1, "without WebGL the run does not step")
+
+
+def check_offline(page, file):
+    page.cdp("Network.enable")
+    page.cdp("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
+    page.open(file.as_uri())
+    check_words(page, recorded(file)["run"])
+    check_transport(page)
+    expect(page.script("return document.getElementById('angle').disabled"), "a recorded storage can be moved")
+    asked = page.script("return performance.getEntriesByType('resource').map(e => e.name).filter(n => !n.startsWith('data:'))")
+    expect(not asked, f"the exported page asks for {asked}")
+
+
+def main(touchstone, pictures=None):
+    pictures = pictures and pathlib.Path(pictures)
+    if pictures:
+        pictures.mkdir(parents=True, exist_ok=True)
+    done = []
+    with server(touchstone) as address:
+        run = ask(address, {})
+        with Page(pictures) as page:
+            page.open(address)
+            expect(page.kinds_of_pixels() > 50, "the perspective view is empty")
+            page.picture("desktop")
+            check_words(page, run)
+            page.look("near")
+            page.go(next(i for i, stop in enumerate(run["stops"]) if stop["touched"] is not None and stop["target"] == "machine"))
+            page.picture("touching")
+            page.look("front")
+            check_contrast(page)
+            check_transport(page)
+            check_keys(page)
+            check_configuration(page, address)
+            done.append("desktop")
+        with Page(pictures, 390, 844, phone=True) as page:
+            page.open(address)
+            check_phone(page)
+            page.go(300)
+            page.picture("phone")
+            check_phone(page)
+            check_touch(page)
+            done.append("phone")
+        with Page(pictures, prefers_color_scheme="dark") as page:
+            page.open(address)
+            check_contrast(page)
+            check_words(page, run)
+            page.look("front")
+            page.go(300)
+            page.picture("dark")
+            done.append("dark")
+        with Page(pictures, prefers_reduced_motion="reduce") as page:
+            page.open(address)
+            check_calm(page)
+            done.append("without motion")
+        with Page(pictures, arguments=["--disable-3d-apis"]) as page:
+            check_without_webgl(page, address)
+            done.append("without WebGL")
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "run.html"
+        subprocess.run([touchstone, "cell", "export", str(CELL), str(file)], check=True, capture_output=True, timeout=PATIENCE)
+        with Page(pictures) as page:
+            check_offline(page, file)
+            page.picture("exported")
+            check_disagreements(page, file)
+            done.append("exported, offline")
+    print(f"The page is as it should be: {', '.join(done)}.")
+
+
+if __name__ == "__main__":
+    try:
+        main(*sys.argv[1:])
+    except Failure as failure:
+        sys.exit(f"browser.py: {failure}")

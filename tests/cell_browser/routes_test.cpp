@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The server of `touchstone cell serve` over HTTP: every route, every refusal.
+#include "experiments/cell/browser/routes.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/cell_browser/aristo.h"
+#include "tests/cell_browser/http_client.h"
+#include "tests/cell_browser/serving.h"
+
+namespace touchstone::cell_browser_tests {
+namespace {
+
+using namespace cell::browser;
+
+class Page : public testing::Test {
+ protected:
+  static nlohmann::json json_of(const Received& received) { return nlohmann::json::parse(received.body); }
+
+  void refuses(const Received& received, unsigned status, const std::string& begin) const {
+    EXPECT_EQ(received.status, status) << received.body;
+    EXPECT_EQ(received.content_type, "application/json");
+    const std::string error = json_of(received).at("error");
+    EXPECT_EQ(error.rfind(begin, 0), 0U) << error;
+    EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U) << "it does not go on after " << begin;
+  }
+
+  const Routes routes{simulator(), true};
+  const Serving serving{[this](const HttpRequest& request) { return routes.answer(request); }};
+};
+
+TEST_F(Page, AnswersEveryRoute) {
+  const Received page = ask(serving.port(), "GET", "/");
+  EXPECT_EQ(page.status, 200U);
+  EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
+  EXPECT_EQ(page.body.rfind("<!DOCTYPE html>", 0), 0U);
+
+  const Received cell = ask(serving.port(), "GET", "/api/cell");
+  EXPECT_EQ(cell.status, 200U);
+  EXPECT_EQ(json_of(cell)["setting"]["storage"]["radius"], 487.8);
+
+  const Received run = ask(serving.port(), "POST", "/api/run", json_of(cell)["setting"].dump());
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_EQ(json_of(run)["failure"], "");
+  EXPECT_EQ(json_of(run)["stops"].size(), recording().process.stops.size());
+
+  // Figure 6.23's case: the base turns by 183 degrees.
+  const Received second = ask(serving.port(), "POST", "/api/run", R"({"storage": {"angle": -33, "radius": 621.6}})",
+                              "application/json; charset=utf-8");
+  ASSERT_EQ(second.status, 200U) << second.body;
+  bool turned = false;
+  const nlohmann::json answer = json_of(second);
+  for (const auto& move : answer["moves"]) turned = turned || (move["joint"] == "base" && move["degrees"] == -183);
+  EXPECT_TRUE(turned);
+}
+
+TEST_F(Page, RefusesWithAReasonAndGoesOn) {
+  const std::uint16_t port = serving.port();
+  refuses(ask(port, "GET", "/api/runs"), 404, "there are /, /api/cell and /api/run, not /api/runs");
+  refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
+  refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, not DELETE");
+  refuses(ask(port, "GET", "/api/run"), 405, "/api/run takes POST, not GET");
+  EXPECT_EQ(ask(port, "GET", "/api/run").allow, "POST");
+  refuses(ask(port, "POST", "/api/run", "{}", "text/plain"), 415, "the Content-Type must be application/json");
+  refuses(ask(port, "POST", "/api/run", "{\"storage\""), 400, "request: is not JSON");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": -1}})"), 400, "request: storage.radius: ");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
+  refuses(ask(port, "POST", "/api/run", std::string(65537, ' ')), 413, "a request's body may have 65536 bytes");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1500}})"), 422, "storage.radius: ");
+}
+
+// A page from elsewhere, whose name leads to this machine, sends its own name.
+TEST_F(Page, AnswersToThisMachineAlone) {
+  const std::uint16_t port = serving.port();
+  for (const char* host : {"localhost", "127.0.0.1", "[::1]"})
+    EXPECT_EQ(ask(port, "GET", "/", "", "", host).status, 200U) << host;
+  refuses(ask(port, "GET", "/", "", "", "evil.example"), 421, "this server answers to localhost, not to");
+  EXPECT_EQ(Routes(simulator(), false).answer({"GET", "/", "cell.example", "", ""}).status, 200U);
+}
+
+TEST_F(Page, GivesEveryoneTheAnswerToTheirOwnQuestion) {
+  std::vector<std::thread> clients;
+  std::vector<std::string> bodies(6);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    clients.emplace_back([&, i] {
+      bodies[i] = ask(serving.port(), "POST", "/api/run", "{\"storage\": {\"angle\": " + std::to_string(i) + "}}").body;
+    });
+  for (std::thread& client : clients) client.join();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    EXPECT_EQ(nlohmann::json::parse(bodies[i])["setting"]["storage"]["angle"], i);
+}
+
+}  // namespace
+}  // namespace touchstone::cell_browser_tests
