@@ -12,6 +12,7 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
 #include "experiments/methods/method.h"
 #include "experiments/run/processes.h"
@@ -21,12 +22,8 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
-  std::string file, meshes, output;
-  std::vector<std::string> changes;
-  std::vector<std::string> methods{"filtered",      "fast",     "fast-float",    "thesis",        "thesis-float",
-                                   "thesis-0.9999", "thesis-1", "thesis-signed", "thesis-newell", "thesis-closed"};
-  double overhang = 8;
+struct Options : RunOptions {
+  std::string output;
   bool every_face = false;
 };
 
@@ -85,15 +82,7 @@ void add_run(CLI::App& cell, int& status) {
   auto options = std::make_shared<Options>();
   command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
       ->required();
-  command->add_option("--set", options->changes,
-                      "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be given often");
-  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
-  command->add_option("--method", options->methods, "Methods to ask at every stop; `all` for every one")
-      ->delimiter(',')
-      ->capture_default_str();
-  command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  add_run_options(*command, *options);
   command->add_flag("--every-face", options->every_face,
                     "Ask about faces out of reach too, as without boxes (slow methods excepted)");
   command->add_option("--output", options->output, "A folder for moves, trajectory, methods and disagreements");

@@ -12,7 +12,7 @@ class App;
 
 namespace touchstone::cell {
 
-/// What `touchstone cell serve` and `export` are told of the cell and of its runs.
+/// What `touchstone cell run`, `serve` and `export` are told of the cell and of its runs.
 struct RunOptions {
   std::string file, meshes;
   std::vector<std::string> changes;

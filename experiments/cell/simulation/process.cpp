@@ -128,7 +128,8 @@ class Performance {
 
   /// The base, so that the arm comes upon a place from the side where it is now.
   void turn_near(const Workplace& at) {
-    const double target = nearest_base(at.azimuth), reach = 2 * arm_->sphere.radius + (at.left - at.right);
+    const double target = nearest_base(at.azimuth),
+                 reach = 2 * arm_->sphere.radius + (at.left - at.right) + workcell_->cell().clearance;
     const double before = std::ceil(kinematics::arc_tangent(reach, at.out) / step_) * step_;
     turn_base(target + (clockwise(target) ? before : -before) * sense(), Until::Planned);
   }
