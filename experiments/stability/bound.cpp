@@ -283,7 +283,7 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
                                std::vector<Observation>& observations) const {
   const filtered::Frame& frame = *prepared_.parts().frame;
   const InFrame computed = [&] {
-    const Environment environment(mode);
+    const Environment environment(frame.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
     return quantities_in_frame(ball, frame, edge);
   }();
   const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.exponent);

@@ -23,7 +23,7 @@ Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts
   if (frame_reaches(ball, parts)) [[likely]] {
     // Subnormal coordinates are scaled up before anything else, which must not meet them flushed to zero.
     std::optional<FloatingPointState> nearest;
-    if (parts.frame->exponent < -900) [[unlikely]]
+    if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
     PolygonQuestion<Counts> question(ball, parts, counts);
     return (question.*in_frame)();

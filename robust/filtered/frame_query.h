@@ -19,8 +19,8 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
 /// A ball above a frame's plane.
 ///
-/// Like FrameQuery it holds in every rounding direction and under flush-to-zero, and raises no flag but INEXACT and
-/// UNDERFLOW.
+/// Like FrameQuery it holds in every rounding direction and, in frames from Frame::kSubnormal up, under flush-to-zero,
+/// and raises no flag but INEXACT and UNDERFLOW.
 struct HeightQuery {
   Vector3<double> from;         ///< from the frame's origin to the centre
   double size;                  ///< at least 1, and no coordinate of the centre in the frame is beyond it
