@@ -23,12 +23,12 @@ namespace touchstone::filtered {
 struct Frame {
   /// Vertices and centres are at most this far from the coordinate planes, in the frame's unit of length.
   static constexpr double kReach = 0x1p60;
-
-  int exponent;     ///< frame lengths are true lengths times 2^-exponent
-  double scale[2];  ///< whose product is 2^-exponent
   /// Below this exponent coordinates that matter may be subnormal, and are scaled up before anything else: a caller's
   /// flush-to-zero must be set aside first.
   static constexpr int kSubnormal = -900;
+
+  int exponent;            ///< frame lengths are true lengths times 2^-exponent
+  double scale[2];         ///< whose product is 2^-exponent
   double reachable;        ///< coordinates of centres, and radii, up to which the frame may be used
   Vector3<double> origin;  ///< vertex 0, scaled
   Vector3<double> x, y, normal;
