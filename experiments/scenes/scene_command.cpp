@@ -32,7 +32,7 @@ namespace {
 
 using namespace scenes;
 
-struct Options {
+struct SceneOptions {
   std::vector<std::string> files, objects, units;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
@@ -43,7 +43,7 @@ struct Options {
   [[nodiscard]] bool filtered() const { return method == "filtered"; }
 };
 
-std::string command_line(const Options& options) {
+std::string command_line(const SceneOptions& options) {
   std::string line = "touchstone scene";
   for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
   if (options.balls.empty())
@@ -66,7 +66,7 @@ struct Units {
   std::optional<Unit> scene;
 };
 
-Units units_of(const Options& options) {
+Units units_of(const SceneOptions& options) {
   Units units;
   for (const std::string& name : options.units) units.meshes.push_back(find_unit(name));
   if (units.meshes.empty()) {
@@ -88,7 +88,7 @@ struct Loaded {
 };
 
 /// Nothing if some file cannot be read as it is asked for, which is said on standard error.
-std::optional<Loaded> load(const Options& options, const Units& units) {
+std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   constexpr std::size_t kShown = 3;
   real_input::NamedFiles files =
       real_input::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
@@ -124,7 +124,7 @@ std::optional<Loaded> load(const Options& options, const Units& units) {
   return loaded;
 }
 
-std::vector<std::uint32_t> chosen(const Options& options, const std::vector<Object>& objects) {
+std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector<Object>& objects) {
   std::vector<std::uint32_t> numbers;
   std::vector<std::string> names;
   for (const Object& object : objects) names.push_back(object.name);
@@ -149,7 +149,7 @@ struct Source {
   std::function<NamedBall(std::uint64_t)> ball;
 };
 
-Source source_of(const Options& options, const std::vector<Object>& objects) {
+Source source_of(const SceneOptions& options, const std::vector<Object>& objects) {
   if (!options.balls.empty()) {
     auto balls = std::make_shared<const std::vector<NamedBall>>(read_balls(options.balls));
     return {balls->size(), [balls](std::uint64_t i) { return (*balls)[i]; }};
@@ -167,7 +167,7 @@ struct Sums {
   Differences differences;
 };
 
-std::string summary(const Options& options, const Units& units, const Loaded& loaded, const Sums& sums) {
+std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
   std::uint64_t faces = 0;
   for (const Object& object : loaded.objects) faces += object.numbers.size();
   std::string text = table(sums.counts, sums.balls);
@@ -210,7 +210,7 @@ class Lines {
 };
 
 /// Asks about the balls a leg at a time and writes the answers as they come.
-Sums ask(const Options& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
+Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
          const Source& source, const std::atomic<bool>& stop, Lines& lines) {
   const methods::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
@@ -239,7 +239,7 @@ Sums ask(const Options& options, const std::vector<Object>& objects, const scene
   return sums;
 }
 
-int run(const Options& options) {
+int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
   if (!options.output.empty()) run::make_folder(options.output);
@@ -283,7 +283,7 @@ int run(const Options& options) {
 void add_scene(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
       "scene", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SceneOptions>();
   command->add_option("MESH", options->files, "Mesh files; each is an object named by folder and file, as arm/link1")
       ->required();
   auto* source = command->add_option_group("balls");

@@ -11,7 +11,7 @@
 #include <variant>
 
 #include "experiments/cell/kinematics/degrees.h"
-#include "experiments/cell/model/triangulate.h"
+#include "experiments/triangulation/triangulate.h"
 
 namespace touchstone::thesis_figures {
 namespace {
@@ -112,7 +112,7 @@ ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
     };
     for (const cell::Face& face : part.faces.faces) {
       const Polygon& polygon = face.polygon;
-      for (const auto& corners : cell::triangulate(polygon)) {
+      for (const auto& corners : triangulation::triangulate(polygon)) {
         ordered_json triangle = ordered_json::array();
         for (const std::uint32_t corner : corners) triangle.push_back(number_of(polygon.vertex(corner)));
         triangles.push_back(triangle);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles cover their polygon once, by exact areas.
-#include "experiments/cell/model/triangulate.h"
+#include "experiments/triangulation/triangulate.h"
 
 #include <gtest/gtest.h>
 
@@ -28,14 +28,14 @@ Loop lifted(const workloads::LatticeLoop& loop) {
 }
 
 TEST(Triangulate, CoversEveryPolygonOnceAndTurnsAsItDoes) {
-  constexpr std::uint64_t kSeed = 52;
+  constexpr std::uint64_t kOutlineSeed = 52;
   using workloads::Family;
   for (const Family family : {Family::Star, Family::Comb, Family::Spiral, Family::RandomSimple, Family::L})
     for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES / 5 + 1; ++i) {
       workloads::Workload workload;
       workload.family = family;
       workload.holes = i % 4;
-      const workloads::Outline outline = workloads::draw_outline(workload, kSeed, i);
+      const workloads::Outline outline = workloads::draw_outline(workload, kOutlineSeed, i);
       std::vector<Loop> holes;
       std::int64_t area = std::abs(workloads::twice_area(outline.outer));
       for (const auto& hole : outline.holes) {
@@ -44,15 +44,16 @@ TEST(Triangulate, CoversEveryPolygonOnceAndTurnsAsItDoes) {
       }
       if (workloads::twice_area(outline.outer) < 0) area = -area;
       const Polygon polygon(lifted(outline.outer), holes);
-      const auto triangles = cell::triangulate(polygon);
-      EXPECT_EQ(triangles.size(), polygon.vertex_count() - 2 + 2 * holes.size()) << "seed " << kSeed << ", " << i;
+      const auto triangles = triangulation::triangulate(polygon);
+      EXPECT_EQ(triangles.size(), polygon.vertex_count() - 2 + 2 * holes.size())
+          << "seed " << kOutlineSeed << ", " << i;
       double sum = 0;
       for (const auto& [a, b, c] : triangles) {
         const double part = twice_area(polygon.vertex(a), polygon.vertex(b), polygon.vertex(c));
-        EXPECT_EQ(part > 0, area > 0) << "seed " << kSeed << ", " << i;
+        EXPECT_EQ(part > 0, area > 0) << "seed " << kOutlineSeed << ", " << i;
         sum += part;
       }
-      EXPECT_EQ(sum, static_cast<double>(area)) << "seed " << kSeed << ", " << i;
+      EXPECT_EQ(sum, static_cast<double>(area)) << "seed " << kOutlineSeed << ", " << i;
     }
 }
 
@@ -62,7 +63,7 @@ TEST(Triangulate, FillsAnIslandInAHole) {
   };
   const Polygon polygon(square(3), {square(2), square(1)});
   double sum = 0;
-  for (const auto& [a, b, c] : cell::triangulate(polygon))
+  for (const auto& [a, b, c] : triangulation::triangulate(polygon))
     sum += twice_area(polygon.vertex(a), polygon.vertex(b), polygon.vertex(c));
   EXPECT_EQ(sum, 2 * (36 - 16 + 4));
 }

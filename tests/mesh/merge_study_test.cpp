@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/scenes/merge_study.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "experiments/scenes/merge_output.h"
+#include "experiments/merging/output.h"
+#include "experiments/merging/study.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 #include "tests/mesh/random_meshes.h"

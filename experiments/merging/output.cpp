@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/scenes/merge_output.h"
+#include "experiments/merging/output.h"
 
 #include <fmt/core.h>
 

@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "experiments/commands.h"
+#include "experiments/merging/output.h"
+#include "experiments/merging/study.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
-#include "experiments/scenes/merge_output.h"
-#include "experiments/scenes/merge_study.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
@@ -23,14 +23,14 @@ namespace {
 
 using namespace merging;
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> files;
   Settings settings;
   bool skip_bad = false;
   std::string output = "results/merge";
 };
 
-std::string command_line(const Options& options) {
+std::string command_line(const MergeOptions& options) {
   std::string line = "touchstone merge";
   for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
   const Settings& s = options.settings;
@@ -49,7 +49,7 @@ std::string short_name(const std::filesystem::path& file, std::map<std::string, 
   return number == 1 ? name : fmt::format("{}#{}", name, number);
 }
 
-int run(const Options& options) {
+int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
   run::make_folder(folder);
@@ -103,7 +103,7 @@ int run(const Options& options) {
 void add_merge(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
       "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeOptions>();
   Settings& settings = options->settings;
   command->add_option("MESH", options->files, "Mesh files")->required();
   command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cell/model/triangulate.h"
+#include "experiments/triangulation/triangulate.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,7 +15,7 @@
 #include "robust/floating_point_state.h"
 #include "robust/mesh/face_plane.h"
 
-namespace touchstone::cell {
+namespace touchstone::triangulation {
 namespace {
 
 constexpr int kUnseen = -1;
@@ -79,4 +79,4 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
-}  // namespace touchstone::cell
+}  // namespace touchstone::triangulation

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/scenes/merge_study.h"
+#include "experiments/merging/study.h"
 
 namespace touchstone::merging {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/scenes/merge_study.h"
+#include "experiments/merging/study.h"
 
 #include <malloc.h>
 
