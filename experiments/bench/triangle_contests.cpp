@@ -14,7 +14,7 @@
 namespace touchstone::bench {
 namespace {
 
-using Queries = std::vector<TriangleQuery>;
+using TriangleQueries = std::vector<TriangleQuery>;
 
 /// What filtered should cost in times of fast.
 std::optional<Goal> goal_of(TriangleFamily family) {
@@ -33,7 +33,7 @@ std::optional<Goal> goal_of_epeck(TriangleFamily family) {
   return std::nullopt;
 }
 
-std::vector<bool> truths(const Queries& queries, std::size_t count) {
+std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
   std::vector<bool> touches;
   for (std::size_t i = 0; i < count; ++i) {
     const auto& [ball, t] = queries[i];
@@ -43,7 +43,7 @@ std::vector<bool> truths(const Queries& queries, std::size_t count) {
 }
 
 /// EPECK's objects are made before each repetition, so that none knows its exact value yet.
-Contestant prepared_epeck(const std::shared_ptr<const Queries>& queries,
+Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
                           const std::shared_ptr<const std::vector<bool>>& truth) {
   const auto objects = std::make_shared<cgal::EpeckQueries>();
   const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
@@ -64,10 +64,10 @@ Contestant prepared_epeck(const std::shared_ptr<const Queries>& queries,
 
 Contest draw(TriangleFamily family, const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;  // a second
-  Queries drawn;
+  TriangleQueries drawn;
   drawn.reserve(settings.samples);
   for (std::uint64_t i = 0; i < settings.samples; ++i) drawn.push_back(draw_triangle_query(family, settings.seed, i));
-  const auto queries = std::make_shared<const Queries>(std::move(drawn));
+  const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
 
   Contest contest;
   contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;

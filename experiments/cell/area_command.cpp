@@ -26,7 +26,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct AreaOptions {
   std::string file, meshes, output = "results/cell-area";
   std::vector<std::string> changes;
   double angle_step = 5, length_step = 25, overhang = 8;
@@ -34,7 +34,7 @@ struct Options {
   bool no_pictures = false;
 };
 
-std::string command_line(const Options& options) {
+std::string command_line(const AreaOptions& options) {
   std::string line = "touchstone cell area " + run::shell_quoted(options.file);
   for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
   if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
@@ -68,7 +68,7 @@ std::string table_of(const std::vector<Tried>& tried) {
   return text;
 }
 
-int run(const Options& options) {
+int run(const AreaOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   run::make_folder(folder);
@@ -120,7 +120,7 @@ int run(const Options& options) {
 
 void add_area(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("area", "Where the storage may stand: the area of configuration and the heights");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AreaOptions>();
   command->footer(
       "Runs the whole process with the storage at every place of a grid, and says which come to their end, and why "
       "the\n"

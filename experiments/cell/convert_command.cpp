@@ -16,7 +16,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string from, to, name;
   bool weld = false, merge = false, force = false;
 };
@@ -31,7 +31,7 @@ std::string row(const char* what, const ModelCounts& counts) {
                      counts.polygons, counts.triangles, counts.holes, counts.points, bounds);
 }
 
-int run(const Options& options) {
+int run(const ConvertOptions& options) {
   constexpr int kDiffers = 1;
   if (!options.force && std::filesystem::exists(options.to))
     throw BadConversion(options.to + ": is there already; --force writes over it");
@@ -69,7 +69,7 @@ int run(const Options& options) {
 void add_convert(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand(
       "convert", "Convert between model files (.txt) and meshes (OBJ, OFF, STL, PLY); compare counts and bounds");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ConvertOptions>();
   command->add_option("FROM", options->from, "A model file or mesh")->required();
   command->add_option("TO", options->to, "What to write; the extension tells the format")->required();
   auto* weld = command->add_flag("--weld", options->weld, "Make one vertex of equal ones");

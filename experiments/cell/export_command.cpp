@@ -19,13 +19,13 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct ExportOptions {
   RunOptions run;
   std::string file;
   double rate = 25;
 };
 
-int run(const Options& options) {
+int run(const ExportOptions& options) {
   const std::string extension = std::filesystem::path(options.file).extension().string();
   if (extension != ".html" && extension != ".gltf" && extension != ".glb")
     throw std::invalid_argument(
@@ -47,7 +47,7 @@ int run(const Options& options) {
 
 void add_export(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("export", "Run the process and write it down as a page or a 3D model");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   command->add_option("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
       ->required();
   command

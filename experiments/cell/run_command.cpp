@@ -22,12 +22,12 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options : RunOptions {
+struct RunCommandOptions : RunOptions {
   std::string output;
   bool every_face = false;
 };
 
-std::string command_line(const Options& options) {
+std::string command_line(const RunCommandOptions& options) {
   std::string line = "touchstone cell run " + run::shell_quoted(options.file);
   for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
   if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
@@ -50,7 +50,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-int run(const Options& options) {
+int run(const RunCommandOptions& options) {
   Stopwatch watch;
   const auto methods = methods::find_methods(options.methods);
   if (!options.output.empty()) run::make_folder(options.output);
@@ -79,7 +79,7 @@ int run(const Options& options) {
 
 void add_run(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("run", "Run the cell's whole process, and every method beside the exact answer");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunCommandOptions>();
   command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
       ->required();
   add_run_options(*command, *options);

@@ -20,13 +20,13 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct ServeOptions {
   RunOptions run;
   std::string host = "127.0.0.1";
   std::uint16_t port = 8080;
 };
 
-int run(const Options& options) {
+int run(const ServeOptions& options) {
   const run::Interrupt interrupt;
   RunOptions chosen = options.run;
   if (chosen.file.empty()) chosen.file = (run::source_folder() / "experiments/cell/cells/aristo.json").string();
@@ -46,7 +46,7 @@ int run(const Options& options) {
 
 void add_serve(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("serve", "Show the cell in a browser: move the storage, run the process, look");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ServeOptions>();
   command->add_option("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
   command->add_option("--port", options->port, "Where to listen; 0: at a free port")->capture_default_str();
   command->add_option("--host", options->host, "The address to listen at; the default can be reached from here alone")

@@ -22,17 +22,17 @@
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct ShowOptions {
   std::string file, meshes, output;
 };
 
-std::string command_line(const Options& options) {
+std::string command_line(const ShowOptions& options) {
   std::string line = "touchstone cell show " + run::shell_quoted(options.file);
   if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
   return line + " --output " + run::shell_quoted(options.output);
 }
 
-int run(const Options& options) {
+int run(const ShowOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   if (!options.output.empty()) run::make_folder(folder / "models");
@@ -62,7 +62,7 @@ int run(const Options& options) {
 
 void add_show(CLI::App& cell, int& status) {
   auto* command = cell.add_subcommand("show", "Check a cell file, build its model, and say what there is");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ShowOptions>();
   command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
       ->required();
   command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");

@@ -22,7 +22,7 @@ using methods::Question;
 // A method that never fails must not make the search for failures run for ever.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
 
-struct Options {
+struct CasesOptions {
   workloads::Workload workload;
   std::uint64_t seed = 1, first = 0, count = 10;
   bool expected = false;
@@ -64,7 +64,7 @@ bool fails(const std::vector<const methods::Method*>& methods, const workloads::
   throw std::system_error(errno, std::generic_category(), "the cases cannot be written");
 }
 
-void print(const Options& options) {
+void print(const CasesOptions& options) {
   const auto failing = methods::find_methods(options.failing);
   const methods::Method& exact = *methods::find_method("exact");
   std::uint64_t printed = 0;
@@ -92,7 +92,7 @@ void print(const Options& options) {
 void add_cases(CLI::App& app) {
   auto* command =
       app.add_subcommand("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CasesOptions>();
   auto& workload = options->workload;
   add_word(*command, "--family", workload.family, workloads::all_families(), "Outline");
   add_word(*command, "--placement", workload.placement,

@@ -13,7 +13,7 @@
 namespace touchstone::commands {
 namespace {
 
-struct Options {
+struct JudgeOptions {
   std::vector<std::string> methods, files;
   std::string engine;
   double time_limit = 0;
@@ -35,7 +35,7 @@ std::string check_utf8(const std::string& text) {
 void add_judge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<JudgeOptions>();
   command->add_option("--method", options->methods, "Method names, separated by commas, or all (default: exact)")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -16,19 +16,19 @@ namespace {
 std::string_view test_word(Threshold threshold) { return word(moves_radius(threshold) ? Test::Contact : Test::Foot); }
 
 /// Regions that differ in their family alone.
-struct Group {
+struct RegionGroup {
   std::string family;
   Threshold threshold;
   double distance;
   std::vector<std::size_t> regions;
 };
 
-std::vector<Group> pooled_groups(const Settings& settings) {
-  std::vector<Group> groups;
+std::vector<RegionGroup> pooled_groups(const Settings& settings) {
+  std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
   for (const Threshold threshold : all_thresholds())
     for (const double distance : kSearchDistances) {
-      Group group{"all", threshold, distance, {}};
+      RegionGroup group{"all", threshold, distance, {}};
       for (std::size_t r = 0; r < regions.size(); ++r)
         if (all_strata()[regions[r].stratum].threshold == threshold && regions[r].origin_distance == distance)
           group.regions.push_back(r);
@@ -37,8 +37,8 @@ std::vector<Group> pooled_groups(const Settings& settings) {
   return groups;
 }
 
-std::vector<Group> all_groups(const Settings& settings) {
-  std::vector<Group> groups;
+std::vector<RegionGroup> region_groups(const Settings& settings) {
+  std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const Stratum& stratum = all_strata()[regions[r].stratum];
@@ -49,7 +49,7 @@ std::vector<Group> all_groups(const Settings& settings) {
   return groups;
 }
 
-Onset sum(const Settings& settings, const Onsets& onsets, const Group& group, std::size_t method) {
+Onset sum(const Settings& settings, const Onsets& onsets, const RegionGroup& group, std::size_t method) {
   Onset sum;
   for (const std::size_t r : group.regions) sum += onsets.all[r * settings.methods.size() + method];
   return sum;
@@ -62,7 +62,7 @@ std::string power_of_two(double share) { return share > 0 ? fmt::format("2^{:.1f
 
 void write_onsets(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets) {
   std::string text = "family,threshold,origin_distance,method,test,exponent,wrong,samples,rate,lower,upper\n";
-  for (const auto& group : all_groups(settings))
+  for (const auto& group : region_groups(settings))
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const Onset onset = sum(settings, onsets, group, m);
       if (onset.samples == 0) continue;

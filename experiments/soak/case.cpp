@@ -22,11 +22,11 @@ struct Drawn {
   Ball ball;
 };
 
-Polygon polygon_of(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
+Polygon triangle_polygon(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
 
 /// A triangle with the threshold radius about a centre off one of its features.
 Drawn at_threshold(Random& random, const Triangle& triangle) {
-  const Polygon polygon = polygon_of(triangle);
+  const Polygon polygon = triangle_polygon(triangle);
   const Vector3d center = center_off_feature(random, polygon);
   return {triangle, {center, radius_at_threshold(random, center, polygon)}};
 }
@@ -41,7 +41,8 @@ Drawn on_lattice(Random& random) {
     const double corner = (*corners[random.integer(0, 2)])[axis];
     ball.center[axis] = random.coin() ? corner : corner + static_cast<double>(random.integer(-most, most));
   }
-  if (random.coin()) return {triangle, {ball.center, radius_at_threshold(random, ball.center, polygon_of(triangle))}};
+  if (random.coin())
+    return {triangle, {ball.center, radius_at_threshold(random, ball.center, triangle_polygon(triangle))}};
   const auto axis = static_cast<int>(random.integer(0, 2));
   ball.radius = random.coin() ? static_cast<double>(random.integer(0, most))
                               : std::abs(ball.center[axis] - (*corners[random.integer(0, 2)])[axis]);
@@ -50,7 +51,7 @@ Drawn on_lattice(Random& random) {
 
 Drawn above_boundary(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
-  const Polygon polygon = polygon_of(triangle);
+  const Polygon polygon = triangle_polygon(triangle);
   const Vector3d center = center_above_boundary(random, polygon);
   const double radius = random.coin() ? radius_at_threshold(random, center, polygon) : 2 * size_of(triangle);
   return {triangle, {center, radius}};
@@ -58,7 +59,7 @@ Drawn above_boundary(Random& random) {
 
 Drawn on_triangle(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
-  const Vector3d center = center_on_polygon(random, polygon_of(triangle));
+  const Vector3d center = center_on_polygon(random, triangle_polygon(triangle));
   const double radii[] = {0, 0x1p-1074, size_of(triangle) * std::abs(random.log_uniform(-55, -45)),
                           (center - triangle.b).norm()};
   return {triangle, {center, radii[random.integer(0, 3)]}};
@@ -71,14 +72,14 @@ Drawn close_to_origin(Random& random) {
   const Vector3d u = t.b - t.a, v = t.c - t.a;
   const Triangle triangles[] = {{Vector3d::Zero(), u, v}, {u, -4 * u, v}, {u, v, -(u + v)}};
   const Triangle& triangle = triangles[random.integer(0, 2)];
-  return {triangle, ball_close_to_origin(random, polygon_of(triangle))};
+  return {triangle, ball_close_to_origin(random, triangle_polygon(triangle))};
 }
 
 Drawn from_afar(Random& random) {
   const Triangle triangle = random.coin() ? general_triangle(random) : lattice_triangle(random);
-  const Vector3d direction = center_off_feature(random, polygon_of(triangle)) - triangle.a;
+  const Vector3d direction = center_off_feature(random, triangle_polygon(triangle)) - triangle.a;
   const Vector3d center = triangle.a + std::abs(random.log_uniform(0, 60)) * direction;
-  return {triangle, {center, radius_at_threshold(random, center, polygon_of(triangle))}};
+  return {triangle, {center, radius_at_threshold(random, center, triangle_polygon(triangle))}};
 }
 
 /// Centres share coordinates with vertices, so that distances are often doubles in spite of all.
@@ -94,7 +95,7 @@ Drawn of_all_exponents(Random& random) {
   switch (random.integer(0, 3)) {
     case 0: ball.radius = std::abs(number_of_any_exponent(random, range)); break;
     case 1: ball.radius = std::abs(ball.center[axis] - (*corners[random.integer(0, 2)])[axis]); break;
-    default: ball.radius = radius_at_exact_threshold(random, ball.center, polygon_of(triangle));
+    default: ball.radius = radius_at_exact_threshold(random, ball.center, triangle_polygon(triangle));
   }
   return {triangle, ball};
 }
@@ -138,7 +139,7 @@ std::optional<Case> try_triangle(Random& random, Family family) try {
   const bool scale = family == Family::Scaled;
   const Drawn drawn = draw_triangle(random, scale ? kScalable[random.integer(0, 4)] : family);
   if (!is_finite(drawn)) return std::nullopt;
-  Case result{family, drawn.ball, polygon_of(drawn.triangle)};
+  Case result{family, drawn.ball, triangle_polygon(drawn.triangle)};
   if (scale) {
     auto scaled = scaled_to_extremes(random, result.ball, result.polygon);
     if (!scaled) return std::nullopt;

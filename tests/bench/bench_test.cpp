@@ -12,8 +12,9 @@
 #include "experiments/bench/families.h"
 #include "experiments/bench/output.h"
 #include "experiments/commands.h"
-#include "tests/run/run_command.h"
+#include "tests/bench/run_bench.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::bench {
 namespace {
@@ -21,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using run_tests::Scratch;
 
-const std::atomic<bool> kNeverStop = false;
-const run::Progress kSilent = [](std::uint64_t) {};
+using run_tests::kNeverStop;
+using run_tests::kSilent;
 
 /// Answers the numbers that it is asked; right about all but those below `wrong`.
 Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
@@ -119,10 +120,6 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
   EXPECT_NE(goals({result}).find("1 of 1 goals met\n"), std::string::npos);
 }
 
-int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_bench, "bench", std::move(arguments));
-}
-
 // Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.
 TEST(BenchCommand, PrintsAndWritesEveryRow) {
   const Scratch scratch;
@@ -130,8 +127,8 @@ TEST(BenchCommand, PrintsAndWritesEveryRow) {
   const std::string families =
       "random-triangles,half-near,lattice-tangent,slivers,far,extreme,polygons-8,off-plane,questions,batches";
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_command({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--json",
-                         file.string()}),
+  ASSERT_EQ(run_bench({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--json",
+                       file.string()}),
             0);
   const std::string text = testing::internal::GetCapturedStdout();
   const auto all = nlohmann::json::parse(std::ifstream(file));
@@ -200,25 +197,23 @@ TEST(BenchFamilies, KnowTheirGoals) {
 
 TEST(BenchCommand, CountsAsksOneContestantOnly) {
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_command({"--family", "random-triangles", "--count", "fast", "--samples", "30", "--repetitions", "3"}),
-            0);
+  ASSERT_EQ(run_bench({"--family", "random-triangles", "--count", "fast", "--samples", "30", "--repetitions", "3"}), 0);
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_EQ(text.rfind("random-triangles, fast: 30 queries, 3 times; sum of the answers ", 0), 0U) << text;
 }
 
 TEST(BenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--family", "circles"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--samples", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--samples", "-1"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--repetitions", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--seed", "one"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--count", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--family", "far", "--count", "slow", "--samples", "1"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--family", "far", "--samples", "1", "--json", "/dev/null/bench.json"}),
-               std::runtime_error);
-  EXPECT_THROW(run_command({"--family", "far", "--samples", "1", "--json", "/tmp"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "circles"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--repetitions", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--seed", "one"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/dev/null/bench.json"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/tmp"}), std::runtime_error);
   try {
-    run_command({"--family", "circles"});
+    run_bench({"--family", "circles"});
   } catch (const CLI::ParseError& error) {
     EXPECT_NE(std::string(error.what()).find("there are random-triangles, half-near, "), std::string::npos);
   }

@@ -16,8 +16,9 @@
 #include "geometry/scene/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "tests/run/run_command.h"
+#include "tests/bench/run_bench.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::bench {
 namespace {
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 using run_tests::Scratch;
 using run_tests::text_of;
 
-const std::atomic<bool> kNeverStop = false;
+using run_tests::kNeverStop;
 
 SceneSettings small_settings() { return {.samples = 60, .seed = 3, .repetitions = 2, .seconds_of_repetition = 1e-3}; }
 
@@ -207,10 +208,6 @@ TEST(SceneBench, GoalsOfAMillionTriangles) {
   EXPECT_NE(goals.find("near, any, in times of Embree 3: 1.25, not <= 1"), std::string::npos) << goals;
 }
 
-int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_bench, "bench", std::move(arguments));
-}
-
 /// A tetrahedron, and a face that is no triangle.
 void write_mesh(const fs::path& file) {
   fs::create_directories(file.parent_path());
@@ -244,8 +241,8 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
   write_mesh(scratch.path / "meshes" / "one.off");
   const auto folder = scratch.path / "it's new";
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_command({"--scene", "--most-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
-                         "20", "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
+  ASSERT_EQ(run_bench({"--scene", "--most-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
+                       "20", "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
             0);
   const std::string text = testing::internal::GetCapturedStdout();
   const auto all = nlohmann::json::parse(std::ifstream(folder / "bench.json"));
@@ -269,12 +266,12 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
 }
 
 TEST(SceneBenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--most-faces", "1000"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--scene", "--most-faces", "999"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--scene", "--most-faces", "10000001"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--scene", "--family", "far"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--scene", "--count", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--scene", "--meshes", "/nowhere"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--most-faces", "1000"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--most-faces", "999"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--most-faces", "10000001"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--family", "far"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--meshes", "/nowhere"}), std::runtime_error);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ const Feature kFace{Feature::Kind::Face, 0};
 Feature edge(std::size_t i) { return {Feature::Kind::Edge, i}; }
 Feature vertex(std::size_t i) { return {Feature::Kind::Vertex, i}; }
 
-struct Move {
+struct BallOnArc {
   Arc arc;
   double radius;
   Faces faces;
@@ -64,7 +64,7 @@ struct Move {
 };
 
 /// An arc about a random axis through the neighbourhood of one or two polygons, which may be off their planes.
-Move draw_move(std::uint64_t index) {
+BallOnArc draw_move(std::uint64_t index) {
   workloads::Workload workload;
   const auto& families = workloads::all_families();
   workload.family = families[index % families.size()];
@@ -85,7 +85,7 @@ Move draw_move(std::uint64_t index) {
     return polygon.vertex(
         static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(polygon.vertex_count()) - 1)));
   };
-  Move move;
+  BallOnArc move;
   move.radius = size * std::ldexp(1 + random.unit(), -static_cast<int>(random.integer(3, 9)));
   const Eigen::Vector3d aim =
       (random.coin() ? corner() : Eigen::Vector3d((corner() + corner()) / 2)) + vector(move.radius);
@@ -165,7 +165,7 @@ TEST(FirstContact, CoversTheWholeTurnAndItsEnd) {
 // Guarantee for every finite double: an exact scaling changes nothing, far beyond where squares over- and underflow.
 TEST(FirstContact, IsTheSameAtEveryScale) {
   for (std::uint64_t index = 0; index < 10; ++index) {
-    const Move move = draw_move(index);
+    const BallOnArc move = draw_move(index);
     const auto expected = first_contact(move.arc, move.radius, move.faces);
     for (const int exponent : {-900, -400, 300, 900}) {
       const auto scaled = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return std::ldexp(1.0, exponent) * v; };
@@ -264,7 +264,7 @@ TEST(FirstContact, RefusesWhatIsNoMove) {
 TEST(FirstContact, AgreesWithRationalsAlongRandomArcs) {
   std::size_t contacts = 0, misses = 0, kinds[3] = {0, 0, 0};
   for (std::uint64_t index = 0; index < 4 * TOUCHSTONE_SAMPLES; ++index) {
-    const Move move = draw_move(index);
+    const BallOnArc move = draw_move(index);
     const auto contact = first_contact(move.arc, move.radius, move.faces);
     const auto touched_at = [&](const ArcPoint& point) { return touches(point.center, move.radius, move.faces); };
     if (contact && contact->kind == Kind::AtStart) {
@@ -296,7 +296,7 @@ TEST(FirstContact, AgreesWithRationalsAlongRandomArcs) {
 TEST(FirstContact, LiesWithinTheStepAtWhichSteppingStops) {
   std::size_t within = 0, missed = 0;
   for (std::uint64_t index = 0; index < 2 * TOUCHSTONE_SAMPLES; ++index) {
-    const Move move = draw_move(index);
+    const BallOnArc move = draw_move(index);
     const auto first = first_contact(move.arc, move.radius, move.faces);
     const auto stepped = stepped_contact(move.arc, move.radius, 1, move.faces);
     if (!stepped) {

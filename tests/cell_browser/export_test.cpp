@@ -23,7 +23,7 @@ namespace touchstone::cell_browser_tests {
 namespace {
 
 using namespace cell::browser;
-using nlohmann::json;
+using PlainJson = nlohmann::json;
 
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t from = text.find(begin) + begin.size();
@@ -66,7 +66,7 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
 }
 
 struct Glb {
-  json gltf;
+  PlainJson gltf;
   std::string buffer;
 };
 
@@ -79,18 +79,18 @@ Glb parsed(const std::string& bytes) {
   EXPECT_EQ(bytes.substr(16, 4), "JSON");
   EXPECT_EQ(bytes.substr(24 + text, 4), std::string("BIN\0", 4));
   EXPECT_EQ(bytes.size(), 28 + text + buffer);
-  return {json::parse(bytes.substr(20, text)), bytes.substr(28 + text)};
+  return {PlainJson::parse(bytes.substr(20, text)), bytes.substr(28 + text)};
 }
 
-std::size_t width(const json& accessor) {
+std::size_t width(const PlainJson& accessor) {
   static const std::map<std::string, std::size_t> widths{{"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}};
   return widths.at(accessor["type"]);
 }
 
 template <class T>
 std::vector<T> values(const Glb& glb, std::size_t number) {
-  const json& accessor = glb.gltf["accessors"][number];
-  const json& view = glb.gltf["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  const PlainJson& accessor = glb.gltf["accessors"][number];
+  const PlainJson& view = glb.gltf["bufferViews"][accessor["bufferView"].get<std::size_t>()];
   std::vector<T> result(accessor["count"].get<std::size_t>() * width(accessor));
   std::memcpy(result.data(), glb.buffer.data() + view["byteOffset"].get<std::size_t>(), sizeof(T) * result.size());
   return result;
@@ -99,20 +99,20 @@ std::vector<T> values(const Glb& glb, std::size_t number) {
 TEST(Gltf, AccessorsStayWithinTheBuffer) {
   const Glb glb = parsed(gltf_binary(recording(), 25));
   EXPECT_EQ(glb.gltf["buffers"][0]["byteLength"], glb.buffer.size());
-  for (const json& view : glb.gltf["bufferViews"]) {
+  for (const PlainJson& view : glb.gltf["bufferViews"]) {
     EXPECT_EQ(view["byteOffset"].get<std::size_t>() % 4, 0U);
     EXPECT_LE(view["byteOffset"].get<std::size_t>() + view["byteLength"].get<std::size_t>(), glb.buffer.size());
   }
-  for (const json& accessor : glb.gltf["accessors"]) {
-    const json& view = glb.gltf["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
+  for (const PlainJson& accessor : glb.gltf["accessors"]) {
+    const PlainJson& view = glb.gltf["bufferViews"].at(accessor["bufferView"].get<std::size_t>());
     EXPECT_EQ(4 * width(accessor) * accessor["count"].get<std::size_t>(), view["byteLength"]);
   }
 }
 
 TEST(Gltf, IndicesAndBoundsAreThoseOfThePoints) {
   const Glb glb = parsed(gltf_binary(recording(), 25));
-  for (const json& mesh : glb.gltf["meshes"])
-    for (const json& primitive : mesh["primitives"]) {
+  for (const PlainJson& mesh : glb.gltf["meshes"])
+    for (const PlainJson& primitive : mesh["primitives"]) {
       const std::size_t at = primitive["attributes"]["POSITION"];
       const std::vector<float> points = values<float>(glb, at);
       for (const std::uint32_t index : values<std::uint32_t>(glb, primitive["indices"]))
@@ -129,13 +129,13 @@ TEST(Gltf, IndicesAndBoundsAreThoseOfThePoints) {
 
 // Every node but the root is the child of exactly one; links are named as the robot's.
 TEST(Gltf, NodesAreATreeOfTheLinks) {
-  const json gltf = json::parse(gltf_text(recording(), 25));
+  const PlainJson gltf = PlainJson::parse(gltf_text(recording(), 25));
   std::vector<int> parents(gltf["nodes"].size(), 0);
   std::vector<std::string> names;
-  for (const json& node : gltf["nodes"]) {
+  for (const PlainJson& node : gltf["nodes"]) {
     names.push_back(node["name"]);
     if (node.contains("children"))
-      for (const json& child : node["children"]) ++parents.at(child.get<std::size_t>());
+      for (const PlainJson& child : node["children"]) ++parents.at(child.get<std::size_t>());
   }
   EXPECT_EQ(parents[0], 0);
   EXPECT_TRUE(std::all_of(parents.begin() + 1, parents.end(), [](int count) { return count == 1; }));
@@ -146,10 +146,10 @@ TEST(Gltf, NodesAreATreeOfTheLinks) {
 TEST(Gltf, AnimationIsTheRun) {
   const Recording& run = recording();
   const Glb glb = parsed(gltf_binary(run, 25));
-  const json& animation = glb.gltf["animations"].at(0);
+  const PlainJson& animation = glb.gltf["animations"].at(0);
   std::map<std::string, std::vector<float>> places;
-  for (const json& channel : animation["channels"]) {
-    const json& sampler = animation["samplers"].at(channel["sampler"].get<std::size_t>());
+  for (const PlainJson& channel : animation["channels"]) {
+    const PlainJson& sampler = animation["samplers"].at(channel["sampler"].get<std::size_t>());
     const std::vector<float> times = values<float>(glb, sampler["input"]);
     ASSERT_EQ(times.size(), run.looks.size());
     EXPECT_TRUE(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end());
@@ -180,7 +180,7 @@ TEST(Gltf, AnimationIsTheRun) {
 }
 
 TEST(Gltf, TextAndBinaryHoldTheSame) {
-  json text = json::parse(gltf_text(recording(), 25));
+  PlainJson text = PlainJson::parse(gltf_text(recording(), 25));
   const Glb glb = parsed(gltf_binary(recording(), 25));
   const std::string uri = text["buffers"][0]["uri"], head = "data:application/octet-stream;base64,";
   ASSERT_EQ(uri.rfind(head, 0), 0U);

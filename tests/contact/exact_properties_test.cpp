@@ -162,10 +162,10 @@ RC_GTEST_PROP(ExactTranslation, MovesThePointOnly, ()) {
 
 /// Radii around the threshold and far from it, ascending.
 std::vector<double> radii(const Case& c, double distance) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> result{0, c.ball.radius};
   for (const double r : {c.ball.radius, distance})
-    for (const double x : {r / 2, std::nextafter(r, 0.0), r, std::nextafter(r, kInfinity), 2 * r})
+    for (const double x :
+         {r / 2, std::nextafter(r, 0.0), r, std::nextafter(r, std::numeric_limits<double>::infinity()), 2 * r})
       if (std::isfinite(x)) result.push_back(x);
   std::sort(result.begin(), result.end());
   return result;
@@ -267,9 +267,10 @@ FootPlace without(FootPlace in_region, FootPlace in_hole) {
 
 // Identity (10): a hole in the plane of its polygon is a difference of regions.
 RC_GTEST_PROP(ExactHoles, AreDifferencesOfRegions, ()) {
-  const Case c = *rc::gen::oneOf(samples({.placements = {workloads::Placement::LatticeFrame},
-                                          .fewest_holes = 1, .most_holes = 3, .largest_warp = 0}),
-                                 grid_cases());
+  const Case c = *rc::gen::oneOf(
+      samples(
+          {.placements = {workloads::Placement::LatticeFrame}, .fewest_holes = 1, .most_holes = 3, .largest_warp = 0}),
+      grid_cases());
   std::vector<Loop> loops = loops_of(c.polygon);
   RC_PRE(loops.size() > 1);
   const Polygon hole(loops.back());

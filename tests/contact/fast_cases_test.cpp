@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Feature::Kind;
 
-void expect(const HandCase& c) {
+void expect_fast(const HandCase& c) {
   const Ball& ball = c.given.ball;
   const fast::PreparedPolygon<> polygon(c.given.polygon);
   EXPECT_EQ(fast::answer(ball, polygon), c.expected) << c.given.id;
@@ -27,12 +27,12 @@ void expect(const HandCase& c) {
 
 TEST(FastCases, EveryKeyIsThatDerivedByHandInEachCoordinatePlane) {
   for (const HandCase& c : hand_cases())
-    for (int times = 0; times < 3; ++times) expect(turned(c, times));
+    for (int times = 0; times < 3; ++times) expect_fast(turned(c, times));
 }
 
 TEST(FastCases, EveryKeyIsThatDerivedByHandAtSafeSizes) {
   for (const HandCase& c : hand_cases())
-    for (const int exponent : {-160, 160}) expect({scaled(c.given, exponent), scaled(c.expected, exponent)});
+    for (const int exponent : {-160, 160}) expect_fast({scaled(c.given, exponent), scaled(c.expected, exponent)});
 }
 
 /// Distances that are no float are rounded to one.
@@ -69,17 +69,29 @@ TEST(FastLift, MovesEveryVertexOntoThePlane) {
 // The mean is that of the outer loop; a hole is lifted like any vertex.
 TEST(FastLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
   const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
-  EXPECT_EQ(fast::answer({{3, 2, 1}, 1}, polygon),
-            (Answer{PlaneSide::Intersects, true, FootPlace::Boundary, {4}, Relation::Touching, {Kind::Edge, 4},
-                    {3, 2, 0}, 1, 5}));
+  EXPECT_EQ(fast::answer({{3, 2, 1}, 1}, polygon), (Answer{PlaneSide::Intersects,
+                                                           true,
+                                                           FootPlace::Boundary,
+                                                           {4},
+                                                           Relation::Touching,
+                                                           {Kind::Edge, 4},
+                                                           {3, 2, 0},
+                                                           1,
+                                                           5}));
 }
 
 // As in ExactLift: along x, not along z.
 TEST(FastLift, DropsTheLowestAxisOnATie) {
   const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
-  EXPECT_EQ(fast::answer({{0, -3, 0}, 3}, polygon),
-            (Answer{PlaneSide::Intersects, false, FootPlace::Outside, {0, 3}, Relation::Touching, {Kind::Vertex, 0},
-                    {0, 0, 0}, 3, 1}));
+  EXPECT_EQ(fast::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
+                                                            false,
+                                                            FootPlace::Outside,
+                                                            {0, 3},
+                                                            Relation::Touching,
+                                                            {Kind::Vertex, 0},
+                                                            {0, 0, 0},
+                                                            3,
+                                                            1}));
 }
 
 }  // namespace

@@ -31,11 +31,11 @@ bool refused_for_itself(const Loop& loop) {
   return verdict(loop).rfind("loop-meets-itself: the outer loop: edge ", 0) == 0;
 }
 
-Loop square(double low, double high) { return {{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}; }
+Loop square_loop(double low, double high) { return {{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}; }
 
 TEST(ValidateCases, RejectsALoopThatRunsBackOnItself) {
-  EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 3, 0}}));  // level
-  EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 2, 0}, {0, 2, 0}}));  // upright
+  EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 3, 0}}));               // level
+  EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 2, 0}, {0, 2, 0}}));    // upright
   EXPECT_TRUE(refused_for_itself({{0, 0, 0}, {4, 1, 0}, {4, 4, 0}, {4, -2, 0}, {0, -2, 0}}));  // beyond its start
 }
 
@@ -49,24 +49,27 @@ TEST(ValidateCases, RejectsVerticesThatCoincideFarApartInTheLoop) {
 }
 
 TEST(ValidateCases, RejectsEdgesThatOverlap) {
-  EXPECT_TRUE(refused_for_itself(
-      {{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {4, 2, 0}, {4, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}}));
+  EXPECT_TRUE(
+      refused_for_itself({{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {4, 2, 0}, {4, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}}));
 }
 
 TEST(ValidateCases, RejectsLoopsThatTouch) {
-  for (const Loop& hole : {Loop{{0, 4, 0}, {2, 3, 0}, {2, 5, 0}},  // its vertex on an edge
-                           Loop{{0, 0, 0}, {2, 1, 0}, {1, 2, 0}},  // two vertices coincide
-                           Loop{{0, 2, 0}, {0, 4, 0}, {2, 3, 0}},  // edges overlap
+  for (const Loop& hole : {Loop{{0, 4, 0}, {2, 3, 0}, {2, 5, 0}},             // its vertex on an edge
+                           Loop{{0, 0, 0}, {2, 1, 0}, {1, 2, 0}},             // two vertices coincide
+                           Loop{{0, 2, 0}, {0, 4, 0}, {2, 3, 0}},             // edges overlap
                            Loop{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}},  // the same loop
-                           Loop{{4, 4, 0}, {12, 4, 0}, {4, 5, 0}}})  // crosses
-    EXPECT_EQ(verdict(square(0, 9), {hole}).rfind("loops-meet: the outer loop and hole 0: ", 0), 0U);
-  EXPECT_EQ(verdict(square(0, 9), {square(2, 4), square(5, 7), {{3, 3, 0}, {4, 3, 0}, {3, 3.5, 0}}})
-                .rfind("loops-meet: hole 0 and hole 2: edge 5 (vertices 5, 6) meets edge ", 0), 0U);
+                           Loop{{4, 4, 0}, {12, 4, 0}, {4, 5, 0}}})           // crosses
+    EXPECT_EQ(verdict(square_loop(0, 9), {hole}).rfind("loops-meet: the outer loop and hole 0: ", 0), 0U);
+  EXPECT_EQ(verdict(square_loop(0, 9), {square_loop(2, 4), square_loop(5, 7), {{3, 3, 0}, {4, 3, 0}, {3, 3.5, 0}}})
+                .rfind("loops-meet: hole 0 and hole 2: edge 5 (vertices 5, 6) meets edge ", 0),
+            0U);
 }
 
 TEST(ValidateCases, RejectsAHoleAroundTheOuterLoopAndOneBesideIt) {
-  EXPECT_EQ(verdict(square(2, 4), {square(0, 9)}), "hole-outside: hole 0: vertex 4 is not inside the outer loop");
-  EXPECT_EQ(verdict(square(2, 4), {square(6, 9)}), "hole-outside: hole 0: vertex 4 is not inside the outer loop");
+  EXPECT_EQ(verdict(square_loop(2, 4), {square_loop(0, 9)}),
+            "hole-outside: hole 0: vertex 4 is not inside the outer loop");
+  EXPECT_EQ(verdict(square_loop(2, 4), {square_loop(6, 9)}),
+            "hole-outside: hole 0: vertex 4 is not inside the outer loop");
   const Loop notched{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {5, 9, 0}, {5, 3, 0}, {4, 3, 0}, {4, 9, 0}, {0, 9, 0}};
   EXPECT_EQ(verdict(notched, {{{4.2, 5, 0}, {4.8, 5, 0}, {4.5, 6, 0}}}),
             "hole-outside: hole 0: vertex 8 is not inside the outer loop");
@@ -75,12 +78,12 @@ TEST(ValidateCases, RejectsAHoleAroundTheOuterLoopAndOneBesideIt) {
 // One polygon with all the faults; each is found once those before it are mended.
 TEST(ValidateCases, NamesTheFirstReasonThatApplies) {
   const Loop line{{0, 0, 0}, {9, 0, 0}, {5, 0, 0}}, crossing{{1, 1, 0}, {3, 3, 0}, {3, 1, 0}, {1, 3, 0}};
-  const Loop touching{{0, 4, 0}, {2, 4, 0}, {2, 5, 0}}, outside = square(20, 21);
+  const Loop touching{{0, 4, 0}, {2, 4, 0}, {2, 5, 0}}, outside = square_loop(20, 21);
   EXPECT_EQ(verdict(line, {crossing, touching, outside}), "zero-normal: the outer loop: its Newell normal is zero");
-  EXPECT_EQ(verdict(square(0, 9), {outside, touching, crossing}),
+  EXPECT_EQ(verdict(square_loop(0, 9), {outside, touching, crossing}),
             "loop-meets-itself: hole 2: edge 11 (vertices 11, 12) meets edge 13 (vertices 13, 14)");
-  EXPECT_EQ(verdict(square(0, 9), {outside, touching}).substr(0, 10), "loops-meet");
-  EXPECT_EQ(verdict(square(0, 9), {outside}).substr(0, 12), "hole-outside");
+  EXPECT_EQ(verdict(square_loop(0, 9), {outside, touching}).substr(0, 10), "loops-meet");
+  EXPECT_EQ(verdict(square_loop(0, 9), {outside}).substr(0, 12), "hole-outside");
 }
 
 // Left out is the coordinate that the largest component of the normal names: loops may well cross along another.
@@ -102,7 +105,7 @@ TEST(ValidateCases, DecidesAtTheEndsOfTheDoubles) {
       return loops_of(scaled({"", {{0, 0, 0}, 0}, Polygon(loop)}, exponent).polygon)[0];
     };
     EXPECT_EQ(verdict(at(crossing)), verdict(crossing));
-    EXPECT_EQ(verdict(at(square(1, 9)), {at(square(2, 4))}), "accepted");
+    EXPECT_EQ(verdict(at(square_loop(1, 9)), {at(square_loop(2, 4))}), "accepted");
   }
 }
 

@@ -20,8 +20,6 @@ using mesh::merge_faces;
 using mesh::MergedFace;
 using mesh::MergedMesh;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 Polygon face_of(const Mesh& mesh, std::uint32_t face) {
   Loop loop;
   for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
@@ -118,7 +116,7 @@ TEST(Merge, StaysWithinItsTolerance) {
       EXPECT_LE(face.off_plane, tolerance) << what;
       const exact::PreparedPolygon polygon(face.polygon);
       for (const Ball& ball : balls_near(mesh, face.faces, index)) {
-        double nearest = kInfinity;
+        double nearest = std::numeric_limits<double>::infinity();
         for (const std::uint32_t part : face.faces)
           nearest = std::min(nearest, exact::answer(ball, face_of(mesh, part)).distance);
         EXPECT_LE(std::abs(exact::answer(ball, polygon).distance - nearest), face.off_plane + 1e-15) << what;

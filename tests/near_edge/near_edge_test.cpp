@@ -18,21 +18,22 @@
 #include "experiments/near_edge/study.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::near_edge {
 namespace {
 
 namespace fs = std::filesystem;
+using methods::PartialAnswer;
 using run_tests::Scratch;
 using run_tests::text_of;
-using methods::PartialAnswer;
 using workloads::Family;
 using workloads::Placement;
 using Tested = judge::Test;  // within TEST, Test is GoogleTest's
 
-const std::atomic<bool> kNeverStop = false;
-const run::Progress kSilent = [](std::uint64_t) {};
-const run::Processes kAlone;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
 const methods::Method& kExact = *methods::find_method("exact");
 
 std::vector<const methods::Method*> select(const std::vector<std::string>& names) {

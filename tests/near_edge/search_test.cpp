@@ -15,6 +15,7 @@
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -22,9 +23,9 @@ namespace {
 using workloads::Family;
 using workloads::Placement;
 
-const std::atomic<bool> kNeverStop = false;
-const run::Processes kAlone;
-const run::Progress kSilent = [](std::uint64_t) {};
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
 
 const methods::Method& method(const char* name) { return *methods::find_method(name); }
 

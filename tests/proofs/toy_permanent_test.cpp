@@ -16,8 +16,8 @@
 namespace touchstone::filtered::proofs {
 namespace {
 
-constexpr std::uint64_t kSamples = std::uint64_t{300} * TOUCHSTONE_SAMPLES;
-constexpr std::uint64_t kSeed = 2027;
+constexpr std::uint64_t kPermanents = std::uint64_t{300} * TOUCHSTONE_SAMPLES;
+constexpr std::uint64_t kPermanentSeed = 2027;
 
 /// (1+u)^roundings - 1, rounded up.
 double relative_bound(const mpq_class& u, int roundings) {
@@ -48,8 +48,8 @@ WithPermanent<Nearest<Bits>> toy(const Exact& value) {
 
 template <int Bits>
 void expect_bounds(double& largest_share) {
-  for (std::uint64_t index = 0; index < kSamples; ++index) {
-    workloads::Random random(kSeed, index);
+  for (std::uint64_t index = 0; index < kPermanents; ++index) {
+    workloads::Random random(kPermanentSeed, index);
     const Inputs<Exact> inputs = exact_inputs<Nearest<Bits>>(draw_operands(random));
     const auto expected = with_permanents(inputs, exact);
     const auto computed = with_permanents(inputs, toy<Bits>);

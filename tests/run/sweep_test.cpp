@@ -11,12 +11,13 @@
 #include <thread>
 
 #include "experiments/run/progress_line.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::run {
 namespace {
 
-const std::atomic<bool> kNeverStop = false;
-const Processes kAlone;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
 
 TEST(Blocks, AreEachRunOnceByAThreadBelowTheCount) {
   std::mutex mutex;

@@ -155,7 +155,7 @@ TEST(FaceCounts, AreAboutTheChosenObjectsOnly) {
 
 /// Calls f(objects, scene, ball, words) for scenes of each kind.
 template <class F>
-void for_each_query(std::uint64_t balls, const F& f) {
+void for_each_scene_and_ball(std::uint64_t balls, const F& f) {
   for (const Kind kind : all_kinds()) {
     const auto objects = draw_objects(kind, 2027, 0);
     Scene scene;
@@ -167,43 +167,43 @@ void for_each_query(std::uint64_t balls, const F& f) {
 
 // Guarantees (1) to (3): everything adds up, and counting changes no answer.
 TEST(FaceCounts, AddUpAndLeaveTheAnswersAlone) {
-  for_each_query(TOUCHSTONE_SAMPLES / 5,
-                 [](const auto& objects, const Scene& scene, const Ball& ball, const auto& what) {
-                   std::uint64_t faces = 0, edges = 0;
-                   for (const scene::Faces& object : objects) {
-                     faces += object.triangles.size() + object.polygons.size();
-                     edges += 3 * object.triangles.size();
-                     for (const Polygon& polygon : object.polygons) edges += polygon.vertex_count();
-                   }
-                   FaceCounts any, all, nearest;
-                   const auto touched = scene.touched(ball, all);
-                   EXPECT_EQ(touched, scene.touched(ball)) << what;
-                   EXPECT_EQ(scene.touches(ball, any), scene.touches(ball)) << what;
-                   const auto found = scene.nearest(ball, nearest);
-                   ASSERT_TRUE(found) << what;
-                   EXPECT_EQ(found->face, scene.nearest(ball)->face) << what;
-                   for (const FaceCounts* counts : {&any, &all, &nearest}) {
-                     EXPECT_EQ(counts->faces(), faces) << what;
-                     EXPECT_EQ(counts->edges(), edges) << what;
-                     EXPECT_LE(counts->edges_looked_at(), edges) << what;
-                     EXPECT_EQ(staged(*counts), counts->tested()) << what;
-                     EXPECT_EQ(counts->tested(), counts->faces(Fate::Slab) + counts->faces(Fate::Foot) +
-                                                     counts->faces(Fate::Edges) + counts->faces(Fate::Touched))
-                         << what;
-                   }
-                   EXPECT_EQ(all.faces(Fate::Touched), touched.size()) << what;
-                   EXPECT_EQ(all.faces(Fate::Known), 0U) << what;
-                   EXPECT_EQ(any.faces(Fate::Touched), touched.empty() ? 0U : 1U) << what;
-                   EXPECT_EQ(any.faces(Fate::Box), all.faces(Fate::Box)) << what;
-                   EXPECT_EQ(nearest.faces(Fate::Known), 0U) << what;
-                   EXPECT_GE(nearest.faces(Fate::Touched), 1U) << what;
+  for_each_scene_and_ball(TOUCHSTONE_SAMPLES / 5,
+                          [](const auto& objects, const Scene& scene, const Ball& ball, const auto& what) {
+                            std::uint64_t faces = 0, edges = 0;
+                            for (const scene::Faces& object : objects) {
+                              faces += object.triangles.size() + object.polygons.size();
+                              edges += 3 * object.triangles.size();
+                              for (const Polygon& polygon : object.polygons) edges += polygon.vertex_count();
+                            }
+                            FaceCounts any, all, nearest;
+                            const auto touched = scene.touched(ball, all);
+                            EXPECT_EQ(touched, scene.touched(ball)) << what;
+                            EXPECT_EQ(scene.touches(ball, any), scene.touches(ball)) << what;
+                            const auto found = scene.nearest(ball, nearest);
+                            ASSERT_TRUE(found) << what;
+                            EXPECT_EQ(found->face, scene.nearest(ball)->face) << what;
+                            for (const FaceCounts* counts : {&any, &all, &nearest}) {
+                              EXPECT_EQ(counts->faces(), faces) << what;
+                              EXPECT_EQ(counts->edges(), edges) << what;
+                              EXPECT_LE(counts->edges_looked_at(), edges) << what;
+                              EXPECT_EQ(staged(*counts), counts->tested()) << what;
+                              EXPECT_EQ(counts->tested(), counts->faces(Fate::Slab) + counts->faces(Fate::Foot) +
+                                                              counts->faces(Fate::Edges) + counts->faces(Fate::Touched))
+                                  << what;
+                            }
+                            EXPECT_EQ(all.faces(Fate::Touched), touched.size()) << what;
+                            EXPECT_EQ(all.faces(Fate::Known), 0U) << what;
+                            EXPECT_EQ(any.faces(Fate::Touched), touched.empty() ? 0U : 1U) << what;
+                            EXPECT_EQ(any.faces(Fate::Box), all.faces(Fate::Box)) << what;
+                            EXPECT_EQ(nearest.faces(Fate::Known), 0U) << what;
+                            EXPECT_GE(nearest.faces(Fate::Touched), 1U) << what;
 
-                   FaceCounts sum = any, both;
-                   sum += all;
-                   (void)scene.touches(ball, both);
-                   (void)scene.touched(ball, both);
-                   EXPECT_EQ(sum, both) << what;
-                 });
+                            FaceCounts sum = any, both;
+                            sum += all;
+                            (void)scene.touches(ball, both);
+                            (void)scene.touched(ball, both);
+                            EXPECT_EQ(sum, both) << what;
+                          });
 }
 
 /// Is the foot beyond the line of an edge that the ball does not reach?

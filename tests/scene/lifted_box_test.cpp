@@ -17,7 +17,7 @@ using workloads::Random;
 
 /// Polygons of 3 to 40 vertices in any plane, off it by nothing to their size, far away or not, thin or not, with one
 /// hole or none.
-std::optional<Polygon> draw(std::uint64_t index) {
+std::optional<Polygon> draw_polygon(std::uint64_t index) {
   Random random(2026, index, 63);
   const auto number = [&random] { return 2 * random.unit() - 1; };
   const auto point = [&] { return Eigen::Vector3d(number(), number(), number()); };
@@ -74,7 +74,7 @@ std::pair<std::size_t, std::vector<mpq_class>> lifted(const Polygon& polygon) {
 TEST(LiftedBox, HoldsEveryLiftedVertexTightly) {
   int quick_ones = 0, all = 0;
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
-    const auto polygon = draw(index);
+    const auto polygon = draw_polygon(index);
     if (!polygon) continue;
     const Box exact = scene::lifted_box(*polygon, filtered::PreparedPolygon(*polygon));
     const auto quick = scene::quick_lifted_box(*polygon);

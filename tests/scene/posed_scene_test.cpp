@@ -46,9 +46,9 @@ struct Standing {
 };
 
 /// A scene that moves from step to step, and the same without it.
-class Subject {
+class MovingScene {
  public:
-  Subject(Kind kind, std::uint64_t index, int times)
+  MovingScene(Kind kind, std::uint64_t index, int times)
       : kind_(kind), index_(index), models_(draw_objects(kind, 2026, index, times)) {
     for (std::size_t i = 0; i < models_.size(); ++i) {
       scene_.add("object " + std::to_string(i), models_[i]);
@@ -105,7 +105,7 @@ class Subject {
     return ids_[best];
   }
 
-  friend std::ostream& operator<<(std::ostream& out, const Subject& subject) {
+  friend std::ostream& operator<<(std::ostream& out, const MovingScene& subject) {
     return out << name(subject.kind_) << ", scene " << subject.index_ << ", moves " << subject.moves_;
   }
 
@@ -136,7 +136,7 @@ TEST(PosedScene, NeverDiffersFromBruteForce) {
   std::uint64_t queries = 0, differences = 0, moves = 0, touching = 0;
   for (std::uint64_t index = 0; queries < kQueries; ++index)
     for (const Kind kind : all_kinds()) {
-      Subject subject(kind, index, index % 10 == 9 ? 5 : 1);
+      MovingScene subject(kind, index, index % 10 == 9 ? 5 : 1);
       for (std::uint64_t step = 0; step < kSteps; ++step) {
         if (step > 0) subject.move(step);
         for (std::uint64_t i = 0; i < kBalls; ++i, ++queries) {

@@ -45,7 +45,7 @@ bool is_nearest(double x, const mpq_class& value) {
 }
 
 /// Numbers of one magnitude or of all, round or not, and translations that leave nothing, a tie, or next to one.
-std::pair<Pose, Eigen::Vector3d> draw(std::uint64_t index) {
+std::pair<Pose, Eigen::Vector3d> draw_pose_and_point(std::uint64_t index) {
   Random random(2026, index, 61);
   const auto style = random.integer(0, 5);
   const int magnitude = style == 0 ? 1020 : style == 1 ? 540 : 3;
@@ -80,7 +80,7 @@ std::pair<Pose, Eigen::Vector3d> draw(std::uint64_t index) {
 TEST(Posing, RoundsEveryCoordinateOnceToTheNearest) {
   StageCounts counts;
   for (std::uint64_t index = 0; index < 100 * TOUCHSTONE_SAMPLES; ++index) {
-    const auto [pose, p] = draw(index);
+    const auto [pose, p] = draw_pose_and_point(index);
     const Eigen::Vector3d result = posed(pose, p, counts);
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_TRUE(is_nearest(result[axis], exact_coordinate(pose, p, axis))) << "sample " << index << ", axis " << axis;
@@ -91,7 +91,7 @@ TEST(Posing, RoundsEveryCoordinateOnceToTheNearest) {
 
 TEST(Posing, RoundsAlikeInEveryFloatingPointEnvironment) {
   for (std::uint64_t index = 0; index < 3 * TOUCHSTONE_SAMPLES; ++index) {
-    const auto [pose, p] = draw(index);
+    const auto [pose, p] = draw_pose_and_point(index);
     const Eigen::Vector3d expected = posed(pose, p);
     for (const int mode : contact_tests::kModes)
       for (const unsigned flush : contact_tests::kFlushes) {

@@ -22,6 +22,7 @@
 #include "robust/exact/validate.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::soak {
 namespace {
@@ -30,8 +31,8 @@ namespace fs = std::filesystem;
 using run_tests::Scratch;
 using run_tests::text_of;
 
-const std::atomic<bool> kNeverStop = false;
-const run::Processes kAlone;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
 
 /// What a whole run of these cases gives.
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {

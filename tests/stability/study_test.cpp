@@ -20,6 +20,7 @@
 #include "experiments/stability/output.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::stability {
 namespace {
@@ -31,9 +32,9 @@ using run_tests::Scratch;
 using run_tests::text_of;
 using Tested = judge::Test;  // within TEST, Test is GoogleTest's
 
-const std::atomic<bool> kNeverStop = false;
-const run::Progress kSilent = [](std::uint64_t) {};
-const run::Processes kAlone;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
 
 Settings settings(const std::vector<std::string>& methods, std::vector<Axis> axes, std::uint64_t samples,
                   unsigned threads = 1) {

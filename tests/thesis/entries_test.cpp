@@ -13,16 +13,12 @@
 
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "tests/run/scratch.h"
+#include "tests/thesis/begun_study.h"
 
 namespace touchstone::thesis_tests {
 namespace {
 
 using namespace thesis_figures;
-
-const Study& begun() {
-  static const Study study = begin_study({}, kinematics::chosen_layout());
-  return study;
-}
 
 const Entry& entry_of(const std::vector<Entry>& entries, std::string_view id) {
   return *std::ranges::find_if(entries, [&](const Entry& entry) { return entry.caption->id == id; });

@@ -14,6 +14,7 @@
 #include "experiments/thesis/output.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/thesis/begun_study.h"
 
 namespace touchstone::thesis_tests {
 namespace {
@@ -22,11 +23,6 @@ using namespace thesis_figures;
 using kinematics::kCases;
 
 const std::atomic<bool> kGoOn{false}, kStop{true};
-
-const Study& begun() {
-  static const Study study = begin_study({}, kinematics::chosen_layout());
-  return study;
-}
 
 constexpr Settings kSmall{
     .samples = 100, .seed = 3, .angle_step = 60, .radius_step = 200, .radius_scan = 40, .height_scan = 100};

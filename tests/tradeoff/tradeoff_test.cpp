@@ -27,6 +27,7 @@
 #include "robust/exact/validate.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::tradeoff {
 namespace {
@@ -38,9 +39,9 @@ using run_tests::Scratch;
 using workloads::Family;
 using workloads::Placement;
 
-const std::atomic<bool> kNeverStop = false;
-const run::Progress kSilent = [](std::uint64_t) {};
-const run::Processes kAlone;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
 
 Errors whole(const Settings& settings) {
   Errors errors = no_errors(settings);

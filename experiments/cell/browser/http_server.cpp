@@ -17,6 +17,14 @@
 #include <vector>
 
 namespace touchstone::cell::browser {
+
+/// What the sessions of a server have in common.
+struct SharedBySessions {
+  HttpServer::Handler handler;
+  HttpServer::Limits limits;
+  std::atomic<int> connections = 0;
+};
+
 namespace {
 
 namespace asio = boost::asio;
@@ -37,12 +45,8 @@ std::string without_port(std::string_view host) {
   return std::string(host.substr(0, host.find(':')));
 }
 
-HttpReply refusal(unsigned status, const std::string& reason) {
-  return {status, "application/json", nlohmann::json{{"error", reason}}.dump(), ""};
-}
-
 /// What to answer to something that could not be read; none where nobody waits for an answer.
-std::optional<HttpReply> refusal(const error_code& error, const HttpServer::Limits& limits) {
+std::optional<HttpReply> reply_to(const error_code& error, const HttpServer::Limits& limits) {
   if (error == http::error::body_limit)
     return refusal(413, fmt::format("a request's body may have {} bytes", limits.most_body));
   if (error == http::error::header_limit)
@@ -52,16 +56,11 @@ std::optional<HttpReply> refusal(const error_code& error, const HttpServer::Limi
   return refusal(400, "this is not HTTP: " + error.message());
 }
 
-struct Shared {
-  HttpServer::Handler handler;
-  HttpServer::Limits limits;
-  std::atomic<int> connections = 0;
-};
-
 /// One connection: requests one after the other. Keeps itself alive while something is under way.
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  Session(Tcp::socket socket, std::shared_ptr<Shared> shared) : stream_(std::move(socket)), shared_(std::move(shared)) {
+  Session(Tcp::socket socket, std::shared_ptr<SharedBySessions> shared)
+      : stream_(std::move(socket)), shared_(std::move(shared)) {
     ++shared_->connections;
   }
   Session(const Session&) = delete;
@@ -80,7 +79,7 @@ class Session : public std::enable_shared_from_this<Session> {
  private:
   void take(const error_code& error) {
     if (error) {
-      if (auto reply = refusal(error, shared_->limits)) write(*std::move(reply), 11, false);
+      if (auto reply = reply_to(error, shared_->limits)) write(*std::move(reply), 11, false);
       return;
     }
     const auto& message = parser_->get();
@@ -131,7 +130,7 @@ class Session : public std::enable_shared_from_this<Session> {
   }
 
   beast::tcp_stream stream_;
-  std::shared_ptr<Shared> shared_;
+  std::shared_ptr<SharedBySessions> shared_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> reply_;
@@ -142,11 +141,15 @@ class Session : public std::enable_shared_from_this<Session> {
 
 }  // namespace
 
+HttpReply refusal(unsigned status, const std::string& reason, std::string allow) {
+  return {status, "application/json", nlohmann::json{{"error", reason}}.dump(), std::move(allow)};
+}
+
 struct HttpServer::State {
   asio::io_context context;
   Tcp::acceptor acceptor{context};
   asio::steady_timer clock{context};
-  std::shared_ptr<Shared> shared = std::make_shared<Shared>();
+  std::shared_ptr<SharedBySessions> shared = std::make_shared<SharedBySessions>();
 
   void accept() {
     acceptor.async_accept(asio::make_strand(context), [this](error_code error, Tcp::socket socket) {

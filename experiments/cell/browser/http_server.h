@@ -25,6 +25,9 @@ struct HttpReply {
   std::string allow;  ///< methods, of 405
 };
 
+/// A reply whose body is a JSON object: its `error` is the reason.
+[[nodiscard]] HttpReply refusal(unsigned status, const std::string& reason, std::string allow = "");
+
 /// Answers requests of HTTP/1.1, by Boost.Beast.
 ///
 /// What is no HTTP is answered by 400, a head of more than 8 kB by 431, a body of more than `most_body` bytes by 413,

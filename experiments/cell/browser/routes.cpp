@@ -10,10 +10,6 @@ namespace {
 
 constexpr const char* kJson = "application/json";
 
-HttpReply refusal(unsigned status, const std::string& reason, std::string allow = "") {
-  return {status, kJson, Json{{"error", reason}}.dump(), std::move(allow)};
-}
-
 /// A message that does not begin with what only who started the program need know.
 std::string without(const std::string& prefix, const std::string& message) {
   return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;

@@ -8,10 +8,10 @@
 namespace touchstone::kinematics {
 namespace {
 
-constexpr int kSteepest = 60, kGridStep = 5;
+constexpr int kGridReach = 60, kGridStep = 5;
 constexpr int kLargestAngle = 60;                         // of the storage
 constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up and down
-constexpr std::uint64_t kGrid = 2 * kSteepest / kGridStep + 1, kLine = 2 * kSteepest + 1;
+constexpr std::uint64_t kGrid = 2 * kGridReach / kGridStep + 1, kLine = 2 * kGridReach + 1;
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
 Rehearsal rehearse_case(const Layout& layout, std::size_t number) {
@@ -86,12 +86,12 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
   };
   LayoutStudy study;
   for (const Coupling coupling : kCouplings) {
-    for (int elevation = -kSteepest; elevation <= kSteepest; elevation += kGridStep)
-      for (int lean = -kSteepest; lean <= kSteepest; lean += kGridStep) {
+    for (int elevation = -kGridReach; elevation <= kGridReach; elevation += kGridStep)
+      for (int lean = -kGridReach; lean <= kGridReach; lean += kGridStep) {
         study.grid.push_back(member(coupling, {0.0 + lean, 0.0 + elevation}));
         if (stopped()) return std::nullopt;
       }
-    for (int elevation = -kSteepest; elevation <= kSteepest; ++elevation) {
+    for (int elevation = -kGridReach; elevation <= kGridReach; ++elevation) {
       for (const double lean : leans_of_one_height(coupling, elevation))
         study.one_height.push_back(member(coupling, {lean, 0.0 + elevation}));
       if (stopped()) return std::nullopt;

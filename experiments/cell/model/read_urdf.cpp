@@ -50,9 +50,9 @@ struct Place {
   }
 };
 
-class Reader {
+class UrdfReader {
  public:
-  Reader(std::string file, int sides, const SolidContext& context)
+  UrdfReader(std::string file, int sides, const SolidContext& context)
       : file_(std::move(file)), sides_(sides), context_(context) {}
 
   [[nodiscard]] Robot robot(const urdf::ModelInterface& model) const {
@@ -194,7 +194,7 @@ Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext
     said = sentences.text();
   }
   if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is no URDF file" : said));
-  return Reader(file.string(), sides, context).robot(*model);
+  return UrdfReader(file.string(), sides, context).robot(*model);
 }
 
 }  // namespace touchstone::cell
