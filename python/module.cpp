@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The module that python/touchstone/__init__.py hands on.
+#include <pybind11/eigen.h>
+#include <pybind11/operators.h>
+
+#include <string>
+
+#include "python/questions.h"
+
+namespace touchstone::python {
+namespace {
+
+namespace py = pybind11;
+
+py::str text(std::string_view word) { return {word.data(), word.size()}; }
+
+/// As a verdict has it: {'kind': 'edge', 'index': 3}; the face has no index.
+py::dict nearest_of(const Answer& answer) {
+  py::dict feature;
+  feature["kind"] = text(word(answer.nearest.kind));
+  if (answer.nearest.kind != Feature::Kind::Face) feature["index"] = answer.nearest.index;
+  return feature;
+}
+
+py::dict verdict_of(const Answer& answer) {
+  py::dict keys;
+  keys["plane"] = text(word(answer.plane));
+  keys["plane_tangent"] = answer.plane_tangent;
+  keys["foot"] = text(word(answer.foot));
+  keys["edges_hit"] = py::cast(answer.edges_hit);
+  keys["relation"] = text(word(answer.relation));
+  keys["contact"] = answer.contact();
+  keys["nearest"] = nearest_of(answer);
+  py::list point;
+  for (const double x : answer.point) point.append(x);
+  keys["point"] = point;
+  keys["distance"] = answer.distance;
+  keys["off_plane"] = answer.off_plane;
+  return keys;
+}
+
+void add_answer(py::module_& module) {
+  py::class_<Answer>(module, "Answer", "All that the contract asks about a ball and a polygon, in its words.")
+      .def_property_readonly("plane", [](const Answer& a) { return text(word(a.plane)); })
+      .def_readonly("plane_tangent", &Answer::plane_tangent)
+      .def_property_readonly("foot", [](const Answer& a) { return text(word(a.foot)); })
+      .def_readonly("edges_hit", &Answer::edges_hit)
+      .def_property_readonly("relation", [](const Answer& a) { return text(word(a.relation)); })
+      .def_property_readonly("contact", &Answer::contact)
+      .def_property_readonly("nearest", nearest_of)
+      .def_readonly("point", &Answer::point)
+      .def_readonly("distance", &Answer::distance)
+      .def_readonly("off_plane", &Answer::off_plane)
+      .def("verdict", verdict_of, "The keys of a verdict, as `touchstone judge` prints them.")
+      .def(py::self == py::self)
+      .def("__repr__", [](const Answer& a) { return "Answer(" + py::repr(verdict_of(a)).cast<std::string>() + ")"; })
+      .attr("__hash__") = py::none();
+}
+
+void add_polygon(py::module_& module) {
+  py::class_<ValidPolygon>(module, "Polygon",
+                           "An outer loop and holes in space, each an array of n x 3, non-convex and of either "
+                           "orientation: what the contract accepts. Raises Rejected, which names the loop and the "
+                           "vertex or edge. Prepared once for each path that is asked about it.")
+      .def(py::init<const Doubles&, const std::vector<Doubles>&>(), py::arg("outer"),
+           py::arg("holes") = std::vector<Doubles>())
+      .def_property_readonly(
+          "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of its vertices, n x 3.")
+      .def_property_readonly(
+          "holes",
+          [](const ValidPolygon& p) {
+            py::list holes;
+            for (std::size_t i = 1; i < p.polygon().loop_count(); ++i) holes.append(p.loop(i));
+            return holes;
+          },
+          "Copies of theirs.")
+      .def("__repr__", [](const ValidPolygon& p) {
+        const std::size_t holes = p.polygon().loop_count() - 1;
+        return "Polygon(" + std::to_string(p.polygon().vertex_count()) + " vertices, " + std::to_string(holes) +
+               (holes == 1 ? " hole)" : " holes)");
+      });
+}
+
+/// Rejected of C++ as Rejected of Python: a ValueError with the contract's `code`.
+void add_rejected(py::module_& module) {
+  static py::handle type = py::exception<Rejected>(module, "Rejected", PyExc_ValueError).release();
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const Rejected& rejected) {
+      py::object error = type(rejected.what());
+      error.attr("code") = text(word(rejected.rejection().code));
+      PyErr_SetObject(type.ptr(), error.ptr());
+    }
+  });
+}
+
+PYBIND11_MODULE(_touchstone, module) {
+  add_rejected(module);
+  add_answer(module);
+  add_polygon(module);
+  Questions<filtered::PreparedPolygon>::add_to(module, "filtered", "Exact, at about the price of fast.");
+  Questions<exact::PreparedPolygon>::add_to(module, "exact", "The statement of the truth, by an exact kernel of CGAL.");
+  Questions<fast::PreparedPolygon<>>::add_to(module, "fast",
+                                             "Plain doubles: wrong near a boundary, and does not say so.");
+  module.attr("__version__") = TOUCHSTONE_VERSION;
+}
+
+}  // namespace
+}  // namespace touchstone::python

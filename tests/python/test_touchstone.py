@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The module of Python gives the answers of C++, takes arrays as they lie, and names what it refuses."""
+
+import contextlib
+import gc
+import io
+import json
+import pathlib
+import re
+import sys
+import threading
+import unittest
+
+import numpy as np
+import touchstone
+
+CORPUS = pathlib.Path(__file__).parent.parent / "corpus"
+SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+PATHS = (touchstone.filtered, touchstone.exact, touchstone.fast)
+
+
+def corpus():
+    for file in sorted(CORPUS.glob("*.jsonl")):
+        for line in file.read_text().splitlines():
+            yield json.loads(line)
+
+
+def parts(case):
+    ball, polygon = case["ball"], case["polygon"]
+    return [*ball["center"], ball["radius"]], polygon["outer"], polygon.get("holes", [])
+
+
+def rejection_of(make):
+    try:
+        make()
+    except touchstone.Rejected as rejected:
+        return rejected.code
+    return None
+
+
+def random_balls(count):
+    random = np.random.default_rng(2026)
+    return np.column_stack([random.uniform(-2, 6, (count, 2)), random.uniform(-2, 2, count), random.uniform(0, 2, count)])
+
+
+class Answers(unittest.TestCase):
+    def test_are_those_of_the_corpus(self):
+        asked = 0
+        for case in corpus():
+            expected = case["expected"]
+            if "error" in expected:
+                continue
+            ball, outer, holes = parts(case)
+            polygon = touchstone.Polygon(outer, holes)
+            for path in (touchstone.filtered, touchstone.exact):
+                verdict = path.answer(ball, polygon).verdict()
+                # A value beyond the finite doubles is null in a verdict.
+                finite = json.loads(json.dumps(verdict), parse_constant=lambda _: None)
+                self.assertEqual({key: finite[key] for key in expected}, expected, case["id"])
+                asked += 1
+        self.assertGreater(asked, 500)
+
+    def test_of_single_questions_are_the_keys_of_the_whole_answer(self):
+        square = touchstone.Polygon(SQUARE, [[[1, 1, 0], [3, 1, 0], [3, 3, 0], [1, 3, 0]]])
+        for path in PATHS:
+            for ball in random_balls(50):
+                answer = path.answer(ball, square)
+                self.assertEqual(path.contact(ball, square), answer.contact)
+                self.assertEqual(path.relation(ball, square), answer.relation)
+                self.assertEqual(path.plane_side(ball, square), answer.plane)
+                self.assertEqual(path.foot(ball, square), answer.foot)
+                self.assertEqual(path.edges_hit(ball, square).tolist(), answer.edges_hit)
+                point, distance = path.closest(ball, square)
+                self.assertEqual((point.tolist(), distance), (answer.point.tolist(), answer.distance))
+
+    def test_of_a_batch_are_those_of_its_balls_in_order(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(300)
+        for path in PATHS:
+            one = [path.answer(ball, square) for ball in balls]
+            self.assertEqual(path.answer(balls, square), one)
+            self.assertEqual(path.contact(balls, square).tolist(), [a.contact for a in one])
+            self.assertEqual(path.relation(balls, square).tolist(), [a.relation for a in one])
+            self.assertEqual(path.plane_side(balls, square).tolist(), [a.plane for a in one])
+            self.assertEqual(path.foot(balls, square).tolist(), [a.foot for a in one])
+            self.assertEqual([hit.tolist() for hit in path.edges_hit(balls, square)], [a.edges_hit for a in one])
+            points, distances = path.closest(balls, square)
+            self.assertEqual(points.tolist(), [a.point.tolist() for a in one])
+            self.assertEqual(distances.tolist(), [a.distance for a in one])
+            self.assertEqual({a.relation for a in one}, {"separate", "overlapping"})
+
+    def test_differ_where_doubles_err(self):
+        triangle = touchstone.Polygon([[0, 0, 0], [3, 1, 0], [1, 3, 1]])
+        balls = random_balls(2000)
+        balls[:, 3] = touchstone.exact.closest(balls, triangle)[1]
+        self.assertTrue((touchstone.filtered.relation(balls, triangle) == touchstone.exact.relation(balls, triangle)).all())
+        self.assertFalse((touchstone.fast.relation(balls, triangle) == touchstone.exact.relation(balls, triangle)).all())
+
+    def test_of_no_balls_are_none(self):
+        square, none = touchstone.Polygon(SQUARE), np.empty((0, 4))
+        for path in PATHS:
+            self.assertEqual(path.contact(none, square).shape, (0,))
+            self.assertEqual(path.relation(none, square).shape, (0,))
+            self.assertEqual(path.answer(none, square), [])
+            self.assertEqual([a.shape for a in path.closest(none, square)], [(0, 3), (0,)])
+
+
+class Arrays(unittest.TestCase):
+    def test_of_other_layouts_and_types_give_the_same(self):
+        square = touchstone.Polygon(SQUARE)
+        balls = np.round(random_balls(64) * 4).astype(np.float64)
+        expected = touchstone.filtered.contact(balls, square).tolist()
+        wide = np.zeros((128, 8))
+        wide[::2, ::2] = balls
+        for same in (np.asfortranarray(balls), balls.astype(np.int64), balls.astype(np.float32), wide[::2, ::2], balls.tolist()):
+            self.assertEqual(touchstone.filtered.contact(same, square).tolist(), expected)
+
+    def test_are_not_written_to_and_may_be_read_only(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(64)
+        before = balls.copy()
+        balls.setflags(write=False)
+        touchstone.filtered.answer(balls, square)
+        self.assertTrue((balls == before).all())
+
+    def test_that_are_returned_outlive_what_they_came_from(self):
+        def point():
+            return touchstone.exact.answer([9, 9, 9, 1], touchstone.Polygon(SQUARE)).point
+
+        kept = point()
+        gc.collect()
+        self.assertEqual(kept.tolist(), [4, 4, 0])
+        with self.assertRaises(ValueError):
+            kept[0] = 1
+
+    def test_of_a_polygon_are_its_loops(self):
+        hole = [[1, 1, 0], [1, 2, 0], [2, 1, 0]]
+        polygon = touchstone.Polygon(np.array(SQUARE), (hole,))
+        self.assertEqual(polygon.outer.tolist(), SQUARE)
+        self.assertEqual([h.tolist() for h in polygon.holes], [hole])
+
+
+class Refusals(unittest.TestCase):
+    def refused(self, code, words, make):
+        with self.assertRaises(touchstone.Rejected) as caught:
+            make()
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertEqual(caught.exception.code, code)
+        self.assertIn(words, str(caught.exception))
+
+    def test_have_the_codes_of_the_corpus(self):
+        refusals = 0
+        for case in corpus():
+            if "error" not in case["expected"] or case["expected"]["error"] in ("malformed-case", True):
+                continue
+            try:
+                ball, outer, holes = parts(case)
+            except KeyError:
+                continue
+            # A ball and a polygon are refused apart; a case that holds two faults has the code of one of them.
+            codes = [rejection_of(lambda: touchstone.filtered.contact(ball, touchstone.Polygon(SQUARE))),
+                     rejection_of(lambda: touchstone.Polygon(outer, holes))]
+            self.assertIn(case["expected"]["error"], codes, case["id"])
+            refusals += 1
+        self.assertGreater(refusals, 10)
+
+    def test_name_the_loop_and_the_vertex(self):
+        self.refused("repeated-vertex", "vertex 1", lambda: touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 0, 0], [0, 1, 0]]))
+        self.refused("not-finite", "hole 0", lambda: touchstone.Polygon(SQUARE, [[[1, 1, 0], [2, 1, np.nan], [1, 2, 0]]]))
+        self.refused("loop-meets-itself", "edge", lambda: touchstone.Polygon([[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0], [-1, 1, 0]]))
+        self.refused("malformed-case", "hole 1", lambda: touchstone.Polygon(SQUARE, [[[1, 1, 0], [2, 1, 0], [1, 2, 0]], [[1, 2]]]))
+
+    def test_name_the_ball(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(9)
+        balls[7, 3] = -1
+        self.refused("negative-radius", "ball 7", lambda: touchstone.filtered.contact(balls, square))
+        balls[5, 1] = np.inf
+        self.refused("not-finite", "ball 5", lambda: touchstone.exact.answer(balls, square))
+        self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact([1, 2, 3], square))
+        self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact(1.0, square))
+
+    def test_are_type_errors_where_nothing_is_a_number(self):
+        with self.assertRaises(TypeError):
+            touchstone.Polygon("square")
+        with self.assertRaises(TypeError):
+            touchstone.filtered.contact([0, 0, 0, 1], SQUARE)
+
+
+class Threads(unittest.TestCase):
+    def test_may_ask_about_one_polygon_at_once(self):
+        square, balls = touchstone.Polygon(SQUARE), random_balls(2000)
+        expected = touchstone.exact.contact(balls, touchstone.Polygon(SQUARE)).tolist()
+        found = [None] * 4
+
+        def ask(i):
+            found[i] = PATHS[i % 2].contact(balls, square).tolist()
+
+        threads = [threading.Thread(target=ask, args=(i,)) for i in range(len(found))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, [expected] * len(found))
+
+
+class Page(unittest.TestCase):
+    def test_prints_what_it_says(self):
+        page = (pathlib.Path(__file__).parent.parent.parent / "python" / "README.md").read_text()
+        sample, refused = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        said = [line.split("# ")[1] for line in sample.splitlines() if line.startswith("print")]
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            exec(sample, {})
+        self.assertEqual([line.split() for line in printed.getvalue().splitlines()], [line.split() for line in said])
+        with self.assertRaises(touchstone.Rejected) as caught:
+            exec("import touchstone\n" + refused, {})
+        kind = f"{type(caught.exception).__module__}.{type(caught.exception).__name__}"
+        self.assertIn(f"# {kind}: {caught.exception}\n", refused)
+
+
+class Stubs(unittest.TestCase):
+    def test_name_all_that_there_is(self):
+        text = (pathlib.Path(touchstone.__file__).parent / "__init__.pyi").read_text()
+        names = [name for path in PATHS for name in vars(path) if not name.startswith("_")]
+        names += [n for kind in (touchstone.Answer, touchstone.Polygon) for n in vars(kind) if not n.startswith("_")]
+        for name in [*names, *touchstone.__all__]:
+            self.assertRegex(text, rf"\b{name}\b")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=1)
