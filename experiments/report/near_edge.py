@@ -28,6 +28,13 @@ def place(offset):
     return math.copysign(size if size <= 8 else 8 + 0.7 * math.log2(size / 8), offset)
 
 
+EVEN_STEPS = "even steps from −8 to 8 (shaded), powers of 2 beyond, so curves bend there"
+
+
+def shade_even_steps(axes):
+    axes.axvspan(place(-8), place(8), color="#f2f2f2", linewidth=0, zorder=-1)
+
+
 class Rates:
     def __init__(self, path):
         self.curves, self.methods, self.families = {}, [], []
@@ -56,6 +63,7 @@ class Rates:
         axes.set_ylim(-3, 103)
         axes.grid(color="#dddddd", linewidth=0.5)
         axes.axvline(0, color="#888888", linewidth=0.6)
+        shade_even_steps(axes)
 
     def thresholds(self, placement):
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
@@ -85,6 +93,7 @@ def draw_rates(rates, folder, placement):
                 axes.set_xlabel(axis_label(threshold))
     for row in grid:
         row[0].set_ylabel("wrong answers, %")
+    figure.supxlabel(EVEN_STEPS, fontsize=8)
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n",
                     x=0.01, ha="left")
     rates.legend(figure)
@@ -104,7 +113,7 @@ def draw_families(rates, folder, placement):
             if row == 0:
                 axes.set_title(family)
         grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{OWN_TEST[threshold]} test, %", fontsize=7.5)
-    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles", fontsize=9)
+    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles: " + EVEN_STEPS, fontsize=9)
     figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n", x=0.01, ha="left")
     rates.legend(figure)
     save(figure, folder, f"rates-{placement}-families")
