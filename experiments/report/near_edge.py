@@ -119,11 +119,14 @@ def draw_families(rates, folder, placement):
     save(figure, folder, f"rates-{placement}-families")
 
 
-# What a pixel can be: letter of the verdict, colour, words. Right pixels keep the shade of the truth.
-WRONG = {"+": ("#D55E00", "wrongly inside / a contact"), "-": ("#0072B2", "wrongly outside / none"),
-         "b": ("#F0E442", "inside and boundary confused")}
-TRUTH = {"i": ("#c9c9c9", "right: inside / a contact"), "c": ("#c9c9c9", ""), "o": ("#f7f7f7", "right: outside / none"),
-         "n": ("#f7f7f7", ""), "b": ("#000000", "truth: boundary")}
+# What a pixel can be: letter of the verdict, colour, words for the foot and for the contact. Right pixels keep the shade
+# of the truth.
+WRONG = {"+": ("#D55E00", "wrong: says inside", "wrong: says contact"),
+         "-": ("#0072B2", "wrong: says outside", "wrong: says none"),
+         "b": ("#F0E442", "wrong: inside and boundary confused", ""),
+         "?": ("#CC79A7", "says nothing", "says nothing")}
+TRUTH = {"i": ("#c9c9c9", "right: inside", ""), "c": ("#c9c9c9", "", "right: contact"),
+         "o": ("#f7f7f7", "right: outside", ""), "n": ("#f7f7f7", "", "right: none"), "b": ("#000000", "right: boundary", "")}
 
 
 def read_map(path):
@@ -136,16 +139,19 @@ def read_map(path):
 
 def colours(truth, verdicts):
     picture = np.zeros(truth.shape + (3,))
-    for letter, (colour, _) in TRUTH.items():
+    for letter, (colour, _, _) in TRUTH.items():
         picture[truth == letter] = matplotlib.colors.to_rgb(colour)
     if verdicts is not None:
-        for letter, (colour, _) in WRONG.items():
+        for letter, (colour, _, _) in WRONG.items():
             picture[verdicts == letter] = matplotlib.colors.to_rgb(colour)
     return picture
 
 
-SPOTS = {"face": "a point inside an L", "edge": "the middle of an edge of an L", "vertex": "a vertex of an L",
-         "reflex-vertex": "the reflex vertex of an L"}
+SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
+         "edge": ("the middle of an edge of an L", "the centre straight above it (foot); beyond the edge, which is nearest (final answer)"),
+         "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
+         "reflex-vertex": ("the reflex vertex of an L", "the centre straight above it (foot); above the notch, where both edges are\n"
+                           "equally near (final answer: a reflex vertex is nearest only to what is straight above or below)")}
 DISTANCES = [(0, "at the origin"), (1000, "$10^3$ sizes away"), (1000000, "$10^6$ sizes away")]
 TESTS = {"foot": "foot", "contact": "final answer"}
 
@@ -160,7 +166,7 @@ def draw_maps(folder, spot):
     dpi, pixels_a_double = 150, 3
     size = maps[0]["truth"].shape[0]
     side = size * pixels_a_double / dpi
-    gap, left, top, bottom = 0.12, 1.1, 1.05, 0.85
+    gap, left, top, bottom = 0.12, 1.3, 1.35, 1.15
     width = left + max(len(columns), 4) * (side + gap)  # the title and the legend need so much
     height = top + len(names) * (side + gap) + bottom
     figure = plt.figure(figsize=(width, height))
@@ -177,11 +183,18 @@ def draw_maps(folder, spot):
             if row == 0:
                 axes.set_title(f"{TESTS[test]},\n{words}")
             if column == 0:
-                axes.set_ylabel(name, fontsize=10)
-    figure.text(0.1 / width, 1 - 0.12 / height, f"The plane above {SPOTS[spot]}, which lies below the middle:\n"
-                f"{size} x {size} doubles, one pixel a double of either coordinate of the centre", va="top", fontsize=11)
-    legend = [Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in [*TRUTH.values(), *WRONG.values()] if words]
-    figure.legend(handles=legend, loc="lower center", ncol=3 if len(columns) > 4 else 2, frameon=False)
+                axes.set_ylabel(f"{name}\n\n" + ("centre, another\ncoordinate" if row == 0 else "\n"), fontsize=8.5)
+            if row == len(names) - 1 and column == 0:
+                axes.set_xlabel(f"centre, a coordinate:\n{size} doubles", fontsize=8.5)
+    about, middle = SPOTS[spot]
+    figure.text(0.1 / width, 1 - 0.12 / height, f"About {about}: {size} x {size} doubles,\n"
+                "one pixel a double of either coordinate of the centre", va="top", fontsize=11)
+    figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}", va="top", fontsize=9)
+    for i, test in enumerate(dict.fromkeys(test for test, _, _ in columns)):
+        entries = [(colour, words[list(TESTS).index(test)]) for colour, *words in [*TRUTH.values(), *WRONG.values()]]
+        figure.legend(handles=[Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in entries if words],
+                      title=TESTS[test], loc="lower left", ncol=2, frameon=False, fontsize=8, title_fontsize=8.5,
+                      alignment="left", bbox_to_anchor=((left + 1.3 + 4.2 * i) / width, 0))
     save(figure, folder, f"maps-{spot}", ("png",))
 
 
