@@ -191,7 +191,11 @@ def draw_maps(folder, spot):
                 "one pixel a double of either coordinate of the centre", va="top", fontsize=11)
     figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}", va="top", fontsize=9)
     for i, test in enumerate(dict.fromkeys(test for test, _, _ in columns)):
-        entries = [(colour, words[list(TESTS).index(test)]) for colour, *words in [*TRUTH.values(), *WRONG.values()]]
+        parts = [(WRONG if name != "truth" else TRUTH, part) for (its_test, _, _), letters in zip(columns, maps)
+                 for name, part in letters.items() if its_test == test]
+        entries = [(colour, words[list(TESTS).index(test)]) for kind in (TRUTH, WRONG)
+                   for letter, (colour, *words) in kind.items()
+                   if any(its_kind is kind and (part == letter).any() for its_kind, part in parts)]
         figure.legend(handles=[Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in entries if words],
                       title=TESTS[test], loc="lower left", ncol=2, frameon=False, fontsize=8, title_fontsize=8.5,
                       alignment="left", bbox_to_anchor=((left + 1.3 + 4.2 * i) / width, 0))

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/thesis/false_areas.h"
 
+#include <cstdint>
+#include <string_view>
+
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 

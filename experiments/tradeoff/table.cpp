@@ -164,8 +164,8 @@ std::string legend(const std::vector<Timing>& timings) {
       "Units in the last place: of the exact distance, and of the largest coordinate of the exact point; both "
       "correctly\n"
       "rounded, so that 0 is within half a unit of the truth; median, 99 % and worst are of finite ones. Methods that\n"
-      "give neither are left out. On lattices one radius in four is exactly tangent; nothing else is mixed in a "
-      "line.\n",
+      "give neither are left out. No line mixes lattices with rotated polygons; one lattice radius in four is exactly "
+      "tangent.\n",
       kNear, 1e3 * kSecondsOfList, kNear, kSlowStride);
   return text + (timings.empty() ? "Nothing was timed.\n" : noise(timings));
 }
