@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/near_edge/map.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -18,7 +19,7 @@ namespace {
 using workloads::PlacedOutline;
 
 constexpr std::array kSpots{Spot::Face, Spot::Edge, Spot::Vertex, Spot::ReflexVertex};
-constexpr std::size_t kScenes = kSpots.size() * std::size(kOriginDistances);
+constexpr std::size_t kMaps = (2 * kSpots.size() - 1) * std::size(kOriginDistances);
 constexpr auto kSide = static_cast<std::size_t>(Map::kSize);
 constexpr char kNotDrawn = ' ';
 
@@ -32,19 +33,52 @@ Position middle(workloads::LatticePoint a, workloads::LatticePoint b) {
           (static_cast<double>(a.y) + static_cast<double>(b.y)) / 2};
 }
 
-/// An L has one reflex vertex; vertex 3 counted from there is the opposite corner of the same part of the L.
-Position place_of(Spot spot, const workloads::Outline& outline) {
-  const std::size_t n = outline.outer.size();
+/// An L, its vertices counted from the reflex one: 3 is the opposite corner, and its edges are parallel to the axes.
+class LetterL {
+ public:
+  explicit LetterL(const workloads::LatticeLoop& loop, std::size_t reflex) : loop_(loop), reflex_(reflex) {}
+
+  [[nodiscard]] Position at(Spot spot) const {
+    switch (spot) {
+      case Spot::Face: return middle(vertex(0), vertex(3));
+      case Spot::Edge: return middle(vertex(2), vertex(3));
+      case Spot::Vertex: return middle(vertex(3), vertex(3));
+      case Spot::ReflexVertex: break;
+    }
+    return middle(vertex(0), vertex(0));
+  }
+
+  /// So far out of the L that no other feature is as near; for the reflex vertex in the notch, halfway to the end of
+  /// its shorter edge.
+  [[nodiscard]] Position beyond(Spot spot, double distance) const {
+    const workloads::LatticePoint diagonal = vertex(3) - vertex(0), along = vertex(3) - vertex(2);
+    const auto [x, y] = at(spot);
+    double dx = std::copysign(distance, static_cast<double>(diagonal.x));
+    double dy = std::copysign(distance, static_cast<double>(diagonal.y));
+    switch (spot) {
+      case Spot::Face: return {x, y};
+      case Spot::Edge: return along.x == 0 ? Position{x + dx, y} : Position{x, y + dy};
+      case Spot::Vertex: return {x + dx, y + dy};
+      case Spot::ReflexVertex: break;
+    }
+    const double inward = std::min(length(vertex(1) - vertex(0)), length(vertex(5) - vertex(0))) / 2;
+    return {x - std::copysign(inward, dx), y - std::copysign(inward, dy)};
+  }
+
+ private:
+  [[nodiscard]] workloads::LatticePoint vertex(std::size_t i) const { return loop_[(reflex_ + i) % loop_.size()]; }
+  static double length(workloads::LatticePoint a) {
+    return std::hypot(static_cast<double>(a.x), static_cast<double>(a.y));
+  }
+
+  const workloads::LatticeLoop& loop_;
+  std::size_t reflex_;
+};
+
+LetterL letter_of(const workloads::Outline& outline) {
   std::size_t reflex = 0;
   while (workloads::corner(outline, reflex).convex()) ++reflex;
-  const auto vertex = [&](std::size_t i) { return outline.outer[(reflex + i) % n]; };
-  switch (spot) {
-    case Spot::Face: return middle(vertex(0), vertex(3));
-    case Spot::Edge: return middle(vertex(2), vertex(3));
-    case Spot::Vertex: return middle(vertex(3), vertex(3));
-    case Spot::ReflexVertex: break;
-  }
-  return middle(vertex(0), vertex(0));
+  return LetterL(outline.outer, reflex);
 }
 
 /// The axis across which a polygon spreads least; here, that of its normal's largest component, but for near ties.
@@ -90,7 +124,7 @@ struct Scene {
   std::vector<std::unique_ptr<methods::PreparedMethod>> asked;
 };
 
-Scene draw_scene(Spot spot, double origin_distance, std::uint64_t seed,
+Scene draw_scene(Spot spot, Test test, double origin_distance, std::uint64_t seed,
                  const std::vector<const methods::Method*>& methods) {
   workloads::Workload workload;
   workload.family = workloads::Family::L;
@@ -99,8 +133,9 @@ Scene draw_scene(Spot spot, double origin_distance, std::uint64_t seed,
   constexpr std::uint64_t kAttempts = 10000;
   for (std::uint64_t index = 0; index < kAttempts; ++index) {
     const PlacedOutline placed = workloads::draw_placed_outline(workload, seed, index);
-    const Position place = place_of(spot, placed.outline);
     const auto height = static_cast<double>(workloads::bounding_box(placed.outline.outer).size()) / 4;
+    const LetterL letter = letter_of(placed.outline);
+    const Position place = test == Test::Foot ? letter.at(spot) : letter.beyond(spot, height);
     const Eigen::Vector3d center = placed.frame.at(place.x, place.y, height);
     const int flat = flat_axis(placed.frame);
     if (!same_binade(center[(flat + 1) % 3], center[(flat + 2) % 3])) continue;
@@ -165,31 +200,33 @@ class Cartographer {
     for (const auto* method : methods) knows_boundary_.push_back(judge::knows_boundary(*method));
     const std::string empty(kSide * kSide, kNotDrawn);
     for (const Spot spot : kSpots)
-      for (const double distance : kOriginDistances) {
-        scenes_.push_back(draw_scene(spot, distance, seed, methods));
-        for (const Test test : {Test::Foot, Test::Contact})
+      for (const double distance : kOriginDistances)
+        for (const Test test : {Test::Foot, Test::Contact}) {
+          if (spot == Spot::Face && test == Test::Foot) continue;
+          scenes_.push_back(draw_scene(spot, test, distance, seed, methods));
           blank_.maps.push_back({spot, distance, test, empty, std::vector<std::string>(methods.size(), empty)});
-      }
+        }
   }
 
-  /// Two maps a scene, of the foot and of the contact.
+  /// A map of each scene.
   [[nodiscard]] const Sheet& blank() const { return blank_; }
 
   void draw_row(std::uint64_t number, Sheet& sheet) const {
     const std::size_t row = static_cast<std::size_t>(number) % kSide, s = static_cast<std::size_t>(number) / kSide;
     const Scene& scene = scenes_[s];
+    Map& map = sheet.maps[s];
     for (std::size_t column = 0; column < kSide; ++column) {
       const Ball ball = scene.ball(row, column);
       methods::PartialAnswer truth;
-      truth.foot = exact::foot(ball, scene.exact);
-      truth.contact = exact::contact(ball, scene.exact);
+      if (map.test == Test::Foot)
+        truth.foot = exact::foot(ball, scene.exact);
+      else
+        truth.contact = exact::contact(ball, scene.exact);
       const std::size_t pixel = row * kSide + column;
-      for (Map* map : {&sheet.maps[2 * s], &sheet.maps[2 * s + 1]}) {
-        map->truth[pixel] = letter(map->test, truth);
-        for (std::size_t m = 0; m < scene.asked.size(); ++m) {
-          const auto answer = scene.asked[m]->ask(ball, question(map->test));
-          map->verdicts[m][pixel] = letter(compare(map->test, answer, truth, knows_boundary_[m]));
-        }
+      map.truth[pixel] = letter(map.test, truth);
+      for (std::size_t m = 0; m < scene.asked.size(); ++m) {
+        const auto answer = scene.asked[m]->ask(ball, question(map.test));
+        map.verdicts[m][pixel] = letter(compare(map.test, answer, truth, knows_boundary_[m]));
       }
     }
   }
@@ -212,7 +249,7 @@ std::string_view word(Spot spot) {
   return "reflex-vertex";
 }
 
-std::uint64_t map_rows() { return kScenes * kSide; }
+std::uint64_t map_rows() { return kMaps * kSide; }
 
 std::vector<Map> draw_maps(const std::vector<const methods::Method*>& methods, std::uint64_t seed, unsigned threads,
                            const run::Processes& processes, const std::atomic<bool>& stop,
@@ -224,8 +261,7 @@ std::vector<Map> draw_maps(const std::vector<const methods::Method*>& methods, s
       [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
       cartographer.blank(), 0, sheet);
   if (!processes.first()) return {};
-  sheet.maps.resize(2 * (static_cast<std::size_t>(done) / kSide));
-  std::erase_if(sheet.maps, [](const Map& map) { return map.spot == Spot::Face && map.test == Test::Foot; });
+  sheet.maps.resize(static_cast<std::size_t>(done) / kSide);
   return sheet.maps;
 }
 

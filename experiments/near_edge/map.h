@@ -17,7 +17,7 @@ using judge::kTests;
 using judge::Outcome;
 using judge::Test;
 
-/// What lies straight below the middle of a map: a point of an L.
+/// What a map is about: a point of an L.
 enum class Spot {
   Face,          ///< inside, away from the edges
   Edge,          ///< the middle of an edge
@@ -27,11 +27,17 @@ enum class Spot {
 
 [[nodiscard]] std::string_view word(Spot spot);
 
-/// The plane above a spot of an L, one pixel a double: the centre is moved double by double in the two coordinates that
+/// A plane about a spot of an L, one pixel a double: the centre is moved double by double in the two coordinates that
 /// are not dropped, both of one binade, so that pixels are square.
 ///
-/// The middle is the double nearest to straight above the spot. The radius is the double nearest to the distance of
-/// that centre, so that both the foot (but above the face) and the contact change within the map.
+/// Foot: the middle is the double nearest to straight above the spot, so that the foot leaves the polygon there.
+/// Contact: the spot's feature is the nearest of the middle, and the radius is the double nearest to its distance, so
+/// that the contact changes there: for the face straight above it; for an edge and a vertex as far out beyond them,
+/// in the L's plane, as above that. A reflex vertex is the nearest feature of no centre but those straight above it
+/// and their opposites, all neighbours of which are nearer to the face or an edge. What is drawn of it is the notch:
+/// above its bisector, where the two edges that end at the vertex are equally near, and which of them the ball touches
+/// changes.
+///
 /// After Kettner, Mehlhorn, Pion, Schirra and Yap, "Classroom examples of robustness problems in geometric
 /// computations".
 struct Map {
@@ -39,7 +45,7 @@ struct Map {
 
   Spot spot = Spot::Face;
   double origin_distance = 0;  ///< of the polygon from the origin, in its sizes
-  Test test = Test::Contact;   ///< Foot (not above the face, where it does not change) or Contact
+  Test test = Test::Contact;   ///< Foot (not of the face, where it does not change) or Contact
   std::string truth;           ///< a letter a pixel, row by row: i(nside) b(oundary) o(utside), or c(ontact) n(one)
   std::vector<std::string> verdicts;  ///< of each method: = right, + wrongly in, - wrongly out, b boundary missed
 

@@ -28,6 +28,13 @@ def place(offset):
     return math.copysign(size if size <= 8 else 8 + 0.7 * math.log2(size / 8), offset)
 
 
+EVEN_STEPS = "even steps from −8 to 8 (shaded), powers of 2 beyond, so curves bend there"
+
+
+def shade_even_steps(axes):
+    axes.axvspan(place(-8), place(8), color="#f2f2f2", linewidth=0, zorder=-1)
+
+
 class Rates:
     def __init__(self, path):
         self.curves, self.methods, self.families = {}, [], []
@@ -56,6 +63,7 @@ class Rates:
         axes.set_ylim(-3, 103)
         axes.grid(color="#dddddd", linewidth=0.5)
         axes.axvline(0, color="#888888", linewidth=0.6)
+        shade_even_steps(axes)
 
     def thresholds(self, placement):
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
@@ -85,6 +93,7 @@ def draw_rates(rates, folder, placement):
                 axes.set_xlabel(axis_label(threshold))
     for row in grid:
         row[0].set_ylabel("wrong answers, %")
+    figure.supxlabel(EVEN_STEPS, fontsize=8)
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n",
                     x=0.01, ha="left")
     rates.legend(figure)
@@ -104,17 +113,20 @@ def draw_families(rates, folder, placement):
             if row == 0:
                 axes.set_title(family)
         grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{OWN_TEST[threshold]} test, %", fontsize=7.5)
-    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles", fontsize=9)
+    figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles: " + EVEN_STEPS, fontsize=9)
     figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n", x=0.01, ha="left")
     rates.legend(figure)
     save(figure, folder, f"rates-{placement}-families")
 
 
-# What a pixel can be: letter of the verdict, colour, words. Right pixels keep the shade of the truth.
-WRONG = {"+": ("#D55E00", "wrongly inside / a contact"), "-": ("#0072B2", "wrongly outside / none"),
-         "b": ("#F0E442", "inside and boundary confused")}
-TRUTH = {"i": ("#c9c9c9", "right: inside / a contact"), "c": ("#c9c9c9", ""), "o": ("#f7f7f7", "right: outside / none"),
-         "n": ("#f7f7f7", ""), "b": ("#000000", "truth: boundary")}
+# What a pixel can be: letter of the verdict, colour, words for the foot and for the contact. Right pixels keep the shade
+# of the truth.
+WRONG = {"+": ("#D55E00", "wrong: says inside", "wrong: says contact"),
+         "-": ("#0072B2", "wrong: says outside", "wrong: says none"),
+         "b": ("#F0E442", "wrong: inside and boundary confused", ""),
+         "?": ("#CC79A7", "says nothing", "says nothing")}
+TRUTH = {"i": ("#c9c9c9", "right: inside", ""), "c": ("#c9c9c9", "", "right: contact"),
+         "o": ("#f7f7f7", "right: outside", ""), "n": ("#f7f7f7", "", "right: none"), "b": ("#000000", "right: boundary", "")}
 
 
 def read_map(path):
@@ -127,16 +139,19 @@ def read_map(path):
 
 def colours(truth, verdicts):
     picture = np.zeros(truth.shape + (3,))
-    for letter, (colour, _) in TRUTH.items():
+    for letter, (colour, _, _) in TRUTH.items():
         picture[truth == letter] = matplotlib.colors.to_rgb(colour)
     if verdicts is not None:
-        for letter, (colour, _) in WRONG.items():
+        for letter, (colour, _, _) in WRONG.items():
             picture[verdicts == letter] = matplotlib.colors.to_rgb(colour)
     return picture
 
 
-SPOTS = {"face": "a point inside an L", "edge": "the middle of an edge of an L", "vertex": "a vertex of an L",
-         "reflex-vertex": "the reflex vertex of an L"}
+SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
+         "edge": ("the middle of an edge of an L", "the centre straight above it (foot); beyond the edge, which is nearest (final answer)"),
+         "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
+         "reflex-vertex": ("the reflex vertex of an L", "the centre straight above it (foot); above the notch, where both edges are\n"
+                           "equally near (final answer: a reflex vertex is nearest only to what is straight above or below)")}
 DISTANCES = [(0, "at the origin"), (1000, "$10^3$ sizes away"), (1000000, "$10^6$ sizes away")]
 TESTS = {"foot": "foot", "contact": "final answer"}
 
@@ -151,7 +166,7 @@ def draw_maps(folder, spot):
     dpi, pixels_a_double = 150, 3
     size = maps[0]["truth"].shape[0]
     side = size * pixels_a_double / dpi
-    gap, left, top, bottom = 0.12, 1.1, 1.05, 0.85
+    gap, left, top, bottom = 0.12, 1.3, 1.35, 1.15
     width = left + max(len(columns), 4) * (side + gap)  # the title and the legend need so much
     height = top + len(names) * (side + gap) + bottom
     figure = plt.figure(figsize=(width, height))
@@ -168,11 +183,22 @@ def draw_maps(folder, spot):
             if row == 0:
                 axes.set_title(f"{TESTS[test]},\n{words}")
             if column == 0:
-                axes.set_ylabel(name, fontsize=10)
-    figure.text(0.1 / width, 1 - 0.12 / height, f"The plane above {SPOTS[spot]}, which lies below the middle:\n"
-                f"{size} x {size} doubles, one pixel a double of either coordinate of the centre", va="top", fontsize=11)
-    legend = [Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in [*TRUTH.values(), *WRONG.values()] if words]
-    figure.legend(handles=legend, loc="lower center", ncol=3 if len(columns) > 4 else 2, frameon=False)
+                axes.set_ylabel(f"{name}\n\n" + ("centre, another\ncoordinate" if row == 0 else "\n"), fontsize=8.5)
+            if row == len(names) - 1 and column == 0:
+                axes.set_xlabel(f"centre, a coordinate:\n{size} doubles", fontsize=8.5)
+    about, middle = SPOTS[spot]
+    figure.text(0.1 / width, 1 - 0.12 / height, f"About {about}: {size} x {size} doubles,\n"
+                "one pixel a double of either coordinate of the centre", va="top", fontsize=11)
+    figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}", va="top", fontsize=9)
+    for i, test in enumerate(dict.fromkeys(test for test, _, _ in columns)):
+        parts = [(WRONG if name != "truth" else TRUTH, part) for (its_test, _, _), letters in zip(columns, maps)
+                 for name, part in letters.items() if its_test == test]
+        entries = [(colour, words[list(TESTS).index(test)]) for kind in (TRUTH, WRONG)
+                   for letter, (colour, *words) in kind.items()
+                   if any(its_kind is kind and (part == letter).any() for its_kind, part in parts)]
+        figure.legend(handles=[Patch(facecolor=colour, edgecolor="#888888", label=words) for colour, words in entries if words],
+                      title=TESTS[test], loc="lower left", ncol=2, frameon=False, fontsize=8, title_fontsize=8.5,
+                      alignment="left", bbox_to_anchor=((left + 1.3 + 4.2 * i) / width, 0))
     save(figure, folder, f"maps-{spot}", ("png",))
 
 

@@ -255,12 +255,16 @@ def draw_onset(folder, rows, styles):
             axes.plot(x, rate, color=colour, linestyle=line, marker=marker, markersize=3, linewidth=1.2, label=method)
         axes.set_title("triangles at the origin" if float(distance) == 0 else f"triangles {float(distance):.0e} sizes away"
                        .replace("e+06", "e6"))
+        known = 51 if float(distance) == 0 else 36
+        axes.axvline(known, color=GREY, linewidth=1, linestyle="--", zorder=0)
+        axes.annotate(f"known: {known}", (known, 50), xytext=(4, 0), textcoords="offset points", ha="left", fontsize=8,
+                      color="#666666")
         axes.set_xlabel("offset of the radius from the distance, $2^{-k}$ of it: k")
         axes.grid(color="#dddddd", linewidth=0.5)
     grid[0][0].set_ylabel("triangles with a wrong\ncontact at either offset, %")
     grid[0][-1].set_axis_off()
     legend_in(grid[0][-1], grid[0][0])
-    figure.suptitle("Where wrong signs begin: a ball above a triangle's face; bands: 95 % limits", x=0.01, ha="left")
+    figure.suptitle("Where wrong signs begin: a ball above a triangle's face, radius off by $2^{-k}$ to either side; bands: 95 % limits", x=0.01, ha="left")
     save(figure, folder, "onset")
 
 

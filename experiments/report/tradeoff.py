@@ -8,23 +8,25 @@ import pathlib
 import sys
 
 import numpy as np
+from matplotlib.legend_handler import HandlerTuple
 from matplotlib.lines import Line2D
-from matplotlib.transforms import ScaledTranslation
+from matplotlib.path import Path as MarkerPath
 
-from near_edge import OWN_TEST, PLACEMENTS, TITLES, place
+from near_edge import EVEN_STEPS, OWN_TEST, PLACEMENTS, TITLES, place, shade_even_steps
 from style import STYLES, plt, save
 
-# A colour a kind of method, a marker a method of it.
-KINDS = [("thesis", "#D55E00", "thesis, variants"), ("fast", "#0072B2", "fast, scalars"), ("cgal", "#009E73", "CGAL's kernels"),
-         ("interval", "#CC79A7", "intervals"), ("", "#000000", "exact")]
+# What their names begin with; a colour a kind of method, a marker a method of it.
+KINDS = [(("thesis",), "#D55E00", "thesis"), (("fast",), "#0072B2", "fast"), (("cgal",), "#009E73", "CGAL"),
+         (("boost", "fcl", "libccd", "bullet", "ode", "embree"), "#56B4E9", "engines"),
+         (("interval",), "#CC79A7", "intervals and exact"), (("",), "#000000", "intervals and exact")]
 MARKERS = "os^vDPX*<>"
 MEASURES = {
     "not-right": ("answers not right within 8 doubles of contact", "contact near the threshold"),
     "distance": ("error of the distance: 99 %, units in the last place", "the whole answer near the threshold"),
     "point": ("error of the closest point: 99 %, units in the last place", "the whole answer near the threshold"),
 }
+BELOW = 1e-30  # where a share of none is, below all that is drawn
 ROUNDED = 0.5  # the most by which a correctly rounded number is off, in units in the last place
-BEYOND = 1e20  # where an error that is not finite is drawn
 
 
 def read(path):
@@ -33,7 +35,7 @@ def read(path):
 
 
 def kind_of(method):
-    return next(i for i, (prefix, _, _) in enumerate(KINDS) if method.startswith(prefix))
+    return next(i for i, (prefixes, _, _) in enumerate(KINDS) if method.startswith(prefixes))
 
 
 class Looks:
@@ -57,50 +59,110 @@ class Spot:
     """Where a method stands in a picture, and what is known of it beyond that."""
 
     def __init__(self, row):
-        self.method, self.on_front = row["method"], row["on_front"] == "1"
-        self.x, error = float(row["nanoseconds"]), float(row["error"])
-        lower, upper = float(row["lower"]), float(row["upper"])
+        self.method, self.front = row["method"], row["front"]
+        self.x = float(row["nanoseconds"])
+        self.quartiles = float(row["lower_quartile_ns"]), float(row["upper_quartile_ns"])
+        error, lower, upper = float(row["finite_error"]), float(row["lower"]), float(row["upper"])
+        self.not_finite, self.error = float(row["not_finite"]), float(row["error"])
         if row["measure"] == "not-right":
             self.never = error == 0
-            self.y = upper if self.never else error
+            self.y, self.level = (upper, BELOW) if self.never else (error, error)
             self.whisker = None if self.never else (lower, upper)
         else:  # lower is the median, upper the worst that was seen
-            self.never = upper == 0
-            self.y = min(max(error, ROUNDED), BEYOND)
-            self.whisker = None if self.never else (self.y, min(max(upper, ROUNDED), BEYOND))
+            self.never = upper == 0 and self.not_finite == 0
+            self.y = self.level = max(error, ROUNDED)
+            self.whisker = None if self.never else (self.y, max(upper, ROUNDED))
+
+    @property
+    def name(self):
+        overflow = f" ({100 * self.not_finite:.2g} % overflow)" if self.not_finite > 0 else ""
+        return self.method + overflow
+
+
+def staircase(spots, time):
+    """The least error that was seen of those that need at most so much time, by the time of each."""
+    corners, least = [], math.inf
+    for spot in sorted(spots, key=lambda s: (time(s), s.level)):
+        if spot.level < least and math.isfinite(spot.error):
+            least = spot.level
+            corners.append((time(spot), least))
+    return corners
+
+
+def heights(corners, x):
+    """Of a staircase at each x; NaN before its first corner."""
+    y = np.full(len(x), np.nan)
+    for begin, height in corners:
+        y[x >= begin] = height
+    return y
+
+
+def draw_band(axes, spots):
+    """Grey: the staircase by medians, and between those by lower and by upper quartiles."""
+    ends = [spot.quartiles for spot in spots]
+    x = np.geomspace(min(low for low, _ in ends) / 2, 2 * max(high for _, high in ends), 2000)
+    best, worst = (heights(staircase(spots, lambda s, k=k: s.quartiles[k]), x) for k in (0, 1))
+    worst = np.where(np.isnan(worst), 1e30, worst)  # nobody is surely as fast
+    known = ~np.isnan(best)
+    axes.fill_between(x[known], best[known], worst[known], color="#dddddd", linewidth=0, zorder=0)
+    corners = staircase(spots, lambda s: s.x)
+    axes.step(*zip(*corners, (x[-1], corners[-1][1])), where="post", color="#777777", linewidth=1, zorder=0.5)
+
+
+def arrow(axes, spot, colour, size, upwards=False):
+    axes.annotate("", (spot.x, spot.y), xytext=(0, (3 if upwards else -3) * size), textcoords="offset points", zorder=1.5,
+                  arrowprops={"arrowstyle": "<|-", "color": colour, "linewidth": 0.8, "mutation_scale": 1.1 * size,
+                              "shrinkA": 0, "shrinkB": 0})
+
+
+# A circle in pieces, for what is perhaps on the front.
+PIECES = MarkerPath.make_compound_path(*(MarkerPath.arc(a, a + 35) for a in range(0, 360, 60)))
+
+
+def ring(x, y, front, size):
+    """A circle about a point on the front; in pieces, where it is perhaps."""
+    return Line2D([x], [y], color="#444444", linestyle="", marker="o" if front == "on" else PIECES, markersize=size,
+                  markerfacecolor="none", markeredgewidth=0.8, zorder=2.5)
 
 
 def draw_front(axes, rows, looks, size, whiskers):
+    """The limits of the axes are set before: where nobody is as fast, the band reaches the top."""
     spots = [Spot(row) for row in rows]
-    below = axes.transData + ScaledTranslation(0, -size / 72, axes.figure.dpi_scale_trans)
+    draw_band(axes, spots)
     for spot in spots:
         colour, marker = looks.looks[spot.method]
+        here, pale = size if spot.front != "off" else 0.7 * size, 1 if spot.front != "off" else 0.45
+        axes.plot(spot.quartiles, [spot.y, spot.y], color=colour, linewidth=1, alpha=pale, zorder=1)
         if whiskers and spot.whisker:
-            axes.plot([spot.x, spot.x], spot.whisker, color=colour, linewidth=0.8, alpha=0.5, zorder=1)
-        axes.plot(spot.x, spot.y, marker, color=colour, markersize=size, zorder=3 if spot.on_front else 2,
-                  markerfacecolor="white" if spot.never else colour)
+            axes.plot([spot.x, spot.x], spot.whisker, color=colour, linewidth=0.8, alpha=0.5 * pale, zorder=1)
         if spot.never:
-            axes.plot(spot.x, spot.y, marker=11, color=colour, markersize=0.7 * size, transform=below, clip_on=False)
-    front = sorted((spot.x, spot.y) for spot in spots if spot.on_front)
-    if front:
-        axes.step(*zip(*front), where="post", color="#777777", linewidth=1, zorder=0)
+            arrow(axes, spot, colour, here)
+        elif spot.not_finite > 0 and rows[0]["measure"] != "not-right":
+            arrow(axes, spot, colour, here, upwards=True)
+        axes.plot(spot.x, spot.y, marker, color=colour, markersize=here, zorder=3 if spot.front != "off" else 2, alpha=pale,
+                  markerfacecolor="white" if spot.never else colour)
+        if spot.front != "off":
+            axes.add_line(ring(spot.x, spot.y, spot.front, 1.9 * size))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.minorticks_off()
-    axes.grid(color="#dddddd", linewidth=0.5)
+    axes.grid(color="#eeeeee", linewidth=0.5)
     return spots
 
 
 def name_front(axes, spots, looks):
-    """The names of those on the front beside them, where nothing else stands."""
+    """The names of those on the front, and of those perhaps on it that have room for theirs, beside them."""
     to_pixels, dpi = axes.transData.transform, axes.figure.dpi
     width, height = 4.6 * dpi / 72, 10 * dpi / 72  # of a letter of 8 points
     taken = [(x - 7, y - 7, x + 7, y + 7) for x, y in (to_pixels((s.x, s.y)) for s in spots)]
-    front = sorted((s for s in spots if s.on_front), key=lambda s: s.x)
-    corners = [to_pixels((s.x, s.y)) for s in front]
-    for (x0, y0), (x1, y1) in zip(corners, corners[1:]):  # the step
-        taken += [(x0, y0 - 1, x1, y0 + 1), (x1 - 1, min(y0, y1), x1 + 1, max(y0, y1))]
+    front = sorted((s for s in spots if s.front != "off" or s.not_finite > 0), key=lambda s: (s.front != "on", s.x))
+    for s in spots:  # the quartiles
+        (x0, y0), (x1, _) = to_pixels((s.quartiles[0], s.y)), to_pixels((s.quartiles[1], s.y))
+        taken.append((x0, y0 - 1, x1, y0 + 1))
     frame = axes.get_window_extent()
+    corners = [to_pixels(corner) for corner in staircase(spots, lambda s: s.x)]
+    for (x0, y0), (x1, y1) in zip(corners, corners[1:]):
+        taken += [(x0, y0 - 1, x1, y0 + 1), (x1 - 1, min(y0, y1), x1 + 1, max(y0, y1))]
 
     def free(box):
         return (frame.x0 < box[0] and box[2] < frame.x1 and frame.y0 < box[1] and box[3] < frame.y1 and
@@ -108,48 +170,84 @@ def name_front(axes, spots, looks):
 
     for spot in front:
         x, y = to_pixels((spot.x, spot.y))
-        length = width * len(spot.method)
+        length = width * len(spot.name)
         boxes = [(x + dx, y + dy * height / 2, x + dx + length, y + (dy / 2 + 1) * height)
-                 for dy in (-1, 0, -2, 1, -3, 2, -4, 3, -5, 4, -6, 5) for dx in (10, -10 - length, -length / 2)]
-        box = next(filter(free, boxes), boxes[0])
+                 for dy in (-1, 0, -2, 1, -3, 2, -4, 3, -5, 4, -6, 5) for dx in (12, -12 - length, -length / 2)]
+        box = next(filter(free, boxes), boxes[0] if spot.front == "on" else None)
+        if box is None:
+            continue
         taken.append(box)
-        axes.annotate(spot.method, (spot.x, spot.y), xytext=((box[0] - x) * 72 / dpi, ((box[1] + box[3]) / 2 - y) * 72 / dpi),
+        axes.annotate(spot.name, (spot.x, spot.y), xytext=((box[0] - x) * 72 / dpi, ((box[1] + box[3]) / 2 - y) * 72 / dpi),
                       textcoords="offset points", va="center", fontsize=8, color=looks.looks[spot.method][0])
 
 
+def range_of(numbers):
+    low, high = min(numbers), max(numbers)
+    return f"{low:,}" if low == high else f"{low:,} to {high:,}"
+
+
+def symbols(measure, rows):
+    """Legend lines, as pairs, for what is not a plain measured point."""
+    def marker(shape, size=5, **more):
+        return Line2D([], [], color="#444444", linestyle="", marker=shape, markersize=size, **more)
+
+    spots = [Spot(row) for row in rows]
+    lines = [((marker("o"), ring([], [], "on", 9.5)), "on the front"),
+             ((marker("o"), ring([], [], "within-noise", 9.5)), "perhaps: within noise"),
+             (Line2D([], [], color="#444444", linewidth=1), "quartiles of the time")]
+    never = [int(row["samples"]) for row, spot in zip(rows, spots) if spot.never]
+    if never:
+        open_marker = (marker(r"$\downarrow$", 15, markeredgewidth=0), marker("o", markerfacecolor="white"))
+        share = measure == "not-right"
+        lines.append((open_marker, ("never wrong in" if share else "all correctly rounded:") + f"\n{range_of(never)} samples" +
+                      (":\n95 % upper limit" if share else "")))
+    if measure != "not-right" and any(spot.not_finite > 0 for spot in spots):
+        lines.append(((marker(r"$\uparrow$", 15, markeredgewidth=0), marker("o")), "of finite answers;\nothers overflow"))
+    return lines
+
+
 def explanation(measure, rows, whiskers):
+    front = ("Ringed: on the front: whoever is no less right is slower, quartiles apart. Ring in pieces: nobody no less right is faster, quartiles "
+             "apart, but some are not slower either.\nGrey: the front by medians, and between those by lower and by upper quartiles; where no "
+             "wrong answer was seen it leaves the picture. Pale: the others.")
     if measure == "not-right":
         limits = ", with 95 % limits (Hoeffding)" if whiskers else ""
-        return (f"Filled: share of answers that are wrong, or \"don't know\"{limits}. Open, with a caret below: none seen; drawn at the "
-                "upper 95 % limit.\n"
-                "Grey step: the front, by what was seen: no other method is at least as fast and as right.")
-    worst = ", the line ends at the worst" if whiskers else ""
-    text = (f"Filled: 99 % of the errors are at most this{worst}. At 0.5: correctly rounded in 99 %; open, with a caret below: in "
-            "all questions.\n"
-            "Grey step: the front. Not here: methods that give no such number, or mostly don't know it.")
-    if any(math.isinf(float(row["error"])) for row in rows):
-        text += f" At $10^{{{round(math.log10(BEYOND))}}}$: not finite."
-    return text
+        text = f"Filled: share of answers that are wrong, or \"don't know\"{limits}."
+        if any(float(row["not_finite"]) > 0 for row in rows):
+            text += " Overflow: so many of all answers are wrong where the method's distance or point is not finite."
+    else:
+        worst = ", the line ends at the worst" if whiskers else ""
+        text = (f"Filled: 99 % of the errors are at most this{worst}; 0.5: correctly rounded. Not here: methods that give no such number, or "
+                "mostly don't know it.")
+        if any(float(row["not_finite"]) > 0 for row in rows):
+            text += "\nArrow upwards: errors of the finite answers; the others overflow (beyond 1 % the method counts as infinitely wrong)."
+    return text + "\n" + front
 
 
 def set_limits(axes, rows):
     """All spots are seen, though not the whole of their lines; room for names."""
     spots = [Spot(row) for row in rows]
     low, high = min(s.y for s in spots), max(s.y for s in spots)
-    limits = (low / 3, 2) if rows[0]["measure"] == "not-right" else (low / 30, max(10 * high, 30))
+    limits = (low / 4, 2) if rows[0]["measure"] == "not-right" else (low / 30, max(30 * high, 30))
     axes.set_ylim(*limits)
-    axes.set_xlim(min(s.x for s in spots) / 1.6, max(s.x for s in spots) * 1.4)
+    axes.set_xlim(min(s.quartiles[0] for s in spots) / 1.3, max(s.quartiles[1] for s in spots) * 1.3)
 
 
 def placements_of(rows):
     return [placement for placement in PLACEMENTS if any(row["placement"] == placement for row in rows)]
 
 
+def legend(figure, looks, measure, rows, **where):
+    methods = looks.handles({row["method"] for row in rows})
+    lines = [*((handle, handle.get_label()) for handle in methods), *symbols(measure, rows)]
+    figure.legend(*zip(*lines), frameon=False, handler_map={tuple: HandlerTuple(1, 0)}, **where)
+
+
 def draw_pooled(rows, folder, measure, looks):
     placements = placements_of(rows)
-    figure, grid = plt.subplots(1, len(placements), figsize=(5.3 * len(placements) + 1.7, 5.4), sharex=True, sharey=True,
+    figure, grid = plt.subplots(1, len(placements), figsize=(5.3 * len(placements) + 2.2, 6), sharex=True, sharey=True,
                                 squeeze=False)
-    figure.subplots_adjust(left=0.07, right=0.855, top=0.87, bottom=0.18, wspace=0.06)
+    figure.subplots_adjust(left=0.07, right=0.83, top=0.9, bottom=0.21, wspace=0.06)
     drawn = []
     for axes, placement in zip(grid[0], placements):
         spots = draw_front(axes, [row for row in rows if row["placement"] == placement], looks, 6, True)
@@ -159,8 +257,8 @@ def draw_pooled(rows, folder, measure, looks):
     set_limits(grid[0][0], rows)
     grid[0][0].set_ylabel(MEASURES[measure][0])
     figure.suptitle("Run time against error: all families of polygons together", x=0.01, ha="left")
-    figure.text(0.01, 0.02, explanation(measure, rows, True), fontsize=8)
-    figure.legend(handles=looks.handles({row["method"] for row in rows}), loc="center right", frameon=False, fontsize=8)
+    figure.text(0.01, 0.015, explanation(measure, rows, True), fontsize=8)
+    legend(figure, looks, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5)
     figure.canvas.draw()
     for axes, spots in drawn:
         name_front(axes, spots, looks)
@@ -172,9 +270,9 @@ def draw_families(rows, folder, measure, looks):
     columns = min(5, len(families))
     bands = math.ceil(len(families) / columns)
     lines = bands * len(placements)
-    size = (2.4 * max(columns, 4) + 0.8, 1.9 * lines + 2)
+    size = (2.4 * max(columns, 4) + 0.8, 1.9 * lines + 3)
     figure, grid = plt.subplots(lines, columns, figsize=size, sharex=True, sharey=True, squeeze=False)
-    figure.subplots_adjust(left=0.65 / size[0], right=1 - 0.1 / size[0], top=1 - 1.15 / size[1], bottom=1 / size[1],
+    figure.subplots_adjust(left=0.65 / size[0], right=1 - 0.1 / size[0], top=1 - 1.75 / size[1], bottom=1.2 / size[1],
                            wspace=0.06, hspace=0.2)
     for axes in grid.flat:
         axes.set_visible(False)
@@ -186,11 +284,10 @@ def draw_families(rows, folder, measure, looks):
             axes.set_title(f"{family}, {placement}", fontsize=8, pad=3)
     set_limits(grid[0][0], rows)
     figure.supylabel(MEASURES[measure][0], fontsize=9, x=0.008)
-    figure.text(0.5, 0.6 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
+    figure.text(0.5, 0.85 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
     figure.text(0.01, 0.12 / size[1], explanation(measure, rows, False), fontsize=7.5)
     figure.suptitle("Run time against error, by family", x=0.01, y=1 - 0.12 / size[1], ha="left", va="top")
-    figure.legend(handles=looks.handles({row["method"] for row in rows}), loc="upper left", ncol=7, frameon=False,
-                  fontsize=7.5, bbox_to_anchor=(0, 1 - 0.3 / size[1]))
+    legend(figure, looks, measure, rows, loc="upper left", ncol=7, fontsize=7, bbox_to_anchor=(0, 1 - 0.3 / size[1]))
     save(figure, folder, f"front-{measure}-families")
 
 
@@ -198,23 +295,21 @@ def draw_offsets(rows, folder, placement):
     """Wrong answers by offset: a row a kind of method, a column a threshold."""
     rows = [row for row in rows if row["family"] == "all" and row["placement"] == placement]
     thresholds = [t for t in TITLES if any(row["threshold"] == t for row in rows)]
-    kinds = [("thesis",), ("fast",), ("cgal", "interval", "")]
-    titles = ["thesis", "fast", "CGAL, intervals, exact"]
-    groups = []
-    for prefixes in kinds:
-        wanted = [i for i, kind in enumerate(KINDS) if kind[0] in prefixes]
-        methods = list(dict.fromkeys(row["method"] for row in rows if kind_of(row["method"]) in wanted))
-        if methods:
-            groups.append((titles[kinds.index(prefixes)], methods))
+    groups = {}
+    for method in sorted(dict.fromkeys(row["method"] for row in rows), key=kind_of):
+        groups.setdefault(KINDS[kind_of(method)][2], []).append(method)
     curves = {}
     for row in rows:
         curves.setdefault((row["threshold"], row["method"]), []).append(
             (place(int(row["offset"])), 100 * float(row["rate"]), 100 * float(row["lower"]), 100 * float(row["upper"])))
     figure, grid = plt.subplots(len(groups), len(thresholds), figsize=(2.3 * len(thresholds) + 1.9, 2.3 * len(groups) + 0.9),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
-    for number, (line, (title, methods)) in enumerate(zip(grid, groups)):
+    for number, (line, (title, methods)) in enumerate(zip(grid, groups.items())):
         for axes, threshold in zip(line, thresholds):
             for method, (colour, style, marker) in zip(methods, STYLES * len(methods)):
+                if (threshold, method) not in curves:  # it has no such test
+                    axes.plot([], [], color=colour, linestyle=style, linewidth=1.1, marker=marker, markersize=2.2, label=method)
+                    continue
                 x, rate, lower, upper = np.array(curves[threshold, method]).T
                 axes.fill_between(x, lower, upper, color=colour, alpha=0.12, linewidth=0)
                 axes.plot(x, rate, color=colour, linestyle=style, linewidth=1.1, marker=marker, markersize=2.2, label=method)
@@ -222,12 +317,13 @@ def draw_offsets(rows, folder, placement):
                             ["$-2^{32}$", "", "−8", "0", "8", "", "$2^{32}$"])
             axes.set_ylim(-3, 103)
             axes.grid(color="#dddddd", linewidth=0.5)
+            shade_even_steps(axes)
             if number == 0:
                 test = "final answer" if not threshold.startswith("foot") else f"{OWN_TEST[threshold]} test"
                 axes.set_title(f"{TITLES[threshold]}:\n{test}", fontsize=8.5)
         line[0].set_ylabel(f"{title}:\nwrong answers, %")
         line[-1].legend(loc="center left", bbox_to_anchor=(1.02, 0.5), frameon=False, fontsize=7.5)
-    figure.supxlabel("offset of the radius (or of a centre coordinate) from its threshold, in doubles", fontsize=9)
+    figure.supxlabel("offset of the radius (or of a centre coordinate) from its threshold, in doubles: " + EVEN_STEPS, fontsize=9)
     figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits", x=0.01, ha="left")
     save(figure, folder, f"offsets-{placement}")
 

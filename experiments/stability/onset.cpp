@@ -33,9 +33,13 @@ struct Above {
 };
 
 std::optional<Above> draw_once(Random& random, double origin_distance) {
-  const Eigen::Vector3d origin = 2 * origin_distance * random_point(random);
-  const Eigen::Vector3d a = random_point(random) + origin, b = random_point(random) + origin;
-  const Eigen::Vector3d c = random_point(random) + origin;
+  Eigen::Vector3d a = random_point(random), b = random_point(random), c = random_point(random);
+  const double size = (a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c)).maxCoeff();
+  const Eigen::Vector3d away = random_point(random);
+  const Eigen::Vector3d origin = origin_distance * size / away.norm() * away;
+  a += origin;
+  b += origin;
+  c += origin;
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   const double share = random.unit(), other = (1 - share) * random.unit();
   Above above{{a, b, c}, a + share * (b - a) + other * (c - a) + (0.25 + random.unit()) / normal.norm() * normal, 0};
@@ -75,9 +79,10 @@ void ask(const Above& above, std::size_t distance, std::size_t method, Onset& on
       return true;
     }
   };
-  for (int k = kCoarsest; k <= kFinest; ++k)
-    if (const double offset = std::ldexp(1.0, -k); wrong(offset) || wrong(-offset))
-      onset.add_failure(distance, method, k);
+  for (int k = kCoarsest; k <= kFinest; ++k) {
+    const double offset = std::ldexp(1.0, -k);
+    onset.add_wrong(distance, method, k, (wrong(offset) ? 1U : 0U) + (wrong(-offset) ? 1U : 0U));
+  }
 }
 
 /// Nothing where the method throws.
@@ -98,7 +103,7 @@ std::vector<std::string> names_of(const std::vector<const methods::Method*>& met
 }  // namespace
 
 Onset::Onset(std::vector<std::string> methods)
-    : methods_(std::move(methods)), failures_(place(std::size(kOnsetDistances), 0, kCoarsest)) {}
+    : methods_(std::move(methods)), failures_(place(std::size(kOnsetDistances), 0, kCoarsest)), wrong_(failures_) {}
 
 int Onset::first(std::size_t distance, std::size_t method, double share) const {
   for (int k = kCoarsest; k <= kFinest; ++k) {
@@ -109,18 +114,25 @@ int Onset::first(std::size_t distance, std::size_t method, double share) const {
 }
 
 Onset& Onset::operator+=(const Onset& other) {
-  for (std::size_t i = 0; i < failures_.size(); ++i) failures_[i] += other.failures_[i];
+  for (std::size_t i = 0; i < failures_.size(); ++i) {
+    failures_[i] += other.failures_[i];
+    wrong_[i] += other.wrong_[i];
+  }
   triangles_ += other.triangles_;
   return *this;
 }
 
 void to_json(nlohmann::ordered_json& json, const Onset& onset) {
-  json = {{"methods", onset.methods_}, {"failures", onset.failures_}, {"triangles", onset.triangles_}};
+  json = {{"methods", onset.methods_},
+          {"failures", onset.failures_},
+          {"wrong", onset.wrong_},
+          {"triangles", onset.triangles_}};
 }
 
 void from_json(const nlohmann::json& json, Onset& onset) {
   onset = Onset(json.at("methods").get<std::vector<std::string>>());
   onset.failures_ = json.at("failures").get<std::vector<std::uint64_t>>();
+  onset.wrong_ = json.at("wrong").get<std::vector<std::uint64_t>>();
   onset.triangles_ = json.at("triangles").get<std::uint64_t>();
 }
 

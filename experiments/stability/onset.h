@@ -11,14 +11,15 @@
 
 namespace touchstone::stability {
 
-/// Triangles at zero, and so many sizes away from it.
+/// Triangles about zero, and moved away from there in a random direction by so many times the longest side of their
+/// box.
 inline constexpr double kOnsetDistances[] = {0, 1e6};
 /// The radius is off the exact distance by 2^-k of it, for each k from kCoarsest to kFinest.
 inline constexpr int kCoarsest = 16, kFinest = 52;
 
 /// At which relative offset of the radius from the distance to a triangle's face the signs of doubles begin to be
-/// wrong: failures by distance from the origin, method and offset. A triangle fails if the contact is wrong at the
-/// offset above or at the one below.
+/// wrong: failures by distance from the origin, method and offset. At each offset there are two answers, above and
+/// below; a triangle fails if one of them is wrong.
 class Onset {
  public:
   Onset() = default;
@@ -31,10 +32,18 @@ class Onset {
   [[nodiscard]] std::uint64_t failures(std::size_t distance, std::size_t method, int k) const {
     return failures_[place(distance, method, k)];
   }
+  /// Of twice as many answers as triangles.
+  [[nodiscard]] std::uint64_t wrong(std::size_t distance, std::size_t method, int k) const {
+    return wrong_[place(distance, method, k)];
+  }
   /// The coarsest offset at which at least this share failed, and more than none; 0 if there is none.
   [[nodiscard]] int first(std::size_t distance, std::size_t method, double share) const;
 
-  void add_failure(std::size_t distance, std::size_t method, int k) { ++failures_[place(distance, method, k)]; }
+  /// Of one triangle.
+  void add_wrong(std::size_t distance, std::size_t method, int k, unsigned answers) {
+    failures_[place(distance, method, k)] += answers > 0 ? 1 : 0;
+    wrong_[place(distance, method, k)] += answers;
+  }
   void add_triangle() { ++triangles_; }
   Onset& operator+=(const Onset& other);
 
@@ -49,7 +58,7 @@ class Onset {
   }
 
   std::vector<std::string> methods_;
-  std::vector<std::uint64_t> failures_;
+  std::vector<std::uint64_t> failures_, wrong_;
   std::uint64_t triangles_ = 0;
 };
 

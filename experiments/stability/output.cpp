@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -29,6 +30,19 @@ std::string level_text(Axis axis, std::size_t level) {
   return fmt::format("{},{:.6g}", levels(axis)[level].name, levels(axis)[level].value);
 }
 
+/// Three columns: the level before the first with a failure (the last one, if there is none), its samples, none of
+/// which failed, and the upper limit of their rate; nothing where the first level has failures.
+std::string before_text(const Settings& settings, const Summary& summary, const Summary::Cell& cell) {
+  const auto [axis, nearness, test, method, unused] = cell;
+  const auto first = summary.first_level(settings, axis, nearness, test, method, 0);
+  std::size_t level = first.value_or(levels(settings.axes[axis]).size());
+  while (level-- > 0)
+    if (const Tally* tally = summary.at(axis, nearness, test, method, level))
+      return fmt::format("{},{},{:.6g}", levels(settings.axes[axis])[level].name, tally->samples,
+                         statistics::clopper_pearson(0, tally->samples).upper);
+  return ",,";
+}
+
 /// Two columns: a level and the rate there, or nothing.
 std::string first_text(const Settings& settings, const Summary& summary, const Summary::Cell& cell, double share) {
   const auto [axis, nearness, test, method, unused] = cell;
@@ -44,9 +58,8 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
   std::string text =
       "axis,level,value,nearness,test,method,failed_samples,samples,rate,lower,upper,wrong_answers,answers\n";
   std::string first =
-      "axis,nearness,test,method,first_failure,rate_there,first_above_half,rate_there_above_half,failed_samples,"
-      "samples,"
-      "rate,lower,upper\n";
+      "axis,nearness,test,method,first_failure,rate_there,first_above_half,rate_there_above_half,level_before,"
+      "samples_before,upper_before,failed_samples,samples,rate,lower,upper\n";
   for (std::size_t a = 0; a < settings.axes.size(); ++a)
     for (const Nearness nearness : kNearnesses)
       for (const Test test : kCountedTests)
@@ -64,9 +77,10 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
           }
           if (all.samples == 0) continue;
           const Summary::Cell cell{a, nearness, test, m, 0};
-          first += fmt::format("{},{},{},{},{},{},{},{},{}\n", word(settings.axes[a]), word(nearness), word(test), name,
-                               first_text(settings, summary, cell, 0), first_text(settings, summary, cell, 0.5),
-                               all.failed, all.samples, rate_and_limits(all.failed, all.samples));
+          first += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", word(settings.axes[a]), word(nearness), word(test),
+                               name, first_text(settings, summary, cell, 0), first_text(settings, summary, cell, 0.5),
+                               before_text(settings, summary, cell), all.failed, all.samples,
+                               rate_and_limits(all.failed, all.samples));
         }
   run::write_file(folder / "failures.csv", text);
   run::write_file(folder / "first-failure.csv", first);
@@ -115,21 +129,29 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
 }
 
 void write_worst(const std::filesystem::path& folder, const Summary& summary) {
-  std::string text;
+  std::vector<const WorstCase*> cases;
   for (const auto& methods : summary.worst)
     for (const auto& worst : methods)
-      if (worst) text += worst->line;
+      if (worst) cases.push_back(&*worst);
+  std::ranges::stable_sort(cases, [](const WorstCase* a, const WorstCase* b) {
+    return a->rank != b->rank ? a->rank > b->rank : a->error > b->error;
+  });
+  std::string text;
+  for (const WorstCase* worst : cases) text += worst->line;
   run::write_file(folder / "worst.jsonl", text);
 }
 
 void write_known(const std::filesystem::path& folder, const Known& known) {
   const Onset& onset = known.onset;
-  std::string text = "origin_distance,method,offset_exponent,failed_triangles,triangles,rate,lower,upper\n";
+  std::string text =
+      "origin_distance,method,offset_exponent,failed_triangles,triangles,rate,lower,upper,wrong_answers,answers\n";
   for (std::size_t d = 0; d < std::size(kOnsetDistances); ++d)
     for (std::size_t m = 0; m < onset.methods().size(); ++m)
       for (int k = kCoarsest; k <= kFinest; ++k)
-        text += fmt::format("{},{},{},{},{},{}\n", kOnsetDistances[d], onset.methods()[m], -k, onset.failures(d, m, k),
-                            onset.triangles(), rate_and_limits(onset.failures(d, m, k), onset.triangles()));
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", kOnsetDistances[d], onset.methods()[m], -k,
+                            onset.failures(d, m, k), onset.triangles(),
+                            rate_and_limits(onset.failures(d, m, k), onset.triangles()), onset.wrong(d, m, k),
+                            2 * onset.triangles());
   run::write_file(folder / "onset.csv", text);
 
   text =

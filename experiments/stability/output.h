@@ -23,8 +23,9 @@ struct Known {
 // std::runtime_error, which names the file, where it cannot be written. Limits: Clopper-Pearson, 95 %.
 
 /// failures.csv: a line an axis, level, nearness, test and method. first-failure.csv: the first level with a failure,
-/// and the first with more than half of the samples failed (empty: none seen; then `upper` is the limit of the rate
-/// over all levels together).
+/// and the first with more than half of the samples failed (empty: none seen); the level before the first failure (the
+/// last one, where none was seen), how many samples did not fail there and the upper limit of their rate; failures,
+/// rate and limits over all levels together.
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
 /// errors.csv: a line an axis, level, method and quantity: quantiles of the relative error and of that in ulps
 /// (statistics::Distribution says how exact).

@@ -65,7 +65,7 @@ std::string command_line(const Options& options) {
 }
 
 // Raised where a block of a seed becomes another one, or the form of what is kept changes.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// All that the results depend on, by the names of the options. Blocks are numbered through all axes.
 nlohmann::ordered_json checkpoint_settings(const Settings& settings) {

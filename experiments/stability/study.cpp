@@ -125,49 +125,55 @@ class Study {
         wrong_somewhere = wrong_somewhere || wrong;
       }
       failed[i] = failed[i] || wrong_somewhere;
-      const double error = probe.measured ? measure(scene, asked, probe, level, m, block) : 0;
-      const int rank = wrong_somewhere ? 1 + static_cast<int>(probe.nearness) : 0;
-      if (rank > 0 || error > 0) keep_worst(scene, asked, probe, {level, m, rank, error, block.number, {}}, block);
+      const bool off = probe.measured && measure(scene, asked, probe, level, m, block);
+      if (wrong_somewhere || off) keep_worst(scene, asked, probe, level, m, block);
     }
     for (const auto& [key, result] : results) block.tests.push_back(result);
   }
 
-  /// Adds the errors of distance and point; returns the relative one of the distance.
-  double measure(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t m,
-                 Block& block) const {
+  /// Adds the errors of distance and point; returns whether the distance is off.
+  bool measure(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t m,
+               Block& block) const {
     const auto answer = asked.ask(probe.ball, Question::Answer);
     const auto add = [&](NumberError error) {
       error.level = level;
       error.method = m;
       block.errors.push_back(error);
     };
-    double relative = 0;
+    bool off = false;
     if (answer && answer->distance) {
       const NumberError error = distance_error(*answer->distance, *probe.truth.distance);
-      relative = error.relative;
+      off = error.relative > 0;
       add(error);
     }
     if (answer && answer->point && !scene.meant)
       if (const auto error = point_error(*answer->point, *probe.truth.point)) add(*error);
-    return relative;
+    return off;
   }
 
   /// A case says neither what was meant nor in which mode it is asked.
-  void keep_worst(const Scene& scene, const Asked& asked, const Probe& probe, WorstCase worst, Block& block) const {
+  void keep_worst(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t method,
+                  Block& block) const {
     if (scene.meant || !scene.mode.usual() || scene.asked.polygon.vertex_count() > kMostForCases) return;
-    const auto held = std::find_if(block.worst.begin(), block.worst.end(),
-                                   [&](const WorstCase& other) { return other.method == worst.method; });
-    if (held != block.worst.end() && !worst.worse_than(*held)) return;
     const auto answer = asked.ask(probe.ball, Question::Answer);
     if (!answer) return;
+    WorstCase worst{level, method, 0, 0, block.number, {}};
+    if (answer->contact && *answer->contact != *probe.truth.contact) worst.rank = 1 + static_cast<int>(probe.nearness);
+    if (answer->distance && *probe.truth.distance > 0)
+      worst.error = distance_error(*answer->distance, *probe.truth.distance).relative;
+    const auto held = std::find_if(block.worst.begin(), block.worst.end(),
+                                   [&](const WorstCase& other) { return other.method == method; });
+    if (held != block.worst.end() && !worst.worse_than(*held)) return;
     const judge::Verdict given = judge::object_of(*answer), truth = judge::object_of(probe.truth);
     judge::Verdict expected = judge::Verdict::object();
     for (const auto& [key, value] : truth.items())
       if (given.contains(key) && given[key] != value) expected[key] = value;
     if (expected.empty()) return;
-    const std::string_view name = settings_.methods[worst.method]->name();
+    const std::string_view name = settings_.methods[method]->name();
     worst.line = judge::to_line(judge::case_of(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
-                                               {std::string(name), std::string(word(probe.nearness))}, expected));
+                                               {std::string(name), std::string(word(probe.nearness)),
+                                                worst.rank > 0 ? "wrong final answer" : "right final answer"},
+                                               expected));
     if (held != block.worst.end())
       *held = std::move(worst);
     else

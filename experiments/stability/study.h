@@ -45,12 +45,13 @@ struct BoundResult {
   Observation observation;
 };
 
-/// What of a sample is the worst of one method, as a case for `touchstone judge`. Ranked by how far from the boundary
-/// an answer is wrong, then by the error of the distance; of equals the one of the first block.
+/// What of a sample is the worst of one method, as a case for `touchstone judge`. A wrong final answer (contact or
+/// none) is worse than a right one, and worse the further from the boundary it is; then the error of the distance
+/// counts; of equals the one of the first block.
 struct WorstCase {
   std::size_t level, method;
-  int rank;
-  double error;
+  int rank;      ///< 0: the final answer is right; else 1 + its nearness
+  double error;  ///< of the distance, relative; 0 where the method gives none
   std::uint64_t block;
   std::string line;
 

@@ -2,10 +2,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include "experiments/stability/output.h"
+#include "experiments/statistics/bounded_mean.h"
 #include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::stability {
@@ -67,6 +72,32 @@ std::string first_failures(const Settings& settings, const Summary& summary, Nea
   });
 }
 
+/// How many polygons there are at a level, and how many may fail where none did; axes that agree share a line.
+std::string limits_of_none(const Settings& settings, const Summary& summary) {
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::string, std::greater<>> axes;  // by the most and the fewest
+  for (std::size_t axis = 0; axis < settings.axes.size(); ++axis) {
+    if (!is_graded(settings.axes[axis])) continue;
+    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max(), most = 0;
+    for (const auto& [cell, tally] : summary.failures) {
+      const auto& [of_axis, nearness, test, method, level] = cell;
+      if (of_axis != axis || nearness != Nearness::OneDouble || test != Test::Contact) continue;
+      fewest = std::min(fewest, tally.samples);
+      most = std::max(most, tally.samples);
+    }
+    if (most == 0) continue;  // no method has that test
+    axes[{most, fewest}].append(" ").append(word(settings.axes[axis]));
+  }
+  const auto upper = [](std::uint64_t samples) { return 100 * statistics::clopper_pearson(0, samples).upper; };
+  std::string text = "\nPolygons at a level; where none of them failed, at most so many of such do (95 %):\n";
+  for (const auto& [count, names] : axes) {
+    const auto [most, fewest] = count;
+    text += most == fewest
+                ? fmt::format("  {}, {:.2g} %:{}\n", most, upper(most), names)
+                : fmt::format("  {} to {}, {:.2g} to {:.2g} %:{}\n", most, fewest, upper(most), upper(fewest), names);
+  }
+  return text;
+}
+
 std::string_view distance_words(Nearness nearness) {
   switch (nearness) {
     case Nearness::OneDouble: return "at the exact distance, or one double to either side";
@@ -92,26 +123,38 @@ std::string largest_errors(const Settings& settings, const Summary& summary) {
   });
 }
 
-/// The rates in each floating-point mode.
-std::string mode_rates(const Settings& settings, const Summary& summary) {
-  if (std::all_of(settings.axes.begin(), settings.axes.end(), is_graded)) return {};
+/// The rates in each floating-point mode of one axis, whose scenes are the same in all of them.
+std::string mode_rates(const Settings& settings, const Summary& summary, std::size_t axis) {
+  const auto& modes = levels(settings.axes[axis]);
+  std::uint64_t polygons = 0;
   const auto rows = [&](std::size_t begin, std::size_t end) {
     std::string text;
-    for (std::size_t a = 0; a < settings.axes.size(); ++a) {
-      if (is_graded(settings.axes[a])) continue;
-      for (const Nearness nearness : kNearnesses)
-        for (std::size_t level = 0; level < levels(settings.axes[a]).size(); ++level)
-          text += row(fmt::format("{:<7} {}", levels(settings.axes[a])[level].name, word(nearness)), begin, end,
-                      [&](std::size_t m) -> std::string {
-                        const Tally* tally = summary.at(a, nearness, Test::Contact, m, level);
-                        return tally == nullptr ? "" : percent(tally->failed, tally->samples);
-                      });
-    }
+    for (const Nearness nearness : kNearnesses)
+      for (std::size_t level = 0; level < modes.size(); ++level)
+        text += row(fmt::format("{:<7} {}", modes[level].name, word(nearness)), begin, end,
+                    [&](std::size_t m) -> std::string {
+                      const Tally* tally = summary.at(axis, nearness, Test::Contact, m, level);
+                      if (tally == nullptr) return "";
+                      polygons = std::max(polygons, tally->samples);
+                      return percent(tally->failed, tally->samples);
+                    });
     return text;
   };
-  return "\nThe same scenes in other floating-point modes: samples with a wrong final answer (fast and thesis promise\n"
-         "round to nearest only)\n" +
-         by_method(settings, "mode, radius", rows);
+  const std::string table = by_method(settings, "mode, radius", rows);
+  const bool rounding = settings.axes[axis] == Axis::Rounding;
+  return fmt::format(
+      "\n{}: samples with a wrong final answer, of the same {} polygons{}\nin each mode (0 %: at most {:.2g} "
+      "%, with 95 %)\n{}",
+      rounding ? "Rounding directions (fast and thesis promise round to nearest only)" : "Subnormals flushed", polygons,
+      rounding ? "" : ", with subnormal coordinates or products,", 100 * statistics::clopper_pearson(0, polygons).upper,
+      table);
+}
+
+std::string all_mode_rates(const Settings& settings, const Summary& summary) {
+  std::string text;
+  for (std::size_t axis = 0; axis < settings.axes.size(); ++axis)
+    if (!is_graded(settings.axes[axis])) text += mode_rates(settings, summary, axis);
+  return text;
 }
 
 std::string totals(const Settings& settings, const Summary& summary) {
@@ -155,26 +198,50 @@ std::string bounds_table(const Summary& summary) {
          "Those of maxima and frame hold in every rounding direction, for a unit of 2^-52: to nearest half is spare.\n";
 }
 
+/// The share of wrong answers, with its limits: two answers of a triangle are not independent, triangles are.
+std::string wrong_text(const Onset& onset, std::size_t distance, std::size_t method, int k) {
+  const auto triangles = static_cast<double>(onset.triangles());
+  const double share = static_cast<double>(onset.wrong(distance, method, k)) / (2 * triangles);
+  const auto limits = statistics::bounded_mean(share, onset.triangles());
+  return fmt::format("{:.1f} ({:.1f} - {:.1f})", 100 * share, 100 * limits.lower, 100 * limits.upper);
+}
+
 std::string onset_table(const Onset& onset) {
   if (onset.triangles() == 0) return {};
+  constexpr int kKnown[] = {51, 36};  // at the distances
+  const auto line = [](auto... cells) {
+    return fmt::format("  {:<17}{:>8}{:>9}{:>10}{:>19}{:>12}{:>9}{:>10}{:>19}\n", cells...);
+  };
+  const auto k_text = [](int k) {
+    return k == 0 ? std::string("-") : fmt::format("{}2^-{}", k == kCoarsest ? ">=" : "", k);
+  };
   std::string text = fmt::format(
       "\nKnown results: the radius off the exact distance to a triangle's face by 2^-k of it, to either side; {} "
-      "triangles\n"
-      "  {:<17}{:>12}{:>9}{:>10}{:>17}{:>17}{:>9}{:>10}{:>16}\n",
-      onset.triangles(), "", "at 0: first", "from 1 %", "from 50 %", "at k = 51", "1e6 sizes: first", "from 1 %",
-      "from 50 %", "at k = 36");
-  const auto k_text = [](int k) { return k == 0 ? std::string("-") : fmt::format("2^-{}", k); };
+      "triangles\n",
+      onset.triangles());
+  text += line("about the origin:", "first", "from 1 %", "from 50 %", fmt::format("answers at {}, %", kKnown[0]),
+               "1e6 away:", "from 1 %", "from 50 %", fmt::format("answers at {}, %", kKnown[1]));
   for (std::size_t m = 0; m < onset.methods().size(); ++m)
-    text += fmt::format("  {:<17}{:>12}{:>9}{:>10}{:>17}{:>17}{:>9}{:>10}{:>16}\n", onset.methods()[m],
-                        k_text(onset.first(0, m, 0)), k_text(onset.first(0, m, 0.01)), k_text(onset.first(0, m, 0.5)),
-                        limits_text(onset.failures(0, m, 51), onset.triangles()), k_text(onset.first(1, m, 0)),
-                        k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)),
-                        limits_text(onset.failures(1, m, 36), onset.triangles()));
+    text += line(onset.methods()[m], k_text(onset.first(0, m, 0)), k_text(onset.first(0, m, 0.01)),
+                 k_text(onset.first(0, m, 0.5)), wrong_text(onset, 0, m, kKnown[0]), k_text(onset.first(1, m, 0)),
+                 k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)), wrong_text(onset, 1, m, kKnown[1]));
   return text +
-         "About a triangle, whose plane its vertices are never off, methods that begin with differences of the input "
+         fmt::format(
+             "First, from: the coarsest 2^-k at which one triangle, 1 % or half of them fail, a triangle having an "
+             "answer "
+             "above\nand one below. Answers at k: the wrong ones of all, with 95 % limits. 1e6 away: in sizes.\nKnown "
+             "of "
+             "naive doubles (ericson-absolute): 2^-{} about the origin, where they begin to be wrong here too; and "
+             "2^-{} 1e6\n"
+             "away (38 % of answers wrong). That is where wrong answers are common, not where they begin: what is "
+             "first "
+             "seen is 2^20\ntimes as coarse as about the origin, as are the roundings of the coordinates.\n",
+             kKnown[0], kKnown[1]) +
+         "Methods that begin with differences of the input lose nothing by the distance of a triangle, whose plane "
+         "its\n"
+         "vertices are never off; those that compute a point (ericson-absolute) or a plane's offset (thesis) there "
          "lose\n"
-         "nothing by its distance from the origin; those that compute a point (ericson-absolute) or a plane's offset\n"
-         "(thesis) there lose what the coordinates have lost. 1e6 sizes: moved by a vector of coordinates up to 2e6.\n";
+         "what the coordinates have lost.\n";
 }
 
 std::string contraction_table(const std::vector<ContractionCount>& counts) {
@@ -207,7 +274,8 @@ std::string area_table(const std::vector<thesis_figures::FalseArea>& areas) {
 std::string legend(const Settings& settings) {
   std::string text =
       "\nA sample is a polygon under the stress and balls about it; it fails if the answer is wrong for any ball.\n"
-      "A | B: the first level with a failure, and the first at which more than half of the samples failed; -: none.\n"
+      "A | B: the first level with a failure, and the first at which more than half of the samples failed; -: none "
+      "seen.\n"
       "errors.csv also has the closest point: where two features are as near, rounding may choose the other, far "
       "away.\n"
       "What a method throws is wrong. chain, pose: -input asks what methods make of the doubles at the end of a "
@@ -231,7 +299,8 @@ std::string table(const Settings& settings, const Summary& summary, const Known&
   for (const Nearness nearness : kNearnesses)
     text += fmt::format("\n{}: radius {}\n", word(nearness), distance_words(nearness)) +
             first_failures(settings, summary, nearness);
-  text += mode_rates(settings, summary);
+  if (!summary.failures.empty()) text += limits_of_none(settings, summary);
+  text += all_mode_rates(settings, summary);
   text += "\nThe largest relative error of the distance (inf: not finite)\n" + largest_errors(settings, summary) +
           "\n" + totals(settings, summary);
   return text + bounds_table(summary) + onset_table(known.onset) + contraction_table(known.contractions) +

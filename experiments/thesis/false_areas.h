@@ -26,7 +26,8 @@ struct FalseArea {
 
 /// Uniform points in the bounding box, enlarged on each side by half its extent: what leaves that box is not counted.
 ///
-/// A function of its arguments. Truth is `filtered`. Cost: about 1 us a point.
+/// A function of its arguments. The points of outlines of different names are independent, so that chance leads them
+/// astray apart. Truth is `filtered`. Cost: about 1 us a point.
 [[nodiscard]] FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::uint64_t seed);
 
 }  // namespace touchstone::thesis_figures

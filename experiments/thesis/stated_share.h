@@ -15,8 +15,9 @@ struct StatedShare {
 ///
 ///     4 sqrt(v + v') + u / 2,   v = (p / r) (1 + p)   (delta method, w and r being two counts of one multinomial),
 ///
-/// u being the unit and v, v' taken at each side's own p and r = r' n / n'. Four standard deviations are a confidence
-/// of 99.994 %. A count of zero weighs as one. Requires right > 0.
+/// u being the unit, r = r' n / n' and p that of both sides together: few samples of ours, in which by chance hardly
+/// any is wrong, do not narrow it. Four standard deviations are a confidence of 99.994 %, where counts are large. No
+/// wrong one on either side weighs as one. Requires right > 0.
 [[nodiscard]] double tolerance(std::uint64_t wrong, std::uint64_t right, std::uint64_t samples,
                                const StatedShare& stated);
 

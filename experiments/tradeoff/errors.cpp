@@ -58,22 +58,27 @@ class Study {
       const auto prepared = settings_.methods[m]->prepare(crossing.polygon);
       ++errors.samples;
       const Test test = test_at(threshold);
+      const bool overflowed = truth && ask_numbers(*prepared, middle, *truth, n, stratum, errors);
       for (std::size_t i = 0; i < crossing.balls.size(); ++i) {
         const auto answer = prepared->ask(crossing.balls[i], question(test));
         const auto outcome = compare(test, answer, crossing.truths[i], knows_boundary_[m]);
         if (!outcome && !answer.unsure) continue;  // the method has no such test
         const bool wrong = outcome && *outcome != Outcome::Right;
-        errors.offsets[i] += {wrong ? 1U : 0U, outcome ? 0U : 1U, 1};
+        errors.offsets[i] += {wrong ? 1U : 0U, outcome ? 0U : 1U, 1, wrong && overflowed ? 1U : 0U};
       }
-      if (!truth) continue;
-      const auto answer = prepared->ask(middle, methods::Question::Answer);
-      using enum Quantity;
-      add(errors, Distance,
-          answer.distance ? std::optional(distance_error(*answer.distance, truth->distance)) : std::nullopt, n,
-          stratum);
-      add(errors, Point, answer.point ? std::optional(point_error(*answer.point, truth->point)) : std::nullopt, n,
-          stratum);
     }
+  }
+
+  /// Adds the errors of distance and point. Returns whether one of them is not finite.
+  static bool ask_numbers(const methods::PreparedMethod& method, const Ball& ball, const Answer& truth, std::uint64_t n,
+                          std::size_t stratum, MethodErrors& errors) {
+    const auto answer = method.ask(ball, methods::Question::Answer);
+    std::optional<double> distance, point;
+    if (answer.distance) distance = distance_error(*answer.distance, truth.distance);
+    if (answer.point) point = point_error(*answer.point, truth.point);
+    add(errors, Quantity::Distance, distance, n, stratum);
+    add(errors, Quantity::Point, point, n, stratum);
+    return !std::isfinite(distance.value_or(0)) || !std::isfinite(point.value_or(0));
   }
 
   static void add(MethodErrors& errors, Quantity quantity, std::optional<double> error, std::uint64_t n,
@@ -100,7 +105,14 @@ Tally& Tally::operator+=(const Tally& other) {
   wrong += other.wrong;
   unsure += other.unsure;
   trials += other.trials;
+  overflowed += other.overflowed;
   return *this;
+}
+
+double UlpErrors::quantile_of_finite(double share) const {
+  if (known.infinite() == 0) return known.quantile(share);
+  const auto all = static_cast<double>(known.count()), finite = all - static_cast<double>(known.infinite());
+  return known.quantile((std::ceil(share * finite) - 0.5) / all);  // half a number short: rounding passes none
 }
 
 std::string_view word(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }

@@ -34,6 +34,7 @@ inline constexpr std::int64_t kNear = 8;
 
 struct Tally {
   std::uint64_t wrong = 0, unsure = 0, trials = 0;
+  std::uint64_t overflowed = 0;  ///< of the wrong ones: those of samples at which the whole answer is not finite
 
   [[nodiscard]] std::uint64_t not_right() const { return wrong + unsure; }
   Tally& operator+=(const Tally& other);
@@ -48,7 +49,10 @@ inline constexpr std::array kQuantities{Quantity::Distance, Quantity::Point};
 /// Errors of one quantity, in units in the last place. Asked where the radius is at its threshold.
 struct UlpErrors {
   std::uint64_t asked = 0;
-  statistics::Distribution known;  ///< of the answers that give the quantity
+  statistics::Distribution known;  ///< of the answers that give the quantity; infinite where it is not finite
+
+  /// Of the answers that give it as finite numbers. Requires one of them.
+  [[nodiscard]] double quantile_of_finite(double share) const;
 };
 
 /// A sample at which an error is the largest that was seen; the earliest of several.

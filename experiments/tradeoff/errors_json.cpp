@@ -11,7 +11,7 @@ using List = nlohmann::ordered_json;
 
 List json_of(const MethodErrors& errors) {
   List offsets = List::array(), quantities = List::array();
-  for (const Tally& t : errors.offsets) offsets.push_back({t.wrong, t.unsure, t.trials});
+  for (const Tally& t : errors.offsets) offsets.push_back({t.wrong, t.unsure, t.trials, t.overflowed});
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     const Worst& worst = errors.worst[q];
     quantities.push_back(
@@ -24,8 +24,8 @@ MethodErrors method_errors_of(const nlohmann::json& json) {
   MethodErrors errors;
   errors.samples = json.at(0).get<std::uint64_t>();
   for (const auto& t : json.at(1))
-    errors.offsets.push_back(
-        {t.at(0).get<std::uint64_t>(), t.at(1).get<std::uint64_t>(), t.at(2).get<std::uint64_t>()});
+    errors.offsets.push_back({t.at(0).get<std::uint64_t>(), t.at(1).get<std::uint64_t>(), t.at(2).get<std::uint64_t>(),
+                              t.at(3).get<std::uint64_t>()});
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     const auto& quantity = json.at(2).at(q);
     errors.ulps[q] = {quantity.at(0).get<std::uint64_t>(), quantity.at(1).get<statistics::Distribution>()};

@@ -10,37 +10,63 @@ namespace {
 
 using methods::Question;
 
-bool dominates(const Standing& a, const Standing& b) {
-  return a.nanoseconds <= b.nanoseconds && a.error <= b.error && (a.nanoseconds < b.nanoseconds || a.error < b.error);
+/// Beyond the noise.
+bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
+
+Front front_of(const Standing& s, const std::vector<Standing>& standings) {
+  Front front = Front::On;
+  for (const Standing& other : standings) {
+    if (&other == &s || other.error > s.error || faster(s, other)) continue;
+    if (faster(other, s)) return Front::Off;
+    front = Front::WithinNoise;
+  }
+  return front;
 }
 
-/// The mean of the medians of the lists near thresholds.
-std::optional<double> nanoseconds(std::size_t method, Question question, std::optional<workloads::Family> family,
-                                  workloads::Placement placement, const std::vector<Timing>& timings) {
-  double sum = 0;
+/// The means of the quartiles of the lists near thresholds.
+std::optional<Nanoseconds> nanoseconds(std::size_t method, Question question, std::optional<workloads::Family> family,
+                                       workloads::Placement placement, const std::vector<Timing>& timings) {
+  Nanoseconds sum{0, 0, 0};
   int lists = 0;
   for (const Timing& t : timings) {
     if (t.balls != Balls::Near || t.question != question || t.place.placement != placement) continue;
     if (family && t.place.family != *family) continue;
-    sum += bench::quartiles(t.methods[method].nanoseconds).median;
+    const auto q = bench::quartiles(t.methods[method].nanoseconds);
+    sum = {sum.lower + q.lower, sum.median + q.median, sum.upper + q.upper};
     ++lists;
   }
-  return lists == 0 ? std::nullopt : std::optional(sum / lists);
+  if (lists == 0) return std::nullopt;
+  return Nanoseconds{sum.lower / lists, sum.median / lists, sum.upper / lists};
 }
 
 std::optional<Standing> standing(Measure measure, const MethodErrors& errors) {
   if (measure == Measure::NotRight) {
     const Tally tally = errors.near_threshold();
     if (tally.trials == 0) return std::nullopt;
-    const double share = static_cast<double>(tally.not_right()) / static_cast<double>(tally.trials);
+    const auto trials = static_cast<double>(tally.trials);
+    const double share = static_cast<double>(tally.not_right()) / trials;
     const auto limits = statistics::bounded_mean(share, errors.samples);
-    return Standing{0, 0, share, limits.lower, limits.upper, errors.samples};
+    return Standing{.method = 0,
+                    .nanoseconds = {},
+                    .error = share,
+                    .lower = limits.lower,
+                    .upper = limits.upper,
+                    .finite_error = share,
+                    .not_finite = static_cast<double>(tally.overflowed) / trials,
+                    .samples = errors.samples};
   }
   const UlpErrors& ulps =
       errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
-  const std::uint64_t known = ulps.known.count();
-  if (known == 0 || 2 * known < ulps.asked) return std::nullopt;
-  return Standing{0, 0, ulps.known.quantile(0.99), ulps.known.quantile(0.5), ulps.known.largest(), known};
+  const std::uint64_t known = ulps.known.count(), infinite = ulps.known.infinite();
+  if (known == infinite || 2 * known < ulps.asked) return std::nullopt;
+  return Standing{.method = 0,
+                  .nanoseconds = {},
+                  .error = ulps.known.quantile(0.99),
+                  .lower = ulps.quantile_of_finite(0.5),
+                  .upper = ulps.quantile_of_finite(1),
+                  .finite_error = ulps.quantile_of_finite(0.99),
+                  .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
+                  .samples = known};
 }
 
 }  // namespace
@@ -54,9 +80,17 @@ std::string_view word(Measure measure) {
   return "point";
 }
 
+std::string_view word(Front front) {
+  switch (front) {
+    case Front::On: return "on";
+    case Front::WithinNoise: return "within-noise";
+    case Front::Off: break;
+  }
+  return "off";
+}
+
 void mark_front(std::vector<Standing>& standings) {
-  for (Standing& s : standings)
-    s.on_front = std::ranges::none_of(standings, [&](const Standing& other) { return dominates(other, s); });
+  for (Standing& s : standings) s.front = front_of(s, standings);
 }
 
 std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, workloads::Placement placement,

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "experiments/judge/verdict.h"
 #include "experiments/run/write_file.h"
@@ -74,15 +75,16 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
   const auto& [family, placement, threshold] = all_strata()[worst.stratum];
   const std::string id = fmt::format("worst-{}-{}-{}-{}-{}-s{}-n{}", word(quantity), name(settings, method),
                                      word(family), word(placement), word(threshold), settings.seed, worst.n);
-  const std::vector<std::string> tags{std::string(name(settings, method)), std::string(word(quantity)),
-                                      fmt::format("{:.6g} ulps", worst.ulps)};
+  const std::vector<std::string> tags{
+      std::string(name(settings, method)), std::string(word(quantity)),
+      std::isfinite(worst.ulps) ? fmt::format("{:.6g} ulps", worst.ulps) : "not finite"};
   return judge::to_line(judge::case_of(id, ball, crossing->polygon, tags, judge::object_of(expected)));
 }
 
 }  // namespace
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
-  std::string text = "family,placement,threshold,test,method,offset,wrong,unsure,trials,rate,lower,upper\n";
+  std::string text = "family,placement,threshold,test,method,offset,wrong,overflowed,unsure,trials,rate,lower,upper\n";
   for (const Group& group : groups_of(settings)) {
     const auto test = word(test_at(all_strata()[group.strata.front()].threshold));
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
@@ -91,8 +93,8 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
         for (const std::size_t stratum : group.strata) tally += errors.at[stratum][m].offsets[i];
         if (tally.trials == 0) continue;
         text += fmt::format(
-            "{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), all_offsets()[i], tally.wrong,
-            tally.unsure, tally.trials,
+            "{},{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), all_offsets()[i], tally.wrong,
+            tally.overflowed, tally.unsure, tally.trials,
             share_and_limits(tally.wrong, tally.trials, statistics::clopper_pearson(tally.wrong, tally.trials)));
       }
   }
@@ -101,7 +103,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
   std::string text =
-      "family,placement,threshold,test,method,samples,wrong,unsure,answers,rate,lower,upper,lowest_offset,"
+      "family,placement,threshold,test,method,samples,wrong,overflowed,unsure,answers,rate,lower,upper,lowest_offset,"
       "highest_offset\n";
   for (const Group& group : groups_of(settings)) {
     const auto test = word(test_at(all_strata()[group.strata.front()].threshold));
@@ -111,10 +113,11 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
       if (near.trials == 0) continue;
       const double share = static_cast<double>(near.wrong) / static_cast<double>(near.trials);
       const Band band = band_of(sum);
-      text += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), sum.samples, near.wrong, near.unsure,
-          near.trials, share_and_limits(near.wrong, near.trials, statistics::bounded_mean(share, sum.samples)),
-          band.lowest ? std::to_string(*band.lowest) : "", band.highest ? std::to_string(*band.highest) : "");
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), sum.samples,
+                          near.wrong, near.overflowed, near.unsure, near.trials,
+                          share_and_limits(near.wrong, near.trials, statistics::bounded_mean(share, sum.samples)),
+                          band.lowest ? std::to_string(*band.lowest) : "",
+                          band.highest ? std::to_string(*band.highest) : "");
     }
   }
   run::write_file(folder / "bands.csv", text);
@@ -122,21 +125,23 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
 
 void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
   std::string text =
-      "family,placement,method,quantity,asked,known,correctly_rounded,median,q99,worst,worst_family,worst_threshold,"
+      "family,placement,method,quantity,asked,known,not_finite,correctly_rounded,median,q99,worst,worst_family,worst_"
+      "threshold,"
       "worst_sample\n";
   for_each_place(settings, [&](auto family, std::string_view family_name, Placement placement) {
     const auto strata = strata_of(family, placement, true);
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const MethodErrors sum = errors.sum(strata, m);
       for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-        const auto& [asked, known] = sum.ulps[q];
-        if (known.count() == 0) continue;
+        const UlpErrors& ulps = sum.ulps[q];
+        const auto& [asked, known] = ulps;
+        if (known.count() == known.infinite()) continue;
         const Worst& worst = sum.worst[q];
         const auto& stratum = all_strata()[worst.stratum];
         text += fmt::format(
-            "{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{}\n", family_name, word(placement), name(settings, m),
-            word(kQuantities[q]), asked, known.count(), known.zeros(), known.quantile(0.5), known.quantile(0.99),
-            known.largest(),
+            "{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{}\n", family_name, word(placement), name(settings, m),
+            word(kQuantities[q]), asked, known.count(), known.infinite(), known.zeros(), ulps.quantile_of_finite(0.5),
+            ulps.quantile_of_finite(0.99), ulps.quantile_of_finite(1),
             worst.ulps == 0 ? ",," : fmt::format("{},{},{}", word(stratum.family), word(stratum.threshold), worst.n));
       }
     }
@@ -145,14 +150,13 @@ void write_points(const std::filesystem::path& folder, const Settings& settings,
 }
 
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
-  std::vector<std::size_t> strata;
-  for (std::size_t s = 0; s < all_strata().size(); ++s) strata.push_back(s);
   std::string text;
-  for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-    const MethodErrors sum = errors.sum(strata, m);
-    for (std::size_t q = 0; q < kQuantities.size(); ++q)
-      if (sum.worst[q].ulps > 0) text += worst_case(settings, m, kQuantities[q], sum.worst[q]);
-  }
+  for (const Placement placement : kPlacements)
+    for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+      const MethodErrors sum = errors.sum(strata_of(std::nullopt, placement, true), m);
+      for (std::size_t q = 0; q < kQuantities.size(); ++q)
+        if (sum.worst[q].ulps > 0) text += worst_case(settings, m, kQuantities[q], sum.worst[q]);
+    }
   run::write_file(folder / "worst.jsonl", text);
 }
 
@@ -171,13 +175,16 @@ void write_timings(const std::filesystem::path& folder, const std::vector<Timing
 
 void write_front(const std::filesystem::path& folder, const Settings& settings, const Errors& errors,
                  const std::vector<Timing>& timings) {
-  std::string text = "measure,family,placement,method,nanoseconds,error,lower,upper,samples,on_front\n";
+  std::string text =
+      "measure,family,placement,method,nanoseconds,lower_quartile_ns,upper_quartile_ns,error,lower,upper,finite_error,"
+      "not_finite,samples,front\n";
   for (const Measure measure : kMeasures)
     for_each_place(settings, [&](auto family, std::string_view family_name, Placement placement) {
       for (const Standing& s : standings(measure, family, placement, errors, timings))
-        text += fmt::format("{},{},{},{},{:.1f},{:.6g},{:.6g},{:.6g},{},{}\n", word(measure), family_name,
-                            word(placement), name(settings, s.method), s.nanoseconds, s.error, s.lower, s.upper,
-                            s.samples, s.on_front ? 1 : 0);
+        text += fmt::format("{},{},{},{},{:.1f},{:.1f},{:.1f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n",
+                            word(measure), family_name, word(placement), name(settings, s.method), s.nanoseconds.median,
+                            s.nanoseconds.lower, s.nanoseconds.upper, s.error, s.lower, s.upper, s.finite_error,
+                            s.not_finite, s.samples, word(s.front));
     });
   run::write_file(folder / "front.csv", text);
 }

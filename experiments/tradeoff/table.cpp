@@ -59,45 +59,96 @@ std::string asked_text(const Times& times) {
 std::string times_and_shares(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings,
                              Placement placement) {
   const auto row = [](auto... cells) {
-    return fmt::format("  {:<19}{:>8}{:>9}{:>9}{:>9}  {:<11}{:>6}  {:<15}{:>7}  {}\n", cells...);
+    return fmt::format("  {:<22}{:>7}{:>9}{:>8}{:>9}  {:<9}{:>6}  {:<13}{:>7}{:>7}  {}\n", cells...);
   };
-  std::string text = row("", "contact", "contact", "answer", "answer", "", "wrong", "95 %", "don't", "wrong at");
-  text += row("nanoseconds", "near", "anywhere", "near", "anywhere", "asked", "%", "limits", "know %", "offsets");
+  std::string text =
+      row("", "contact", "contact", "answer", "answer", "", "wrong", "95 %", "over-", "don't", "wrong at");
+  text +=
+      row("nanoseconds", "near", "anywhere", "near", "anywhere", "asked", "%", "limits", "flow %", "know %", "offsets");
   for (std::size_t m = 0; m < settings.methods.size(); ++m) {
     const MethodErrors sum = errors.sum(strata_of(std::nullopt, placement, true), m);
     const Tally near = sum.near_threshold();
     const auto share = [&](std::uint64_t count) {
       return near.trials == 0 ? 0 : static_cast<double>(count) / static_cast<double>(near.trials);
     };
+    const auto cell = [&](const std::string& said) { return near.trials == 0 ? "-" : said; };  // it has no such test
     const auto limits = statistics::bounded_mean(share(near.wrong), sum.samples);
     const auto time = [&](Balls balls, Question question) { return times_of(m, balls, question, placement, timings); };
     text += row(settings.methods[m]->name(), time_text(time(Balls::Near, Question::Contact)),
                 time_text(time(Balls::Anywhere, Question::Contact)), time_text(time(Balls::Near, Question::Answer)),
                 time_text(time(Balls::Anywhere, Question::Answer)), asked_text(time(Balls::Near, Question::Contact)),
-                percent(share(near.wrong)), percent(limits.lower) + " to " + percent(limits.upper),
-                percent(share(near.unsure)), text_of(band_of(sum)));
+                cell(percent(share(near.wrong))), cell(percent(limits.lower) + " to " + percent(limits.upper)),
+                cell(percent(share(near.overflowed))), cell(percent(share(near.unsure))), cell(text_of(band_of(sum))));
   }
   return text;
 }
 
 std::string units(const Settings& settings, const Errors& errors, Placement placement) {
   const auto row = [](auto... cells) {
-    return fmt::format("  {:<19}{:>9}{:>9}{:>10}{:>10}{:>12}   {:>9}{:>10}{:>10}{:>12}\n", cells...);
+    return fmt::format("  {:<22}{:>7}{:>10}{:>8}{:>9}{:>9}{:>9}   {:>8}{:>8}{:>9}{:>9}{:>9}\n", cells...);
   };
-  std::string text = row("", "", "distance:", "", "", "", "point:", "", "", "");
-  text += row("units in last place", "asked", "known", "median", "99 %", "worst", "known", "median", "99 %", "worst");
+  std::string text = row("", "", "distance:", "not", "", "", "", "point:", "not", "", "", "");
+  text += row("units in last place", "asked", "known", "finite", "median", "99 %", "worst", "known", "finite", "median",
+              "99 %", "worst");
   for (std::size_t m = 0; m < settings.methods.size(); ++m) {
     const MethodErrors sum = errors.sum(strata_of(std::nullopt, placement, true), m);
     const auto& [distance, point] = sum.ulps;
     if (distance.known.count() == 0 && point.known.count() == 0) continue;
     const auto cell = [](const UlpErrors& e, double q) {
-      return e.known.count() == 0 ? "-" : three_digits(e.known.quantile(q));
+      return e.known.count() == e.known.infinite() ? "-" : three_digits(e.quantile_of_finite(q));
     };
-    text += row(settings.methods[m]->name(), distance.asked, distance.known.count(), cell(distance, 0.5),
-                cell(distance, 0.99), cell(distance, 1), point.known.count(), cell(point, 0.5), cell(point, 0.99),
-                cell(point, 1));
+    text += row(settings.methods[m]->name(), distance.asked, distance.known.count(), distance.known.infinite(),
+                cell(distance, 0.5), cell(distance, 0.99), cell(distance, 1), point.known.count(),
+                point.known.infinite(), cell(point, 0.5), cell(point, 0.99), cell(point, 1));
   }
   return text;
+}
+
+std::string_view in_words(Measure measure) {
+  switch (measure) {
+    case Measure::NotRight: return "wrong or don't know, contact";
+    case Measure::Distance: return "distance, 99 %";
+    case Measure::Point: break;
+  }
+  return "point, 99 %";
+}
+
+/// Who is on the front by each measure, and whom noise may keep from it.
+std::string fronts(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings,
+                   Placement placement) {
+  std::string text;
+  for (const Measure measure : kMeasures) {
+    const auto list = standings(measure, std::nullopt, placement, errors, timings);
+    const auto names = [&](Front front) {
+      std::string joined;
+      for (const Standing& s : list)
+        if (s.front == front) joined.append(joined.empty() ? "" : ", ").append(settings.methods[s.method]->name());
+      return joined.empty() ? std::string("-") : joined;
+    };
+    if (list.empty()) continue;
+    text += fmt::format("  {:<30}on the front: {}\n  {:<30}within noise: {}\n", in_words(measure), names(Front::On), "",
+                        names(Front::WithinNoise));
+  }
+  return text.empty() ? text : "\n  fronts of time against\n" + text;
+}
+
+/// How much the repetitions of timed lists differ.
+std::string noise(const std::vector<Timing>& timings) {
+  constexpr double kMuch = 1.5;
+  std::size_t cells = 0, noisy = 0;
+  for (const Timing& t : timings)
+    for (const bench::Measured& m : t.methods) {
+      const auto q = bench::quartiles(m.nanoseconds);
+      ++cells;
+      noisy += q.upper > kMuch * q.lower ? 1 : 0;
+    }
+  return fmt::format(
+      "Noise: in {} of {} lists and methods the upper quartile of the repetitions is more than {} times the lower "
+      "one.\n"
+      "A method is on the front if all that are no less right (as seen: the questions are the same) are slower, their\n"
+      "lower quartile being above its upper one; within noise, if none is faster in that sense, but some are not "
+      "slower.\n",
+      noisy, cells, kMuch);
 }
 
 std::string legend(const std::vector<Timing>& timings) {
@@ -108,13 +159,15 @@ std::string legend(const std::vector<Timing>& timings) {
       "first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within {} doubles of the radius\n"
       "that just touches; limits: Hoeffding, 95 %, samples being independent. Slow methods were asked about one "
       "sample\n"
-      "in {}. wrong at offsets: the lowest and the highest, in doubles, of those tried, up to 2^32.\n"
+      "in {}. overflow: the wrong ones of samples at which the method's distance or point is not finite. wrong at\n"
+      "offsets: the lowest and the highest, in doubles, of those tried, up to 2^32.\n"
       "Units in the last place: of the exact distance, and of the largest coordinate of the exact point; both "
       "correctly\n"
-      "rounded, so that 0 is within half a unit of the truth. Methods that give neither are left out.\n",
+      "rounded, so that 0 is within half a unit of the truth; median, 99 % and worst are of finite ones. Methods that\n"
+      "give neither are left out. No line mixes lattices with rotated polygons; one lattice radius in four is exactly "
+      "tangent.\n",
       kNear, 1e3 * kSecondsOfList, kNear, kSlowStride);
-  if (timings.empty()) text += "Nothing was timed.\n";
-  return text;
+  return text + (timings.empty() ? "Nothing was timed.\n" : noise(timings));
 }
 
 }  // namespace
@@ -122,10 +175,11 @@ std::string legend(const std::vector<Timing>& timings) {
 std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings) {
   std::string text;
   for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated})
-    text += fmt::format("\n{}: {}\n{}\n{}", word(placement),
+    text += fmt::format("\n{}: {}\n{}\n{}{}", word(placement),
                         placement == Placement::LatticeFrame ? "exactly planar polygons on an integer lattice"
                                                              : "rotated polygons, vertices rounded to doubles",
-                        times_and_shares(settings, errors, timings, placement), units(settings, errors, placement));
+                        times_and_shares(settings, errors, timings, placement), units(settings, errors, placement),
+                        fronts(settings, errors, timings, placement));
   return text + "\n" + legend(timings);
 }
 

@@ -76,7 +76,7 @@ std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
 }
 
 // Raised where sample n of a seed becomes another one, or the form of what is kept changes.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 /// All that the errors depend on, by the names of the options.
 nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
@@ -177,7 +177,7 @@ class Run {
 constexpr const char* kFooter = R"(
 Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold times,
 which one process alone measures. Times that were measured while others use the machine are noise: their quartiles are
-in timings.csv.)";
+in both files and drawn in the pictures, and the front says whom they may keep from it.)";
 
 }  // namespace
 

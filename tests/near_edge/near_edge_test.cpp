@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
@@ -328,6 +329,61 @@ TEST(NearEdgeMap, HoldsAllThatItShows) {
     if (map.spot == Spot::ReflexVertex && map.test == Tested::Foot) {
       EXPECT_NE(map.verdicts[1].find('+'), std::string::npos);
     }
+  }
+}
+
+/// Says nothing, but keeps each polygon that it prepares with the balls that it is asked about.
+class Watching : public methods::Method {
+ public:
+  struct Seen {
+    Polygon polygon;
+    std::vector<Ball> balls;
+  };
+
+  std::string_view name() const override { return "watching"; }
+  std::string_view summary() const override { return ""; }
+  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+    seen.push_back(std::make_unique<Seen>(Seen{polygon, {}}));
+    return std::make_unique<Prepared>(*seen.back());
+  }
+  mutable std::vector<std::unique_ptr<Seen>> seen;
+
+ private:
+  class Prepared : public methods::PreparedMethod {
+   public:
+    explicit Prepared(Seen& seen) : seen_(seen) {}
+    PartialAnswer ask(const Ball& ball, methods::Question) const override {
+      seen_.balls.push_back(ball);
+      return {};
+    }
+
+   private:
+    Seen& seen_;
+  };
+};
+
+// Where the contact changes, it does at the feature that the map is about; about a reflex vertex at both of its edges.
+TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
+  const Watching method;
+  const auto maps = draw_maps({&method}, 3, 1, kAlone, kNeverStop, kSilent);
+  method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
+  ASSERT_EQ(maps.size(), method.seen.size());
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (maps[i].test != Tested::Contact) continue;
+    const Spot spot = maps[i].spot;
+    const auto& [polygon, balls] = *method.seen[i];
+    ASSERT_EQ(balls.size(), maps[i].truth.size());
+    const auto truth = kExact.prepare(polygon);
+    std::set<std::size_t> edges;
+    for (std::size_t pixel = 0; pixel < balls.size(); pixel += 13) {
+      const Feature nearest = *truth->ask(balls[pixel], methods::Question::Answer).nearest;
+      const auto expected = spot == Spot::Face     ? Feature::Kind::Face
+                            : spot == Spot::Vertex ? Feature::Kind::Vertex
+                                                   : Feature::Kind::Edge;
+      ASSERT_EQ(nearest.kind, expected) << word(spot) << " " << maps[i].origin_distance;
+      edges.insert(nearest.index);
+    }
+    EXPECT_EQ(edges.size(), spot == Spot::ReflexVertex ? 2U : 1U) << word(spot) << " " << maps[i].origin_distance;
   }
 }
 

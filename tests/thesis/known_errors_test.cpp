@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <iostream>
 #include <ostream>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "experiments/thesis/false_areas.h"
 #include "experiments/thesis/stated_share.h"
@@ -102,6 +104,22 @@ TEST_P(WronglyInside, SharesOfAreaAreAsStated) {
   const double expected = outline.area() / box.area();
   const double inside = static_cast<double>(area.right + area.missed) / samples;
   EXPECT_NEAR(inside, expected, 4 * std::sqrt(expected * (1 - expected) / samples));
+}
+
+// Two outlines of the same shape: what chance does to one says nothing of the other.
+TEST(WronglyInsideOutlines, HaveRandomPointsOfTheirOwn) {
+  auto square = thesis_figures::find_outline("square"), other = square;
+  other.name = "another square";
+  const auto first = thesis_figures::measure_false_area(square, 2000, kSeed),
+             second = thesis_figures::measure_false_area(other, 2000, kSeed);
+  EXPECT_NE(std::tie(first.right, first.wrong), std::tie(second.right, second.wrong));
+  const auto names = thesis_figures::outlines();
+  std::set<std::uint64_t> inside;  // of one shape under all names
+  for (const auto& outline : names) {
+    other.name = outline.name;
+    inside.insert(thesis_figures::measure_false_area(other, 20000, kSeed).right);
+  }
+  EXPECT_GT(inside.size(), names.size() / 2) << "a few may agree by chance";
 }
 
 // Inside a simple polygon the unsigned angles add up to 2 pi or more, but for rounding.
