@@ -18,18 +18,16 @@ bool is_decisive(std::string_view key) {
   return judge::is_answer_key(key) && key != "point" && key != "distance" && key != "off_plane";
 }
 
-std::vector<std::string> wrong_keys(const methods::Method& method, const Ball& ball, const Polygon& polygon,
-                                    const Verdict& truth) {
-  Verdict given;
-  std::vector<std::string> wrong;
+Verdict wrong_values(const methods::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
+  Verdict given, wrong = Verdict::object();
   try {
     given = judge::object_of(method.prepare(polygon)->ask(ball, methods::Question::Answer));
   } catch (const std::exception&) {  // as EPICK's division by zero
-    for (const auto& [key, value] : truth.items()) wrong.push_back(key);
+    for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;
   }
   for (const auto& [key, value] : given.items())
-    if (truth.contains(key) && value != truth[key]) wrong.push_back(key);
+    if (truth.contains(key) && value != truth[key]) wrong[key] = value;
   return wrong;
 }
 
@@ -39,10 +37,16 @@ const std::vector<const methods::Method*>& witnesses() {
   return found;
 }
 
+bool any_decisive(const Verdict& wrong) {
+  for (const auto& [key, value] : wrong.items())
+    if (is_decisive(key)) return true;
+  return false;
+}
+
 std::vector<const methods::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon, const Verdict& truth) {
   std::vector<const methods::Method*> failing;
   for (const auto* method : witnesses())
-    if (std::ranges::any_of(wrong_keys(*method, ball, polygon, truth), is_decisive)) failing.push_back(method);
+    if (any_decisive(wrong_values(*method, ball, polygon, truth))) failing.push_back(method);
   return failing;
 }
 

@@ -26,10 +26,13 @@ struct CorpusCase {
 /// bit nearly always.
 [[nodiscard]] bool is_decisive(std::string_view key);
 
-/// The keys, in the contract's order, to which the method gives another value than the truth. What it leaves out, and
-/// what it is unsure of, is not wrong; where it ends with an exception, all keys are.
-[[nodiscard]] std::vector<std::string> wrong_keys(const methods::Method& method, const Ball& ball,
-                                                  const Polygon& polygon, const judge::Verdict& truth);
+/// The keys to which the method gives another value than the truth, with what it gives. What it leaves out, and what it
+/// is unsure of, is not wrong; where it ends with an exception, all keys are, and null is given.
+[[nodiscard]] judge::Verdict wrong_values(const methods::Method& method, const Ball& ball, const Polygon& polygon,
+                                          const judge::Verdict& truth);
+
+/// Is one of these keys decisive?
+[[nodiscard]] bool any_decisive(const judge::Verdict& wrong);
 
 /// The methods that the corpus was chosen to fail: plain numbers of several kinds, the thesis's, and others' kernels.
 /// All of them are in every build.

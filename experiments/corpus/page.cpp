@@ -42,8 +42,8 @@ A case on which a method fails, from here or from anywhere, becomes small by
     touchstone corpus shrink CASE --method NAME
 
 with fewer loops and vertices, shorter numbers and smaller exponents. It goes on to fail in all the decisive keys in
-which it failed (`--key KEY`: in that one); where only `point`, `distance` or `off_plane` were wrong, in those, and in
-nothing else.
+which it failed (`--key KEY`: in that one), with the same words where words are wrong; where only `point`, `distance` or
+`off_plane` were wrong, in those, and in nothing decisive.
 )";
 
 std::size_t sum(const std::vector<FileCounts>& files, auto of) {

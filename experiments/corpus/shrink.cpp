@@ -20,6 +20,7 @@ namespace touchstone::corpus {
 namespace {
 
 using Eigen::Vector3d;
+using judge::Verdict;
 
 /// |x| = significand 2^exponent with an odd significand; both 0 for 0.
 struct Parts {
@@ -66,7 +67,11 @@ bool is_usable(const Ball& ball, const Polygon& polygon) {
   return !find_fault(ball) && !exact::validate(polygon).has_value();
 }
 
-bool any_decisive(const std::vector<std::string>& keys) { return std::ranges::any_of(keys, is_decisive); }
+/// What of a value is said in words, yes or no: of the nearest feature its kind; nothing of edges and numbers.
+std::string words_of(const Verdict& value) {
+  if (value.is_object()) return value.at("kind").get<std::string>();
+  return value.is_string() || value.is_boolean() ? value.dump() : "";
+}
 
 /// A case while it is being reduced.
 class Shrinker {
@@ -265,24 +270,29 @@ Size size_of(const Ball& ball, const Polygon& polygon) {
 
 SameFailure::SameFailure(const methods::Method& method, const Ball& ball, const Polygon& polygon,
                          const std::optional<std::string>& key)
-    : method_(method), keys_(wrong_keys(method, ball, polygon, exact_answer(ball, polygon))) {
-  if (keys_.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
-  nothing_decisive_ = !any_decisive(keys_);
-  if (key) {
-    if (std::ranges::find(keys_, *key) == keys_.end())
-      throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
-    keys_ = {*key};
-    nothing_decisive_ = false;
+    : method_(method) {
+  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method, ball, polygon, truth);
+  if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
+  if (key && !wrong.contains(*key))
+    throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
+  nothing_decisive_ = !key && !any_decisive(wrong);
+  for (const auto& [name, value] : wrong.items()) {
+    if (key ? name != *key : !is_decisive(name) && !nothing_decisive_) continue;
+    keys_.push_back(name);
+    true_words_.push_back(words_of(truth[name]));
+    given_words_.push_back(words_of(value));
   }
-  if (!key && !nothing_decisive_) std::erase_if(keys_, [](const std::string& k) { return !is_decisive(k); });
 }
 
 bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
   if (!is_usable(ball, polygon)) return false;
-  const auto wrong = wrong_keys(method_, ball, polygon, exact_answer(ball, polygon));
+  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method_, ball, polygon, truth);
   if (nothing_decisive_ && any_decisive(wrong)) return false;
-  return std::ranges::all_of(keys_,
-                             [&](const std::string& key) { return std::ranges::find(wrong, key) != wrong.end(); });
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    if (!wrong.contains(keys_[i]) || words_of(wrong[keys_[i]]) != given_words_[i] ||
+        words_of(truth[keys_[i]]) != true_words_[i])
+      return false;
+  return true;
 }
 
 Shrunk shrink(const SameFailure& failure, const Ball& ball, const Polygon& polygon, const std::atomic<bool>& stop) {

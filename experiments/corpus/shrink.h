@@ -25,8 +25,9 @@ struct Size {
 [[nodiscard]] Size size_of(const Ball& ball, const Polygon& polygon);
 
 /// What a reduced case must fail in. A case that fails in decisive keys (is_decisive) must go on to do so in all of the
-/// same; one that fails in `point`, `distance` or `off_plane` alone must go on to fail in all of the same, and in
-/// nothing decisive.
+/// same, and where their values are words, the true and the given ones must stay: an overlap that is missed does not
+/// become a touch that is missed. One that fails in `point`, `distance` or `off_plane` alone must go on to fail in all
+/// of the same, and in nothing decisive.
 class SameFailure {
  public:
   /// Of all keys that the method gets wrong, or, where one is named, of that alone.
@@ -42,6 +43,7 @@ class SameFailure {
  private:
   const methods::Method& method_;
   std::vector<std::string> keys_;
+  std::vector<std::string> true_words_, given_words_;  // a key each
   bool nothing_decisive_;
 };
 
