@@ -18,6 +18,7 @@
 #include "experiments/commands.h"
 #include "experiments/corpus/check.h"
 #include "experiments/corpus/corpus_case.h"
+#include "experiments/corpus/gripper.h"
 #include "experiments/corpus/make.h"
 #include "experiments/corpus/shrink.h"
 #include "experiments/judge/input_lines.h"
@@ -136,6 +137,12 @@ void add_corpus(CLI::App& app, int& status) {
   auto files = std::make_shared<std::vector<std::string>>();
   checking->add_option("FILES", *files, "Files of cases with whole answers (default: the corpus)");
   checking->callback([files, &status] { status = check(files->empty() ? corpus_files() : *files); });
+
+  auto* gripping =
+      command->add_subcommand("gripper", "Print cases of a cell's run, as experiments/corpus/given has them");
+  auto cell = std::make_shared<std::string>();
+  gripping->add_option("CELL", *cell, "A cell file")->required();
+  gripping->callback([cell] { fmt::print("{}", corpus::gripper_cases(*cell)); });
 
   auto* shrinking = command->add_subcommand("shrink", "Reduce failing cases to small ones that still fail");
   auto shrink_options = std::make_shared<ShrinkOptions>();
