@@ -37,7 +37,8 @@ void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::si
 /// What the corpus began with, and smaller outlines, whose radius is some doubles beside the distance.
 std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
   std::vector<Stream> streams;
-  for (const std::size_t holes : {0, 1}) add_outlines(streams, {.ball = place, .vertices = 12, .holes = holes}, 1);
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+    add_outlines(streams, {.ball = place, .vertices = 12, .holes = holes}, 1);
   for (const int doubles : {-1, 0, 1}) add_outlines(streams, {.ball = place, .vertices = 6, .doubles = doubles}, count);
   return streams;
 }
@@ -87,15 +88,15 @@ bool is_reflex_near_foot(const CorpusCase& drawn, const Verdict&) {
 
 std::string reflex_vertex() {
   std::vector<Stream> streams;
-  for (const std::size_t holes : {0, 1})
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
     add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = 9, .holes = holes}, holes == 0 ? 8 : 4);
   return drawn_text(streams, is_reflex_near_foot);
 }
 
 std::string foot_on_edge() {
   std::vector<Stream> streams;
-  for (const std::size_t vertices : {12, 6})
-    for (const std::size_t holes : {0, 1})
+  for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
+    for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 3);
   streams.push_back(soak_stream(soak::Family::Foot, 100));
@@ -104,8 +105,8 @@ std::string foot_on_edge() {
 
 std::string foot_on_vertex() {
   std::vector<Stream> streams;
-  for (const std::size_t vertices : {12, 6})
-    for (const std::size_t holes : {0, 1})
+  for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
+    for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
       add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = vertices, .holes = holes},
                    vertices == 12 ? 1 : 4);
   return drawn_text(streams, any_kind);
@@ -113,7 +114,7 @@ std::string foot_on_vertex() {
 
 std::string tangent_lattice() {
   std::vector<Stream> streams;
-  for (const std::size_t holes : {0, 1})
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
   for (const int doubles : {-1, 0, 1})
     add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
@@ -162,7 +163,7 @@ std::string off_plane() {
 std::string holes() {
   std::vector<Stream> streams;
   for (const BallPlace place : {BallPlace::NearEdge, BallPlace::NearVertex, BallPlace::FootNearEdge})
-    for (const std::size_t holes : {1, 2})
+    for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
   return drawn_text(streams, [](const CorpusCase& drawn, const Verdict& truth) {
     const Verdict& nearest = truth["nearest"];

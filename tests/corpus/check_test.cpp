@@ -161,7 +161,7 @@ TEST(RationalFault, IsThatOfTheSweepOnSmallLattices) {
       continue;  // equal neighbours
     }
   }
-  for (const std::size_t code : {5, 6, 7, 8, 9}) EXPECT_GT(seen[code], 0) << code;
+  for (std::size_t code = 5; code < seen.size(); ++code) EXPECT_GT(seen[code], 0) << code;
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ TEST(Corpus, EveryLineIsRejectedOrNotAsItExpects) {
 TEST(Corpus, ExactMeetsEveryCase) {
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
+    const Asked asked(stored);
     const exact::PreparedPolygon polygon(stored.polygon());
     const Ball& ball = stored.ball();
     const Answer& expected = *stored.answer;
@@ -73,6 +74,7 @@ TEST(Corpus, ExactMeetsEveryCase) {
 TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
+    const Asked asked(stored);
     const Answer answer = fast::answer(stored.ball(), stored.polygon());
     ASSERT_EQ(decisive_keys_agree(answer, *stored.answer), !stored.fails("fast")) << stored;
     if (!stored.fails("fast")) {
@@ -84,6 +86,7 @@ TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
 TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
+    const Asked asked(stored);
     const auto triangle = triangle_of(stored.polygon());
     if (!triangle) continue;
     const auto& [a, b, c] = *triangle;
@@ -109,6 +112,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
+    const Asked asked(stored);
     const filtered::PreparedPolygon polygon(stored.polygon());
     const Ball& ball = stored.ball();
     const Answer& expected = *stored.answer;
@@ -130,6 +134,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
 // is known without asking anyone. Nine balls, so that vectors of 2, 4 and 8 leave one over.
 TEST(Corpus, FilteredMeetsEveryCaseInABatch) {
   for (const Stored& stored : stored_cases()) {
+    const Asked asked(stored);
     if (!stored.answer || !(stored.answer->distance > 0x1p-1060 && stored.answer->distance < 0x1p1020)) continue;
     const filtered::PreparedPolygon polygon(stored.polygon());
     std::array<Ball, 9> balls;
@@ -152,6 +157,7 @@ TEST(Corpus, FilteredMeetsEveryCaseInEveryEnvironment) {
   using contact_tests::Environment;
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer) continue;
+    const Asked asked(stored);
     const filtered::PreparedPolygon polygon(stored.polygon());
     const auto triangle = triangle_of(stored.polygon());
     const Ball& ball = stored.ball();

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/corpus/stored.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -42,6 +46,14 @@ Answer answer_of(const json& expected) {
           .off_plane = number(expected.at("off_plane"))};
 }
 
+std::string asked;
+
+void tell_what_was_asked(int signal) {
+  if (!asked.empty() && write(STDOUT_FILENO, asked.data(), asked.size()) < 0) std::_Exit(signal);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 std::vector<Stored> read_corpus() {
   std::vector<Stored> cases;
   std::vector<std::filesystem::path> files;
@@ -52,6 +64,7 @@ std::vector<Stored> read_corpus() {
   for (const auto& file : files) {
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);) {
+      const Asked reading(line.substr(0, line.find(',')), file.stem().string());
       judge::Case read = judge::read_case(line);
       Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}};
       if (std::holds_alternative<judge::Shapes>(stored.read.content) && stored.read.expected &&
@@ -68,6 +81,13 @@ std::vector<Stored> read_corpus() {
 }  // namespace
 
 bool Stored::fails(const std::string& method) const { return std::ranges::find(tags, "fails:" + method) != tags.end(); }
+
+Asked::Asked(const std::string& id, const std::string& file) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE}) std::signal(signal, tell_what_was_asked);
+  asked = "\ncase " + id + " of " + file + "\n";
+}
+
+Asked::~Asked() { asked.clear(); }
 
 const std::vector<Stored>& stored_cases() {
   static const std::vector<Stored> cases = read_corpus();

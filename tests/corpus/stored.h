@@ -25,6 +25,16 @@ struct Stored {
 /// All of them, by file.
 [[nodiscard]] const std::vector<Stored>& stored_cases();
 
+/// While one lives, a crash is told with `case ID of FILE` on standard output.
+class Asked {
+ public:
+  Asked(const std::string& id, const std::string& file);
+  explicit Asked(const Stored& stored) : Asked(stored.id, stored.file) {}
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+  ~Asked();
+};
+
 /// `case ID of FILE`: how failures name a case.
 std::ostream& operator<<(std::ostream& out, const Stored& stored);
 
