@@ -21,6 +21,7 @@ void add_stability(CLI::App& app, int& status);
 void add_scene(CLI::App& app, int& status);
 void add_cell(CLI::App& app, int& status);
 void add_regress(CLI::App& app, int& status);
+void add_corpus(CLI::App& app, int& status);
 void add_thesis(CLI::App& app, int& status);
 
 }  // namespace touchstone::commands

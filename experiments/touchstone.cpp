@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   touchstone::commands::add_scene(app, status);
   touchstone::commands::add_cell(app, status);
   touchstone::commands::add_regress(app, status);
+  touchstone::commands::add_corpus(app, status);
   touchstone::commands::add_thesis(app, status);
   try {
     CLI11_PARSE(app, argc, argv);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 
 namespace touchstone::judge {
@@ -49,7 +50,13 @@ void Proceedings::give_own(const Case& question) {
   }
   const auto& [ball, polygon] = std::get<Shapes>(question.content);
   for (const auto* method : order_.methods) {
-    const methods::PartialAnswer answer = method->prepare(polygon)->ask(ball, methods::Question::Answer);
+    methods::PartialAnswer answer;
+    try {
+      answer = method->prepare(polygon)->ask(ball, methods::Question::Answer);
+    } catch (const std::exception& error) {  // of another's engine, which others' verdicts shall not suffer from
+      complain(fmt::format("case {}: method {}: ended with: {}", name(question), method->name(), error.what()));
+      worsen(ExpectationNotMet);
+    }
     Verdict verdict = verdict_of(*question.id, method->name(), answer);
     if (order_.explain) explain(verdict, answer, ball.radius);
     print(verdict);

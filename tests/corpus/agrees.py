@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: python3 agrees.py TOUCHSTONE CORPUS SCRATCH
 
-The corpus is what it claims to be: `exact` meets every expectation, the independent checker derives the same answers,
-plain doubles do not pass, and the generated files come out of `make` again, byte for byte.
+The corpus is what it claims to be: `corpus check` and the independent checker derive the same answers, plain doubles and
+the thesis's method do not pass, and every file comes out of `corpus make` again, byte for byte, page and counts
+included, whatever the number of threads.
 """
 
-import filecmp
+import json
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -16,10 +18,13 @@ def main(touchstone, corpus, scratch):
     files = sorted(corpus.glob("*.jsonl"))
     cases = scratch / "cases.jsonl"
     verdicts = scratch / "verdicts.jsonl"
-    scratch.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
     cases.write_text("".join(file.read_text() for file in files))
     faults = []
 
+    if subprocess.run([touchstone, "corpus", "check", *files]).returncode != 0:
+        faults.append("corpus check finds faults")
     with verdicts.open("w") as out:
         if subprocess.run([touchstone, "judge", "--method", "exact", cases], stdout=out).returncode != 0:
             faults.append("exact does not meet the corpus")
@@ -31,12 +36,17 @@ def main(touchstone, corpus, scratch):
         if subprocess.run([touchstone, "judge", "--method", method, cases], **quiet).returncode != 1:
             faults.append(f"{method} passes the corpus, which is there to fail it")
 
+    stored = {file.name: file.read_bytes() for file in [*files, corpus / "README.md", corpus / "corpus.json"]}
     again = scratch / "again"
-    subprocess.run([corpus / "make", touchstone, again], check=True)
-    faults += [f"{file.name} is not what make writes" for file in sorted(again.glob("*.jsonl"))
-               if not filecmp.cmp(file, corpus / file.name, shallow=False)]
-    faults += [f"{file.name} is larger than 300 kB" for file in files if file.stat().st_size > 300_000]
-    print("\n".join(faults) or f"{sum(1 for _ in cases.open())} cases in {len(files)} files: all is well")
+    subprocess.run([touchstone, "corpus", "make", "--threads", "3", again], check=True)  # stored: by two
+    made = {file.name: file.read_bytes() for file in again.iterdir()}
+    faults += [f"{name} is not what make writes" for name in sorted(stored.keys() | made.keys())
+               if stored.get(name) != made.get(name)]
+    faults += [f"{name} is larger than 300 kB" for name, content in stored.items() if len(content) > 300_000]
+    counted = {entry["file"]: entry["cases"] for entry in json.loads(stored["corpus.json"])["files"]}
+    faults += [f"{file.name}: corpus.json counts {counted.get(file.name)} cases" for file in files
+               if counted.get(file.name) != stored[file.name].count(b"\n")]
+    print("\n".join(faults) or f"{sum(counted.values())} cases in {len(files)} files: all is well")
     return 1 if faults else 0
 
 

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: python3 run.py SOURCE BUILD [NAME...]
+"""Usage: python3 run.py [--corpus] SOURCE BUILD [NAME...]
 
-A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file of the fast,
-exact or filtered path; translation units that see it are compiled again and linked before the libraries into a program
-of tests, which is run: it must fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
+A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
+units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
+fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
+
+With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
+in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out; those of
+tests/corpus/mutants.json, about constants, stages and guards of the filtered path, come in.
 """
 
 import concurrent.futures
@@ -27,13 +31,16 @@ SUITES = {
 }
 
 
+CORPUS_PATHS = ("geometry/contact/", "robust/exact/", "robust/filtered/")
+
+
 class Workshop:
-    def __init__(self, source, build):
-        self.source, self.build = pathlib.Path(source), pathlib.Path(build)
+    def __init__(self, source, build, programs):
+        self.source, self.build = pathlib.Path(source).resolve(), pathlib.Path(build).resolve()
         self.scratch = self.build / "tests" / "mutants"
         commands = json.loads((self.build / "compile_commands.json").read_text())
         self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
-        self.links = {program: self.link_command(program) for program in SUITES}
+        self.links = {program: self.link_command(program) for program in programs}
 
     def link_command(self, program):
         ninja = subprocess.run(["ninja", "-C", self.build, "-t", "commands", program],
@@ -103,7 +110,9 @@ def first_failure(program, folder, suites):
     if result.returncode == 0:
         return None
     failed = re.search(r"\[  FAILED  \] (\S+?)[,\s]", result.stdout)
-    return failed.group(1) if failed else f"exit status {result.returncode}"
+    case = re.search(r"case (\S+) of (\S+)", result.stdout)
+    name = failed.group(1) if failed else f"exit status {result.returncode}"
+    return f"{name}, case {case.group(1)} of {case.group(2)}" if case else name
 
 
 def judge(workshop, mutant):
@@ -112,18 +121,31 @@ def judge(workshop, mutant):
     try:
         folder = workshop.plant(mutant)
         program = workshop.link_tests(folder, name, [workshop.compile(folder, unit) for unit in units(mutant)])
-        killer = first_failure(program, folder, mutant.get("suites", SUITES[name]))
+        killer = first_failure(program, folder, mutant["suites"] if "suites" in mutant else SUITES[name])
         program.unlink()
     except ValueError as error:
         return False, f"cannot be planted: {error}"
     return (True, f"killed by {killer}") if killer else (False, "SURVIVES")
 
 
-def main(source, build, *names):
-    workshop = Workshop(source, build)
-    mutants = json.loads((pathlib.Path(__file__).parent / "mutants.json").read_text())
-    mutants = [mutant for mutant in mutants if not names or mutant["name"] in names]
-    for program, suites in sorted({(program_of(m), m.get("suites", SUITES[program_of(m)])) for m in mutants}):
+def read_mutants(source, corpus):
+    """Each with the program and the suites that are to tell of it."""
+    tests = pathlib.Path(source) / "tests"
+    mutants = json.loads((tests / "mutants" / "mutants.json").read_text())
+    if not corpus:
+        return mutants
+    mutants = [mutant for mutant in mutants if mutant["file"].startswith(CORPUS_PATHS)]
+    mutants += json.loads((tests / "corpus" / "mutants.json").read_text())
+    return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]
+
+
+def main(*arguments):
+    corpus = arguments[0] == "--corpus"
+    source, build, *names = arguments[corpus:]
+    mutants = [mutant for mutant in read_mutants(source, corpus) if not names or mutant["name"] in names]
+    workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
+    suites_of = {(program_of(m), m["suites"] if "suites" in m else SUITES[program_of(m)]) for m in mutants}
+    for program, suites in sorted(suites_of):
         if failure := first_failure(workshop.build / "tests" / program, workshop.build, suites):
             print(f"{program} fails without any bug planted: {failure}")
             return 1
@@ -132,7 +154,7 @@ def main(source, build, *names):
         for mutant, (killed, sentence) in zip(mutants, pool.map(lambda m: judge(workshop, m), mutants)):
             survivors += not killed
             print(f"{mutant['name']}: {sentence} ({mutant['bug']})", flush=True)
-    print(f"{len(mutants) - survivors} of {len(mutants)} mutants killed")
+    print(f"{len(mutants) - survivors} of {len(mutants)} mutants killed{' by the corpus' if corpus else ''}")
     return 1 if survivors or not mutants else 0
 
 
