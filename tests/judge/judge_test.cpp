@@ -2,6 +2,7 @@
 #include "experiments/judge/judge.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,15 +38,16 @@ std::string take(std::FILE* file) {
   return text;
 }
 
+/// A file of this process and test: others run beside it.
 std::string write_file(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + "judge_test_" + name;
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::string path = testing::TempDir() + "judge_test_" + std::to_string(::getpid()) + "_" + test + "_" + name;
   std::ofstream(path) << text;
   return path;
 }
 
 Result run(const std::string& input, Order order = {}) {
-  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  order.files.insert(order.files.begin(), write_file(test + ".jsonl", input));
+  order.files.insert(order.files.begin(), write_file("cases.jsonl", input));
   if (order.methods.empty() && order.engine.empty()) order.methods = {methods::find_method("exact")};
   order.verdicts = std::tmpfile();
   order.complaints = std::tmpfile();
