@@ -63,6 +63,8 @@ class Workshop:
         return folder
 
     def compile(self, folder, unit):
+        if str(self.source / unit) not in self.commands:
+            raise ValueError(f"{unit} is compiled with its folder; experiments/CMakeLists.txt names those that are not")
         command = list(self.commands[str(self.source / unit)])
         target = folder / f"{pathlib.Path(unit).stem}.o"
         command[command.index("-o") + 1] = str(target)
