@@ -78,6 +78,18 @@ class KernelPolygon {
     return hit;
   }
 
+  /// Can the ball be asked about? EPICK's exact predicates end the program at a number that is not finite, as planes,
+  /// feet and squares of large doubles may be.
+  [[nodiscard]] bool can_be_asked(const Ball& ball) const {
+    if constexpr (Kernel::Has_filtered_predicates && !kConstructsExactly) {
+      const Point foot = plane_.projection(point(ball.center));
+      for (const FT& x : {plane_.a(), plane_.b(), plane_.c(), plane_.d(), foot.x(), foot.y(), foot.z(),
+                          CGAL::square(FT(ball.radius))})
+        if (!std::isfinite(x)) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool contact(const Ball& ball) const {
     if (plane_side(ball) != PlaneSide::Intersects) return false;
     if (foot(ball) != FootPlace::Outside) return true;
@@ -174,6 +186,9 @@ class PreparedKernel final : public PreparedMethod {
 
   PartialAnswer ask(const Ball& ball, Question question) const override {
     PartialAnswer answer;
+    answer.stage = stage_;
+    answer.unsure = !polygon_.can_be_asked(ball);
+    if (answer.unsure) return answer;
     switch (question) {
       case Question::Contact: answer.contact = polygon_.contact(ball); break;
       case Question::Relation: answer.relation = polygon_.relation(ball); break;
@@ -182,10 +197,10 @@ class PreparedKernel final : public PreparedMethod {
       case Question::EdgesHit: answer.edges_hit = polygon_.edges_hit(ball); break;
       case Question::Answer:
         answer = PartialAnswer::of(polygon_.answer(ball), "");
+        answer.stage = stage_;
         if (!polygon_.knows_off_plane()) answer.off_plane.reset();
         break;
     }
-    answer.stage = stage_;
     return answer;
   }
 

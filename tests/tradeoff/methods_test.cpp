@@ -190,6 +190,20 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
 }
 
 // Intervals round upwards while they compute, and only then.
+// Planes, feet and squares of such numbers overflow; exact predicates of what is not finite would end the program.
+TEST(AllMethods, GoOnWhereNumbersOverflow) {
+  const std::set<std::string_view> exact_ones{"exact", "filtered", "rational", "cgal-epeck"};
+  for (const double size : {1e100, 1e155, 1e200, 1e300, 0x1p1022}) {
+    const Polygon triangle({{0, 0, 0}, {size, 0, size / 4}, {0, size, 0}});
+    for (const Ball& ball : {Ball{{size / 3, size / 3, size}, size / 2}, Ball{{1, 1, 1}, size}, Ball{{-size, 0, 0}, 1}})
+      for (const auto& method : all_methods()) {
+        const auto answer = method->prepare(triangle)->ask(ball, Question::Answer);
+        if (exact_ones.count(method->name()) == 1)
+          EXPECT_EQ(answer.contact, exact::contact(ball, triangle)) << method->name() << ", " << size;
+      }
+  }
+}
+
 TEST(AllMethods, LeaveTheRoundingModeAsItWas) {
   for (const Sample& sample : adversarial_samples())
     for (const auto& method : all_methods()) {
