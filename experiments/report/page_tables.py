@@ -1,0 +1,163 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: page_tables.py TOUCHSTONE ROOT [--write]
+
+Makes the tables of pages from small studies (seeds as they stand, the same on every machine with this C library).
+Compares each with the one between its page's markers (exit status 1 if one differs), or writes them there.
+"""
+
+import collections
+import csv
+import functools
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
+SAMPLES = 60
+ROWS = {  # threshold: what is asked about there, in words; the test of rates.csv
+    "face": ("radius at the distance of a face", "contact"),
+    "edge": ("radius at the distance of an edge", "contact"),
+    "vertex": ("radius at the distance of a vertex", "contact"),
+    "foot-edge": ("foot crosses an edge: is it inside?", "foot"),
+    "foot-vertex": ("foot passes a vertex: is it inside?", "foot"),
+}
+ENGINES = {  # method of `touchstone regress`: what it is
+    "filtered": "ours, certified",
+    "fast": "ours, plain doubles",
+    "cgal-epeck-distance": "CGAL's exact kernel, squared distance",
+    "cgal-epick-distance": "CGAL's inexact constructions, squared distance",
+    "cgal-double-distance": "CGAL over plain doubles, squared distance",
+    "cgal-epick-intersect": "CGAL's inexact constructions, do_intersect",
+    "cgal-double-intersect": "CGAL over plain doubles, do_intersect",
+    "fcl": "FCL, doubles",
+    "libccd": "libccd's GJK, doubles",
+    "bullet": "Bullet, doubles",
+    "ode": "ODE, doubles",
+    "embree": "Embree's closest point, floats",
+    "thesis": "the thesis of 2008",
+}
+
+
+def near_edge_counts(touchstone):
+    """Failures and trials by (threshold, method), all families and placements, within one double of the threshold."""
+    counts = collections.defaultdict(lambda: [0, 0])
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([touchstone, "near-edge", "--method", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
+                        "--search", "0", "--no-pictures", "--output", folder],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:
+            for row in csv.DictReader(rates):
+                wanted = ROWS.get(row["threshold"])
+                if row["family"] == "all" and wanted and row["test"] == wanted[1] and abs(int(row["offset"])) <= 1:
+                    count = counts[row["threshold"], row["method"]]
+                    count[0] += int(row["failures"])
+                    count[1] += int(row["trials"])
+    return counts
+
+
+def cell(failures, trials):
+    """A rate; where nothing failed, its upper 95 % limit (one-sided, Clopper-Pearson)."""
+    if failures:
+        return f"{100 * failures / trials:.0f} %"
+    return f"0 of {trials} (< {100 * (1 - 0.05 ** (1 / trials)):.2f} %)"
+
+
+def near_edge_table(touchstone):
+    counts = near_edge_counts(touchstone)
+    lines = ["| within one double of the threshold | " + " | ".join(f"`{method}`" for method in NEAR_EDGE_METHODS) + " |",
+             "|---|" + "---|" * len(NEAR_EDGE_METHODS)]
+    for threshold, (description, _) in ROWS.items():
+        lines.append(f"| {description} | " + " | ".join(cell(*counts[threshold, method]) for method in NEAR_EDGE_METHODS) + " |")
+    return "\n".join(lines) + "\n"
+
+
+@functools.cache
+def absent_engines(touchstone):
+    """Those whose libraries this build does without."""
+    methods = subprocess.run([touchstone, "methods"], check=True, capture_output=True, text=True).stdout
+    return set(ENGINES) - {line.split()[0] for line in methods.splitlines() if line.strip()}
+
+
+@functools.cache
+def standing(touchstone):
+    """Rows of standing.csv by (method, family), and the families in their order."""
+    with tempfile.TemporaryDirectory() as folder:
+        present = [engine for engine in ENGINES if engine not in absent_engines(touchstone)]
+        subprocess.run([touchstone, "regress", "--method", ",".join(present), "--output", folder],
+                       check=True, stdout=subprocess.DEVNULL)
+        with open(pathlib.Path(folder, "standing.csv"), newline="") as rows:
+            all_rows = list(csv.DictReader(rows))
+    return {(row["method"], row["family"]): row for row in all_rows}, list(dict.fromkeys(r["family"] for r in all_rows))
+
+
+def share_and_first(rows):
+    """Of these rows together: wrong answers in per cent, and the largest offset at which one was found."""
+    wrong, cases = sum(int(row["wrong"]) for row in rows), sum(int(row["cases"]) for row in rows)
+    first = min((int(row["first_offset_exponent"]) for row in rows if row["first_offset_exponent"]), default=None)
+    if wrong == 0:
+        return f"0 of {cases:,} (< {100 * (1 - 0.05 ** (1 / cases)):.2g} %)", "none"
+    return f"{100 * wrong / cases:.2g} %", "at tangency alone" if first is None else f"2^-{first}"
+
+
+def engines_table(touchstone):
+    by_engine, families = standing(touchstone)
+    lines = ["| engine | | wrong answers | largest relative offset of one | families with one |", "|---|---|---|---|---|"]
+    for engine, description in ENGINES.items():
+        if engine in absent_engines(touchstone):
+            continue
+        rows = [by_engine[engine, family] for family in families]
+        share, first = share_and_first(rows)
+        failed = sum(int(row["wrong"]) > 0 for row in rows)
+        lines.append(f"| `{engine}` | {description} | {share} | {first} | {failed} of {len(families)} |")
+    return "\n".join(lines) + "\n"
+
+
+def engines_by_family_table(touchstone):
+    by_engine, families = standing(touchstone)
+    lines = ["| engine | " + " | ".join(families) + " |", "|---|" + "---|" * len(families)]
+    for engine in ENGINES:
+        if engine in absent_engines(touchstone):
+            continue
+        cells = []
+        for family in families:
+            row = by_engine[engine, family]
+            cells.append("0" if row["wrong"] == "0" else f"{row['wrong']}, {share_and_first([row])[1]}")
+        lines.append(f"| `{engine}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+TABLES = [  # page, name in its markers, what makes it
+    ("README.md", "near-edge", near_edge_table),
+    ("README.md", "engines", engines_table),
+    ("tests/regress/README.md", "engines by family", engines_by_family_table),
+]
+
+
+def without_lines_of(engines, table):
+    return "".join(line for line in table.splitlines(keepends=True)
+                   if not any(line.startswith(f"| `{engine}` |") for engine in engines))
+
+
+def main(touchstone, root, *options):
+    status = 0
+    for page, name, make in TABLES:
+        path = pathlib.Path(root, page)
+        before, begin, rest = path.read_text().partition(f"<!-- {name} table: begin -->\n")
+        old, end, after = rest.partition(f"<!-- {name} table: end -->\n")
+        if not begin or not end:
+            raise SystemExit(f"{path}: no markers of the table '{name}'")
+        new = make(touchstone)
+        if "--write" in options:
+            if absent_engines(touchstone):
+                raise SystemExit(f"this build lacks {', '.join(sorted(absent_engines(touchstone)))}")
+            path.write_text(before + begin + new + end + after)
+        elif new != without_lines_of(absent_engines(touchstone), old):
+            print(f"{path}: the table '{name}' is not what the study gives; page_tables.py --write mends it:\n{new}")
+            status = 1
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
