@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: python3 page_compiles.py PAGE COMPILER FLAG...
+
+What stands in a page as a file of C++ compiles.
+"""
+
+import re
+import subprocess
+import sys
+
+
+def main(page, compiler, *flags):
+    with open(page) as text:
+        blocks = re.findall(r"```cpp\n(.*?)```", text.read(), re.DOTALL)
+    failed = sum(subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *flags,
+                                 "-x", "c++", "-"], input=block, text=True).returncode != 0 for block in blocks)
+    print(f"{len(blocks)} blocks, {failed} fail")
+    return 1 if failed or not blocks else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
