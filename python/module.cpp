@@ -3,7 +3,9 @@
 #include <pybind11/eigen.h>
 #include <pybind11/operators.h>
 
+#include <exception>
 #include <string>
+#include <utility>
 
 #include "python/questions.h"
 
@@ -86,7 +88,7 @@ void add_rejected(py::module_& module) {
   static py::handle type = py::exception<Rejected>(module, "Rejected", PyExc_ValueError).release();
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
-      if (pointer) std::rethrow_exception(pointer);
+      if (pointer) std::rethrow_exception(std::move(pointer));
     } catch (const Rejected& rejected) {
       py::object error = type(rejected.what());
       error.attr("code") = text(word(rejected.rejection().code));

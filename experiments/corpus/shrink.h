@@ -20,7 +20,7 @@ struct Size {
   /// weighs nothing.
   std::size_t bits = 0;
 
-  friend auto operator<=>(const Size&, const Size&) = default;
+  friend auto operator<=>(const Size&, const Size&) = default;  // NOLINT(modernize-use-nullptr)
 };
 [[nodiscard]] Size size_of(const Ball& ball, const Polygon& polygon);
 

@@ -47,7 +47,7 @@ class EdgeTree {
   struct End {
     double y;
     std::uint32_t vertex;
-    friend auto operator<=>(const End&, const End&) = default;
+    friend auto operator<=>(const End&, const End&) = default;  // NOLINT(modernize-use-nullptr)
   };
 
   /// `loop_ends[l]` is one past the last edge of loop l. Requires at most kMostEdges edges. Cost: O(n log n); memory:

@@ -39,7 +39,7 @@ struct Faces {
 /// A face of an object of a scene. Ordered by object, then by number.
 struct FaceId {
   std::uint32_t object, face;
-  friend auto operator<=>(const FaceId&, const FaceId&) = default;
+  friend auto operator<=>(const FaceId&, const FaceId&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The face of a scene that is nearest to a centre.
