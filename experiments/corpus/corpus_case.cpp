@@ -22,7 +22,7 @@ Verdict wrong_values(const methods::Method& method, const Ball& ball, const Poly
   Verdict given, wrong = Verdict::object();
   try {
     given = judge::object_of(method.prepare(polygon)->ask(ball, methods::Question::Answer));
-  } catch (const std::exception&) {  // as EPICK's division by zero
+  } catch (const std::exception&) {  // of another's engine
     for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;
   }

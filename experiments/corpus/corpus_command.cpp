@@ -97,7 +97,10 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
 }
 
 int shrink(const ShrinkOptions& options) {
-  const methods::Method& method = *methods::find_methods({options.method}).front();
+  const auto methods = methods::find_methods({options.method});
+  if (methods.size() != 1)
+    throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
+  const methods::Method& method = *methods.front();
   const run::Interrupt interrupt;
   int status = 0;
   std::size_t lines = 0;

@@ -45,6 +45,7 @@ def main(touchstone, corpus):
             (fine, ("--method", "thesis"), "case square: thesis is not wrong about it"),
             (bad, ("--method", "thesis"), "case flat: rejected: malformed-case"),
             ("{\n", ("--method", "thesis"), "line 1: not JSON"),
+            (fine, ("--method", "all"), "--method all: a case is shrunk for one method"),
             ("", ("--method", "thesis"), "there is no case"),
             (touching, ("--method", "thesis", "--key", "foot"), "case touching: thesis is not wrong about its foot"),
             (touching, ("--method", "nobody"), 'there is no method "nobody"')):
