@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/contact/fast.h"
+#include "robust/exact/exact.h"
 #include "tests/contact/hand_cases.h"
 #include "tests/contact/printing.h"
 #include "tests/contact/rearranged.h"
@@ -64,6 +65,15 @@ TEST(FastLift, MovesEveryVertexOntoThePlane) {
   EXPECT_EQ(answer.nearest, (Feature{Kind::Face, 0}));
   EXPECT_EQ(answer.point, Eigen::Vector3d(2, 2, 1));
   EXPECT_DOUBLE_EQ(answer.distance, std::sqrt(6.0));
+}
+
+// N = (-1/2, -1/2, 2) and the mean height is 1/8: vertex 2 sinks from 1/2 to 3/8.
+TEST(FastLift, MovesVerticesAsExactDoes) {
+  const Polygon quad({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}});
+  for (const Answer& answer : {fast::answer({{3, 3, 0}, 1}, quad), exact::answer({{3, 3, 0}, 1}, quad)}) {
+    EXPECT_EQ(answer.point, Eigen::Vector3d(1, 1, 0.375));
+    EXPECT_EQ(answer.off_plane, 0.125);
+  }
 }
 
 // The mean is that of the outer loop; a hole is lifted like any vertex.

@@ -10,6 +10,7 @@
 #include "robust/exact/validate.h"
 #include "robust/filtered/engine.h"
 #include "tests/contact/printing.h"
+#include "tests/filtered/closest_by_engine.h"
 #include "tests/filtered/hard_cases.h"
 
 namespace touchstone::filtered_tests {
@@ -22,24 +23,13 @@ ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {
   return {answer.nearest, answer.point, answer.distance};
 }
 
-template <class Counts>
-ClosestPoint closest(const filtered::Questions<Counts>& ask, const Eigen::Vector3d& center, const Triangle& triangle) {
-  Counts counts;
-  const Ball point_ball{center, 0};
-  const auto question = filtered::question(point_ball, triangle);
-  const Feature feature = ask.triangle_nearest(question, counts);
-  double point[3];
-  ask.triangle_point(question, feature, point, counts);
-  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(question, feature, counts)};
-}
-
 void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
   const ClosestPoint truth = exact_closest(center, triangle);
   filtered::StageCounts counts;
   RC_ASSERT(filtered::closest(center, triangle) == truth);
   RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
-  RC_ASSERT(closest(filtered::baseline_engine().plain, center, triangle) == truth);
-  RC_ASSERT(closest(filtered::engine().counted, center, triangle) == truth);
+  RC_ASSERT(filtered::closest_by(filtered::baseline_engine().plain, center, triangle) == truth);
+  RC_ASSERT(filtered::closest_by(filtered::engine().counted, center, triangle) == truth);
 }
 
 RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
