@@ -4,26 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <atomic>
 #include <cfenv>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
-#include "experiments/judge/case.h"
 #include "experiments/judge/verdict.h"
 #include "experiments/stability/output.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 #include "tests/run/unwatched.h"
+#include "tests/stability/small_study.h"
 
 namespace touchstone::stability {
 namespace {
@@ -38,24 +34,6 @@ using Tested = judge::Test;  // within TEST, Test is GoogleTest's
 using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
-
-Settings settings(const std::vector<std::string>& methods, std::vector<Axis> axes, std::uint64_t samples,
-                  unsigned threads = 1) {
-  return {methods::find_methods(methods), std::move(axes), samples, 5, threads};
-}
-
-Summary whole(const Settings& settings) {
-  Summary summary = no_summary(settings);
-  run_study(settings, {kAlone, kNeverStop, kSilent}, summary);
-  return summary;
-}
-
-Onset onset_of(const std::vector<std::string>& methods, std::uint64_t triangles, unsigned threads) {
-  const auto found = methods::find_methods(methods);
-  Onset onset = no_onset(found);
-  find_onset(found, triangles, 3, threads, {kAlone, kNeverStop, kSilent}, onset);
-  return onset;
-}
 
 /// `filtered`, but for what a test replaces.
 class Planted : public methods::Method {
@@ -321,169 +299,6 @@ TEST(StabilityStudy, AxesAndMethodsStandAlone) {
     ++compared;
   }
   EXPECT_GT(compared, 50U);
-}
-
-// As cases for the judge: right by exact, wrong by the method in the first tag.
-TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
-  const auto setting = settings({"fast", "fast-float", "thesis", "filtered"}, all_axes(), 3);
-  const Summary summary = whole(setting);
-  std::uint64_t found = 0;
-  for (const auto& methods : summary.worst)
-    for (const auto& worst : methods) {
-      if (!worst) continue;
-      ++found;
-      const judge::Case read = judge::read_case(worst->line);
-      ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << worst->line;
-      const auto& shapes = std::get<judge::Shapes>(read.content);
-      const auto differences = [&](std::string_view name) {
-        const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
-        return judge::differences(*read.expected, judge::object_of(prepared->ask(shapes.ball, Question::Answer)));
-      };
-      const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
-      EXPECT_TRUE(differences("exact").empty()) << worst->line;
-      EXPECT_FALSE(differences(name).empty()) << worst->line;
-      EXPECT_NE(name, "filtered");
-    }
-  EXPECT_GT(found, 30U);
-}
-
-// Whoever errs about the final answer anywhere is shown with such a case, though other tests fail further from the
-// boundary; in the file such cases come first, those further from the boundary before others.
-TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
-  const std::vector<Axis> axes{Axis::Aspect, Axis::Parallel, Axis::Origin, Axis::OffPlane};
-  const auto setting = settings({"fast", "thesis", "thesis-signed"}, axes, 3);
-  const Summary summary = whole(setting);
-  std::uint64_t ranked = 0;
-  for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    for (std::size_t m = 0; m < setting.methods.size(); ++m) {
-      int furthest = 0;
-      for (const auto& [cell, tally] : summary.failures) {
-        const auto& [of_axis, nearness, test, method, level] = cell;
-        if (of_axis == axis && method == m && test == Tested::Contact && tally.wrong > 0)
-          furthest = std::max(furthest, 1 + static_cast<int>(nearness));
-      }
-      const auto& worst = summary.worst[axis][m];
-      EXPECT_EQ(worst ? worst->rank : 0, furthest) << word(axes[axis]) << " " << setting.methods[m]->name();
-      ranked += furthest > 0 ? 1 : 0;
-    }
-  EXPECT_GT(ranked, 8U);
-
-  const Scratch scratch;
-  write_worst(scratch.path, summary);
-  std::ifstream lines(scratch.path / "worst.jsonl");
-  std::uint64_t wrong = 0;
-  bool others = false;
-  for (std::string line; std::getline(lines, line);) {
-    const auto read = nlohmann::json::parse(line);
-    const bool final_answer = read["expected"].contains("contact");
-    EXPECT_EQ(read["tags"][2], final_answer ? "wrong final answer" : "right final answer");
-    EXPECT_FALSE(final_answer && others) << line;
-    wrong += final_answer ? 1 : 0;
-    others = others || !final_answer;
-  }
-  EXPECT_EQ(wrong, ranked);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream rest(line);
-  for (std::string cell; std::getline(rest, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
-// A level without failures is told with its number of samples and the limit of their rate.
-TEST(StabilityFirstFailure, TellsHowMuchNoneSeenBeforeMeans) {
-  const Scratch scratch;
-  const auto setting = settings({"thesis-signed", "filtered"}, {Axis::Origin}, 4);
-  const auto& all = levels(Axis::Origin);
-  write_failures(scratch.path, setting, whole(setting));
-  std::ifstream lines(scratch.path / "first-failure.csv");
-  std::string line;
-  std::getline(lines, line);
-  const auto names = cells_of(line);
-  int none = 0, failed = 0;
-  while (std::getline(lines, line)) {
-    std::map<std::string, std::string> row;
-    const auto cells = cells_of(line);
-    for (std::size_t i = 0; i < names.size(); ++i) row[names[i]] = cells.at(i);
-    if (row["method"] == "filtered") {
-      ++none;
-      EXPECT_EQ(row["first_failure"], "");
-      EXPECT_EQ(row["level_before"], all.back().name);
-    }
-    const auto first = std::ranges::find(all, row["first_failure"], &Level::name);
-    if (first != all.end()) {
-      EXPECT_EQ(row["level_before"], first == all.begin() ? "" : std::prev(first)->name);
-      failed += first == all.begin() ? 0 : 1;
-    }
-    if (row["level_before"].empty()) continue;
-    EXPECT_EQ(row["samples_before"], "4");
-    EXPECT_NEAR(std::stod(row["upper_before"]), 1 - std::pow(0.025, 0.25), 1e-6);
-  }
-  EXPECT_GT(none, 0);
-  EXPECT_GT(failed, 0);
-}
-
-// Two axes are modes; each has scenes of its own, and a table of its own.
-TEST(StabilityTable, KeepsScenesOfDifferentModesApart) {
-  const auto setting = settings({"fast"}, {Axis::Rounding, Axis::Flush}, 2);
-  const std::string text = table(setting, whole(setting), {onset_of({}, 0, 1), {}, {}});
-  const auto rounding = text.find("Rounding directions"), down = text.find("down "),
-             flush = text.find("Subnormals flushed"), daz = text.find("DAZ ");
-  EXPECT_LT(rounding, down);
-  EXPECT_LT(down, flush);
-  EXPECT_LT(flush, daz);
-  EXPECT_NE(text.find("the same 2 polygons, with subnormal"), std::string::npos);
-}
-
-// Figures of others, found again: see the table for their limits.
-TEST(StabilityKnown, WrongSignsBeginWhereTheyAreKnownTo) {
-  const std::vector<std::string> names{"fast", "thesis", "filtered"};
-  const std::uint64_t triangles = 4 * TOUCHSTONE_SAMPLES;
-  const Onset onset = onset_of(names, triangles, 1);
-  ASSERT_EQ(onset.methods(), (std::vector<std::string>{"ericson-absolute", "ericson", "fast", "thesis", "filtered"}));
-  EXPECT_EQ(onset.triangles(), triangles);
-  constexpr std::size_t kAbsolute = 0, kEricson = 1, kFast = 2, kThesis = 3, kFiltered = 4;
-  for (const std::size_t method : {kAbsolute, kEricson, kFast, kThesis}) {
-    const int first = onset.first(0, method, 0);  // about 2^-51 at zero
-    EXPECT_GE(first, 46) << onset.methods()[method];
-    EXPECT_LE(first, 52) << onset.methods()[method];
-  }
-  // 1e6 is 2^20: absolute coordinates lose twenty bits, differences none.
-  for (const std::size_t method : {kAbsolute, kThesis}) {
-    EXPECT_GE(onset.first(1, method, 0), 24) << onset.methods()[method];
-    EXPECT_LE(onset.first(1, method, 0), 34) << onset.methods()[method];
-    EXPECT_GT(2 * onset.failures(1, method, 36), triangles) << onset.methods()[method];
-  }
-  // The known 2^-36 is where two of five naive answers are wrong, not where the first is.
-  EXPECT_NEAR(onset.first(0, kAbsolute, 0) - onset.first(1, kAbsolute, 0), 20, 3);
-  EXPECT_NEAR(static_cast<double>(onset.wrong(1, kAbsolute, 36)) / static_cast<double>(2 * triangles), 0.38, 0.08);
-  for (std::size_t method = 0; method < onset.methods().size(); ++method)
-    for (int k = kCoarsest; k <= kFinest; ++k) {
-      EXPECT_GE(onset.wrong(1, method, k), onset.failures(1, method, k));
-      EXPECT_LE(onset.wrong(1, method, k), 2 * onset.failures(1, method, k));
-    }
-  EXPECT_EQ(onset.failures(1, kEricson, 36), 0U);
-  EXPECT_EQ(onset.failures(1, kFast, 36), 0U);
-  for (std::size_t distance = 0; distance < 2; ++distance) EXPECT_EQ(onset.first(distance, kFiltered, 0), 0);
-}
-
-// A product that is not rounded beside one that is: what is exactly zero is no more.
-TEST(StabilityKnown, ContractionBreaksExactZeros) {
-  const auto counts = count_contractions(200, 3);
-  ASSERT_EQ(counts.size(), 8U);
-  for (const ContractionCount& c : counts) {
-    EXPECT_EQ(c.trials, 200U);
-    EXPECT_LE(c.differ, c.plain_wrong + c.fused_wrong) << c.sign;
-    if (c.family != "exactly zero") continue;
-    EXPECT_GT(c.fused_wrong, c.plain_wrong) << c.sign;
-    if (c.sign == "orientation" || c.sign == "side") {
-      EXPECT_EQ(c.plain_wrong, 0U) << c.sign;
-      EXPECT_GT(c.fused_wrong, 190U) << c.sign;
-    }
-  }
-  // One double beside zero a fused product keeps what a rounded one loses.
-  EXPECT_GT(counts[1].plain_wrong, counts[1].fused_wrong);
 }
 
 int run_command(std::vector<std::string> arguments) {

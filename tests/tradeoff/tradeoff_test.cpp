@@ -7,12 +7,10 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
@@ -20,14 +18,12 @@
 #include "experiments/tradeoff/band.h"
 #include "experiments/tradeoff/front.h"
 #include "experiments/tradeoff/output.h"
-#include "experiments/tradeoff/units.h"
 #include "experiments/workloads/doubles.h"
-#include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
-#include "robust/exact/validate.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 #include "tests/run/unwatched.h"
+#include "tests/tradeoff/small_study.h"
 
 namespace touchstone::tradeoff {
 namespace {
@@ -43,16 +39,7 @@ using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
-Errors whole(const Settings& settings) {
-  Errors errors = no_errors(settings);
-  measure_errors(settings, {kAlone, kNeverStop, kSilent}, errors);
-  return errors;
-}
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Settings settings(const std::vector<std::string>& names, std::uint64_t samples, unsigned threads = 1) {
-  return {methods::find_methods(names), {Family::Star, Family::L}, samples, 7, threads};
-}
 
 /// `exact` with something changed in the ball or the answer.
 class Changed final : public methods::Method {
@@ -87,30 +74,6 @@ MethodErrors errors_of(const methods::Method& method, Placement placement = Plac
 
 const UlpErrors& ulps(const MethodErrors& errors, Quantity quantity) {
   return errors.ulps[static_cast<std::size_t>(quantity)];
-}
-
-TEST(Units, AreThoseOfTheExactValue) {
-  EXPECT_EQ(unit_in_last_place(1), 0x1p-52);
-  EXPECT_EQ(unit_in_last_place(-1.999), 0x1p-52);
-  EXPECT_EQ(unit_in_last_place(2), 0x1p-51);
-  EXPECT_EQ(unit_in_last_place(0), 0x1p-1074);
-  EXPECT_EQ(unit_in_last_place(0x1p-1022), 0x1p-1074);
-  EXPECT_EQ(unit_in_last_place(0x1p-1021), 0x1p-1073);
-  EXPECT_EQ(distance_error(3, 3), 0);
-  EXPECT_EQ(distance_error(std::nextafter(3.0, 4.0), 3), 1);
-  EXPECT_EQ(distance_error(std::nextafter(3.0, 0.0), 3), 1);
-  EXPECT_EQ(distance_error(std::nan(""), 3), kInfinity);
-  EXPECT_EQ(distance_error(kInfinity, 3), kInfinity);
-}
-
-// In the largest coordinate a unit counts one, in a coordinate near 0 next to nothing.
-TEST(Units, OfAPointAreThoseOfItsLargestCoordinate) {
-  const Eigen::Vector3d exact(1e-10, -4, 2);
-  EXPECT_EQ(point_error(exact, exact), 0);
-  EXPECT_EQ(point_error({1e-10, std::nextafter(-4.0, -5.0), 2}, exact), 1);
-  EXPECT_EQ(point_error({1e-10, -4, std::nextafter(2.0, 3.0)}, exact), 0.5);
-  EXPECT_LT(point_error({std::nextafter(1e-10, 1.0), -4, 2}, exact), 1e-9);
-  EXPECT_EQ(point_error({1e-10, -4, std::nan("")}, exact), kInfinity);
 }
 
 TEST(TradeoffErrors, OfExactAreNone) {
@@ -250,137 +213,6 @@ TEST(Tradeoff, AStoppedRunIsAShorterOne) {
 TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
   const nlohmann::ordered_json json = whole(settings({"fast", "thesis", "interval"}, 3));
   EXPECT_EQ(nlohmann::ordered_json(nlohmann::json::parse(json.dump()).get<Errors>()), json);
-}
-
-bool no_less_right(const Standing& a, const Standing& b) { return a.error <= b.error; }
-bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
-
-/// By medians alone.
-bool dominates(const Standing& a, const Standing& b) {
-  const double ours = a.nanoseconds.median, theirs = b.nanoseconds.median;
-  return ours <= theirs && a.error <= b.error && (ours < theirs || a.error < b.error);
-}
-
-/// What front.h says of each word, and its identities (1) and (2).
-void expect_front(const std::vector<Standing>& standings) {
-  for (const Standing& s : standings) {
-    const auto any = [&](const auto& holds) {
-      return std::ranges::any_of(standings, [&](const Standing& other) { return &other != &s && holds(other); });
-    };
-    EXPECT_EQ(s.front == Front::Off, any([&](const Standing& o) { return no_less_right(o, s) && faster(o, s); }));
-    EXPECT_EQ(s.front == Front::On, !any([&](const Standing& o) { return no_less_right(o, s) && !faster(s, o); }));
-    const bool by_medians = !any([&](const Standing& o) { return dominates(o, s); });
-    EXPECT_TRUE(s.front != Front::On || by_medians);
-    EXPECT_TRUE(s.front != Front::Off || !by_medians);
-    EXPECT_TRUE(s.front != Front::Off ||
-                any([&](const Standing& o) { return o.front != Front::Off && no_less_right(o, s) && faster(o, s); }));
-  }
-}
-
-Standing standing(double nanoseconds, double noise, double error) {
-  return {.method = 0,
-          .nanoseconds = {nanoseconds - noise, nanoseconds, nanoseconds + noise},
-          .error = error,
-          .lower = 0,
-          .upper = 1,
-          .finite_error = error,
-          .not_finite = 0,
-          .samples = 1};
-}
-
-TEST(Front, HoldsWhomNoneIsBetterThanBeyondTheNoise) {
-  workloads::Random random(3, 0);
-  for (int round = 0; round < 200; ++round) {
-    std::vector<Standing> list;
-    for (std::int64_t i = random.integer(1, 12); i > 0; --i) {
-      const auto draw = [&](std::int64_t most) { return static_cast<double>(random.integer(0, most)); };
-      list.push_back(standing(draw(9), draw(2), draw(6)));
-    }
-    mark_front(list);
-    expect_front(list);
-    EXPECT_TRUE(std::ranges::any_of(list, [](const Standing& s) { return s.front != Front::Off; }));
-  }
-}
-
-TEST(Front, DropsWhatIsSlowerOnlyWhereNoiseCannotBeWhy) {
-  std::vector<Standing> list{standing(10, 1, 0), standing(11, 1, 0), standing(20, 1, 0), standing(5, 1, 0.5),
-                             standing(30, 25, 0.7)};
-  mark_front(list);
-  EXPECT_EQ(list[0].front, Front::WithinNoise);
-  EXPECT_EQ(list[1].front, Front::WithinNoise);
-  EXPECT_EQ(list[2].front, Front::Off);
-  EXPECT_EQ(list[3].front, Front::On);
-  EXPECT_EQ(list[4].front, Front::WithinNoise) << "slower and less right, but perhaps not slower";
-}
-
-Timing timing(Family family, Question question, const std::vector<double>& nanoseconds) {
-  Timing timing{{family, Placement::Rotated}, Balls::Near, question, {}};
-  for (const double ns : nanoseconds) timing.methods.push_back({"", 1, {ns}, {}, {}, {}});
-  return timing;
-}
-
-TEST(Front, StandsOnTheMeasureItNames) {
-  const auto setting = settings({"fast", "thesis", "filtered", "interval"}, 4);
-  const Errors errors = whole(setting);
-  const std::vector<Timing> timings{timing(Family::Star, Question::Contact, {1, 2, 3, 4}),
-                                    timing(Family::L, Question::Contact, {3, 4, 5, 6}),
-                                    timing(Family::Star, Question::Answer, {10, 20, 30, 40})};
-  const auto shares = standings(Measure::NotRight, std::nullopt, Placement::Rotated, errors, timings);
-  ASSERT_EQ(shares.size(), 4U);
-  expect_front(shares);
-  EXPECT_EQ(shares[2].nanoseconds.median, 4);  // the mean of both families
-  EXPECT_EQ(shares[2].error, 0);
-  EXPECT_GT(shares[2].upper, 0);                // never seen wrong is not never wrong
-  EXPECT_GT(shares[3].error, shares[0].error);  // "don't know" is not right either
-  const auto points = standings(Measure::Point, Family::Star, Placement::Rotated, errors, timings);
-  ASSERT_EQ(points.size(), 2U);  // the thesis gives no point, intervals know hardly any
-  expect_front(points);
-  EXPECT_EQ(points[0].nanoseconds.median, 10);
-  EXPECT_EQ(points[1].method, 2U);
-  EXPECT_EQ(points[1].upper, 0);
-  EXPECT_TRUE(standings(Measure::Point, Family::L, Placement::Rotated, errors, timings).empty());  // not timed
-}
-
-TEST(TimedQueries, AreDistinctLegalShuffledAndWhereTheySay) {
-  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
-    const Queries queries = draw_queries({Family::Comb, placement}, 3, 60);
-    ASSERT_EQ(queries.near.size(), 60U);
-    ASSERT_EQ(queries.anywhere.size(), 60U);
-    for (const Polygon& polygon : queries.polygons) EXPECT_FALSE(exact::validate(polygon));
-    std::set<double> centers;
-    std::set<std::size_t> polygons;
-    for (const auto& [polygon, ball] : queries.near) {
-      const double distance = exact::answer(ball, queries.polygons[polygon]).distance;
-      EXPECT_LE(std::abs(workloads::ordinal(ball.radius) - workloads::ordinal(distance)), kNear);
-      centers.insert(ball.center.x());
-      polygons.insert(polygon);
-    }
-    EXPECT_GT(centers.size(), 50U);
-    EXPECT_GT(polygons.size(), 10U);
-    EXPECT_FALSE(std::ranges::is_sorted(queries.near, {}, &Query::polygon));
-    const Queries again = draw_queries({Family::Comb, placement}, 3, 60);
-    EXPECT_TRUE(std::ranges::equal(
-        queries.near, again.near, {}, [](const Query& q) { return q.ball.center.x(); },
-        [](const Query& q) { return q.ball.center.x(); }));
-  }
-}
-
-TEST(Timings, AskEveryMethodAboutEveryList) {
-  TimingSettings setting{methods::find_methods({"fast", "rational"}), {{Family::L, Placement::Rotated}}, 1, 50, 2};
-  const auto timings = measure_timings(setting, kNeverStop, kSilent);
-  ASSERT_EQ(timings.size(), list_count(setting));
-  for (const Timing& t : timings) {
-    ASSERT_EQ(t.methods.size(), 2U);
-    EXPECT_EQ(t.methods[0].name, "fast");
-    for (const auto& m : t.methods) {
-      EXPECT_EQ(m.nanoseconds.size(), 2U);
-      EXPECT_GE(m.queries, 1U);
-      EXPECT_LE(m.queries, 50U);
-    }
-  }
-  std::atomic<bool> stop = false;
-  const auto part = measure_timings(setting, stop, [&](std::uint64_t) { stop = true; });
-  EXPECT_EQ(part.size(), 1U);
 }
 
 int run_command(std::vector<std::string> arguments) {
