@@ -32,6 +32,16 @@ NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}
 
+# Methods that a sentence names, and in what words.
+NAMED = {"fast": "careful plain doubles", "cgal-double": "CGAL’s kernel of plain doubles", "thesis": "the method of the 2008 thesis",
+         "fast-float": "floats"}
+
+
+def of_method(name):
+    """HTML: its words, and its name."""
+    return f"{NAMED[name]} (<code>{name}</code>)"
+
+
 # bench --scene
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
 BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}

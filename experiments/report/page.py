@@ -4,6 +4,11 @@ reader's setting, narrow and printed. Same data, same bytes."""
 import base64
 import html
 import math
+import re
+
+from results import DataError
+
+PIXELS_AN_INCH = 150  # of the pictures in PNG: style.py
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c1c1c; --paper: #ffffff; --soft: #f2f2ef; --line: #d0d0c8; --dim: #595959;
@@ -17,8 +22,8 @@ body { margin: 0 auto; padding: 1rem; max-width: 60rem; font: 1rem/1.5 system-ui
 h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-bottom: 2px solid var(--line); line-height: 1.3; } h3 { line-height: 1.3; }
 a { color: var(--link); }
 figure { margin: 1rem 0; } figcaption { margin: .3rem auto .5rem; }
-figcaption, small, .dim { color: var(--dim); font-size: .88rem; }
-img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #fff; border-radius: .3rem; padding: .3rem; }
+figcaption, .dim { color: var(--dim); font-size: .88rem; } small { color: var(--dim); font-size: .9em; }
+img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #fff; border-radius: .3rem; }
 .yes { color: var(--good); } .no { color: var(--bad); }
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-top: 1px solid var(--line); }
@@ -58,8 +63,9 @@ def rounded(value, digits=2):
     """So many significant digits, without an exponent; whole numbers with commas."""
     if value == 0:
         return "0"
+    value = float(f"{value:.{digits - 1}e}")
     places = max(0, digits - 1 - math.floor(math.log10(abs(value))))
-    return f"{round(value, digits - 1 - math.floor(math.log10(abs(value)))):,.{places}f}"
+    return f"{value:,.{places}f}".replace("-", "−")
 
 
 def percent(share, digits=2):
@@ -72,8 +78,15 @@ def power(base, exponent):
 
 
 def share_of_size(share):
-    """The least power of two that is no less; "1" and more in words."""
-    return power("2", math.ceil(math.log2(share))) if share < 1 else "1"
+    """The least power of two that is no less, up to the whole size."""
+    exponent = math.ceil(math.log2(share))
+    return power("2", exponent) if exponent < 0 else "1"
+
+
+def level(text):
+    """Of a stress, as the data name it: 1e4 as 10⁴, 2^20 as 2²⁰."""
+    parts = re.fullmatch(r"(?:1e|(2)\^)(-?\d+)", text)
+    return power(parts[1] or "10", parts[2]) if parts else escaped(text).replace("-", "−")
 
 
 def upper_limit(trials):
@@ -110,10 +123,29 @@ def smaller(folder, stem):
     return min(files, key=lambda path: path.stat().st_size, default=None)
 
 
+def size_of(path):
+    """Of a picture of ours, as it is meant to be seen: CSS pixels, 96 an inch."""
+    if path.suffix == ".png":
+        head = path.read_bytes()[:24]
+        if len(head) == 24 and head[1:4] == b"PNG":
+            return tuple(round(int.from_bytes(head[place:place + 4], "big") * 96 / PIXELS_AN_INCH) for place in (16, 20))
+    else:
+        tag = re.search(r"<svg [^>]*>", path.read_text(encoding="utf-8", errors="replace"))
+        sides = [re.search(rf' {side}="([\d.]+)pt"', tag[0] if tag else "") for side in ("width", "height")]
+        if all(sides):
+            return tuple(round(float(side[1]) * 4 / 3) for side in sides)
+    raise DataError(f"{path}: is no picture of ours")
+
+
+def image(path, alt):
+    width, height = size_of(path)
+    return f'<img decoding="async" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+
+
 def picture(path, alt, caption):
     """`alt` is text, `caption` HTML."""
-    return (f'<figure><div class="scroll picture" tabindex="0" role="group" aria-label="picture, scrolls sideways where it is wider">'
-            f'<img decoding="async" alt="{escaped(alt)}" src="{inlined(path)}"></div><figcaption>{caption}</figcaption></figure>')
+    return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways where it is wider">'
+            f"{image(path, alt)}</div><figcaption>{caption}</figcaption></figure>")
 
 
 def bar(fraction, shown):
@@ -129,8 +161,8 @@ def table(caption, head, rows, figures=()):
     top = "".join(f'<th scope="col"{right(i)}>{cell}</th>' for i, cell in enumerate(head))
     body = "".join("<tr>" + "".join(f"<td{right(i)}>{cell}</td>" if i else f'<th scope="row">{cell}</th>'
                                     for i, cell in enumerate(row)) + "</tr>\n" for row in rows)
-    return (f'<div class="scroll" tabindex="0" role="group" aria-label="table, scrolls sideways where it is wider"><table>'
-            f"<caption>{caption}</caption><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div>")
+    return (f'<figure class="table"><figcaption>{caption}</figcaption><div class="scroll" tabindex="0" role="group" '
+            f'aria-label="A table; scrolls sideways where it is wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
 
 
 def document(title, description, style, body):

@@ -12,7 +12,7 @@ import sys
 
 import studies
 from chapters import cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
-from chapters.opening import glance, never_failed, scheme, terms
+from chapters.opening import glance, never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, rounded, words
 from results import DataError, study_in
 
@@ -21,26 +21,28 @@ CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stabi
 
 STYLE = """
 header p.lead { font-size: 1.12rem; }
-#contents { columns: 2 16rem; padding-left: 1.2rem; } #contents li { break-inside: avoid; }
-caption { text-align: left; color: var(--dim); font-size: .88rem; padding-bottom: .3rem; caption-side: top; }
-.scroll { margin: 1rem 0; } .picture { margin: 0; }
-.verdict { border: 2px solid var(--line); border-radius: .5rem; background: var(--soft); padding: .2rem 1rem; }
-.verdict li { margin: .5rem 0; } .verdict ul { padding-left: 1.1rem; }
-td.figure, th.figure { text-align: right; white-space: nowrap; padding-left: .6rem; }
-td.figure small { white-space: normal; } thead th.figure { white-space: normal; }
-th[scope=row] { min-width: 9rem; max-width: 22rem; }
-.bar { background: linear-gradient(to left, var(--bar) var(--share), transparent 0); padding: 0 .25rem; margin: 0 -.25rem; border-radius: .15rem;
+#contents { columns: 2 16rem; padding-left: 1.9rem; } #contents li { break-inside: avoid; }
+.verdict { border: 2px solid var(--line); border-radius: .5rem; background: var(--soft); padding: 0 1rem; }
+.verdict h2 { margin: .8rem 0 .2rem; } .verdict li { margin: .5rem 0; } .verdict ul { padding-left: 1.1rem; margin: .5rem 0; }
+.headline { font-size: 1.12rem; font-weight: 600; margin: .5rem 0; }
+code { font-size: .93em; } tbody th code, td code { white-space: nowrap; }
+.table { margin: 1.5rem 0; } td.figure, th.figure { text-align: right; padding-left: .6rem; } td.figure { white-space: nowrap; }
+th[scope=row] { min-width: 8rem; max-width: 22rem; }
+.bar { background: linear-gradient(to right, var(--bar) var(--share), transparent 0); min-width: 5.5rem; padding: 0 .25rem; border-radius: .15rem;
        -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+.short { border-left: 3px solid var(--link); padding-left: .8rem; }
 .made { border-left: 3px solid var(--line); padding-left: .8rem; margin: 1.2rem 0; font-size: .88rem; color: var(--dim); }
-.made pre, pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: .3rem; color: var(--ink); }
-.made pre { max-height: 6rem; white-space: pre-wrap; overflow-wrap: anywhere; overflow-y: auto; margin: .3rem 0; }
+pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: .3rem; }
+.made pre { color: var(--ink); max-height: 6rem; white-space: pre-wrap; overflow-wrap: anywhere; overflow-y: auto; margin: .3rem 0; }
 .absent { border: 1px dashed var(--line); padding: .2rem 1rem; border-radius: .5rem; }
-dt { font-weight: 600; margin-top: .5rem; } dd { margin-left: 1.2rem; }
+dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
 iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
 .paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
-@media (max-width: 40rem) { .picture img { max-width: none; width: 52rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
-@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } table { font-size: 7.5pt; }
-  th[scope=row] { min-width: 0; } td.figure, th.figure { white-space: normal; padding-left: .3rem; } figure img { max-height: 17cm; width: auto; } }
+@media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); } }
+@media (max-width: 40rem) { .picture img { max-width: none; } svg.scheme { min-width: 36rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
+@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } .table { break-inside: auto; } table { font-size: 8pt; }
+  th[scope=row] { min-width: 0; } td.figure, th.figure { padding-left: .3rem; } .bar { min-width: 0; }
+  .picture .scroll { margin-inline: 0; } .picture img { max-width: 100%; max-height: 17cm; width: auto; } }
 """
 
 
@@ -70,7 +72,10 @@ def sections(results, found):
     text = ""
     for name, chapter in CHAPTERS.items():
         text += f'<section><h2 id="{name}">{escaped(chapter.TITLE)}</h2>'
-        text += absent(name, results) if name not in found else chapter.chapter(found[name]) + made(found[name])
+        if name in found:
+            text += f'<p class="short">{chapter.finding(found[name])}</p>' + chapter.chapter(found[name]) + made(found[name])
+        else:
+            text += absent(name, results)
         text += "</section>\n"
     return text
 
@@ -115,7 +120,6 @@ def page(results):
     found = {name: study for name in CHAPTERS if (study := study_in(results / name))}
     if not found:
         raise DataError(f"{results}: holds no study's run.json")
-    verdict = [line for name in CHAPTERS if name in found for line in CHAPTERS[name].verdict(found[name])]
     missing = [f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>' for name in CHAPTERS if name not in found]
     not_run = f"<p>Not run: {words(missing)}.</p>" if missing else ""
     asked = {name: CHAPTERS[name].asked(study) for name, study in found.items()}
@@ -126,8 +130,8 @@ def page(results):
 the rounding decides. This page measures how often different ways of asking are wrong, how far from contact, and what it costs never to be wrong:
 by {code("filtered")}, which gives the answer of exact arithmetic.</p>
 <p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
-<main><section class="verdict"><h2 id="verdict">Verdict</h2><ul>
-{"".join(f"<li>{line}</li>" for line in [never_failed.sentence(asked), *verdict])}
+<main><section class="verdict"><h2 id="verdict">Verdict</h2><p class="headline">{verdict.headline(asked)}</p><ul>
+{"".join(f"<li>{line}</li>" for line in verdict.lines(found, asked))}
 </ul></section>
 {not_run}
 {glance.table_of(found)}

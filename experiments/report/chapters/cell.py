@@ -28,10 +28,10 @@ def said_of_methods(study):
             f"{percent(upper_limit(questions))} of such questions (95 %).")
 
 
-def verdict(study):
+def finding(study):
     moves = moves_of(study)
-    return [f"<b>The cell of the thesis</b> runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} stops, every contact decided "
-            f"exactly; the joint's angle at each contact is enclosed between neighbouring doubles. {said_of_methods(study)}"]
+    return (f"<b>The cell of the thesis</b> runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} stops, every contact decided "
+            f"exactly; the joint's angle at each contact is enclosed between neighbouring doubles. {said_of_methods(study)}")
 
 
 def iframe(page):
@@ -59,9 +59,9 @@ def chapter(study):
                if contacts else "")
     text = f"""<p>The thesis of 2008 lets a robot carry a part between a storage and a milling machine, and stops each joint where a
 <i>virtual sphere</i> at the gripper touches a face. Below is that cell with our numbers: press Run. It plays without any program or network; the sphere turns
-orange where it touches. {said_of_methods(study)}</p>"""
+orange where it touches.</p>"""
     page = study.folder / "cell.html"
-    text += iframe(page) + still(study)
+    text += iframe(page) + still(study) + '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
     return text + table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],

@@ -30,17 +30,15 @@ def asked(study):
     return counts
 
 
-def verdict(study):
+def finding(study):
     lines = overall(rows_of(study))
     others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
     wrong = [f"{code(name)} {share}" for name, _, share, _, _ in others if not share.startswith("0 of")]
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
-    if not others:
-        return []
     cases = max(a.trials for a in asked(study).values())
     text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and at contact: "
     text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
-    return [text + (f"; none of {words(never)} (< {percent(upper_limit(cases))})" if never and wrong else "") + "."]
+    return text + (f"; of {words(never)} none (< {percent(upper_limit(cases))})" if never and wrong else "") + "."
 
 
 def chapter(study):
@@ -57,5 +55,7 @@ baseline in <code>tests/regress</code>, which every <code>./check</code> compare
     if absent:
         text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")
-    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset of one.", head,
-                        [[code(name), *map(shown, cells)] for name, *cells in lines], range(1, len(head)))
+    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset of one (tangency: only where the radius is "
+                        "the double nearest to the distance).", head,
+                        [[code(name), *(shown(cell.replace("at tangency alone", "tangency")) for cell in cells)] for name, *cells in lines],
+                        range(1, len(head)))

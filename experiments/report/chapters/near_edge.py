@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone near-edge`: random polygons, double by double."""
+import math
+
 from chapters.asked import by_method
-from names import OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
-from page import bar, code, count, percent, picture, share_of_size, smaller, table, upper_limit, words
+from names import NAMED, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES, of_method
+from page import bar, code, count, percent, picture, power, share_of_size, smaller, table, upper_limit, words
 from results import finite, maybe, natural, share
 
 TITLE = "Random polygons, double by double"
@@ -69,24 +71,22 @@ def from_to(low, high):
     return low if low == high else f"{low.removesuffix(' %')} to {high}"
 
 
-def failing(data):
-    return [method for method in data.methods if ranges(data, method)[1] > 0]
-
-
-def verdict(study):
+def finding(study):
     data = Data(study)
-    text = [f"<b>Random polygons</b> of {data.families} families, within one double of a threshold: wrong answers, by threshold, "
-            + words(f"{code(m)} {from_to(*ranges(data, m))}" for m in failing(data)) + "."] if failing(data) else []
+    text = "<b>Random polygons</b>"
+    named = [method for method in data.methods if method in NAMED and ranges(data, method)[1] > 0]
+    text += (f" of {data.families} families, within one double of a threshold; wrong answers, from the mildest threshold to the worst: "
+             + words(f"{of_method(m)} {from_to(*ranges(data, m))}" for m in named) + "." if named else ": no wrong answer within one double.")
     if data.distances:
         near, far = data.distances[0], data.distances[-1]
         parts = []
-        for method in failing(data):
-            at = [data.furthest(method, d, CONTACT) for d in (near, far)]
-            if at[1]:
-                parts.append(f"{code(method)} {share_of_size(at[0]) if at[0] else 'none'} and {share_of_size(at[1])}")
+        for method in named:
+            here, there = (data.furthest(method, d, CONTACT) for d in (near, far))
+            if there:
+                parts.append(f"{code(method)} {share_of_size(here) if here else 'none'} and {share_of_size(there)}")
         if parts:
-            text.append(f"<b>How far from contact.</b> The furthest wrong final answers that a search found, as a share of the polygon's size, "
-                        f"with the polygon {DISTANCES[near]} and {DISTANCES[far]}: {words(parts)}.")
+            text += (f" The furthest wrong ones from contact that a search found, in shares of the polygon’s size, with the polygon {DISTANCES[near]} and "
+                     f"{DISTANCES[far]}: {words(parts)}.")
     return text
 
 
@@ -122,10 +122,12 @@ def rates_picture(study, data, placement):
     methods = words(data.methods)
     at = {m: [row for row in data.rates if row["placement"] == placement and row["method"] == m and row["threshold"] in CONTACT and
               row["test"] == "contact"] for m in data.methods}
-    far = [row["offset"] for row in at.get("fast", []) if row["failures"]]
-    follows = (f" <b>What follows:</b> there is no sharp end of trouble: single wrong answers of {code('fast')} were seen as far as "
-               f"{count(max(map(abs, far)))} doubles of the radius from contact, because the polygon's coordinates round more coarsely than the "
-               "radius does." if far else "")
+    far = [abs(row["offset"]) for row in at.get("fast", []) if row["failures"]]
+    at_once = [row for row in at.get("fast", []) if row["offset"] == 0]
+    follows = (f" <b>What follows:</b> with the double nearest to the exact distance as the radius, {code('fast')} is wrong in "
+               f"{percent(sum(row['failures'] for row in at_once) / sum(row['trials'] for row in at_once))}, and there is no sharp end of trouble: single wrong "
+               f"answers were seen as far as {power('2', round(math.log2(max(far))))} doubles of the radius from contact, for coordinates may round much more "
+               "coarsely than the radius." if far and at_once else "")
     return picture(path, f"Curves of the share of wrong answers of {methods} against the offset from the threshold in doubles, for "
                    f"{PLACEMENTS[placement]}; a panel for each threshold.",
                    f"{PLACEMENTS[placement].capitalize()}. Above, the test whose threshold is crossed, below, the final answer; in the middle of each "
@@ -142,17 +144,18 @@ def map_picture(study, spot):
         return ""
     methods = [m for m in ("filtered", "fast", "fast-float", "thesis", "thesis-signed") if m in head(study.folder / names[0])]
     wrong = dict.fromkeys(methods, 0)
-    pixels = 0
+    pixels, confused = 0, False
     for name in names:
         rows = study.rows(name, **dict.fromkeys(methods, str))
         pixels += len(rows)
+        confused |= any(row[method] == "b" for row in rows for method in methods)
         for method in methods:
             wrong[method] += sum(row[method] != "=" for row in rows)
     found = words(f"{code(m)} {percent(wrong[m] / pixels) if wrong[m] else 'none'}" for m in methods)
     return picture(path, f"Maps about {MAPS[spot]}: one pixel for each double of two coordinates of the ball's centre, a row for the truth and "
                    "for each method, columns for the foot and the final answer at three distances from the origin.",
                    f"The plane about {MAPS[spot]}, one pixel a double. Grey and white: right. Orange: says inside (or contact) where it is not; "
-                   f"blue: says outside (or none). <b>What follows:</b> the border of what a method believes is not a line: wrong of "
+                   f"blue: says outside (or none){'; yellow: confuses inside and boundary' if confused else ''}. <b>What follows:</b> the border of what a method believes is not a line: wrong of "
                    f"{count(pixels)} pixels in {len(names)} maps, {found}.")
 
 

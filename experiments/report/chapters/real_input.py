@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone mesh-contact`: every face of meshes of real machines."""
 from chapters.asked import by_method
-from page import code, count, escaped, percent, share, table, upper_limit, words
+from names import NAMED, of_method
+from page import bar, code, count, escaped, percent, table, words
 from results import natural
 
 TITLE = "Real input: every face of a robot cell"
@@ -33,19 +34,21 @@ def asked(study):
                      dict.fromkeys(data.methods, faces), "faces")
 
 
-def verdict(study):
+def finding(study):
     data, all_asked = Data(study), asked(study)
     faces = sum(data.faces.values())
-    failing = [f"{code(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong]
+    failing = [f"{of_method(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong and m in NAMED]
     never = [code(m) for m, a in all_asked.items() if not a.wrong]
-    answers = max(a.answers for a in all_asked.values())
-    text = (f"<b>Real machines.</b> On {count(faces)} triangles of {len(data.faces)} meshes of robot arms and a milling centre, each "
-            f"with balls whose radius or centre is at most two doubles from a threshold, wrong final answers among {count(answers)}: ")
-    text += words(failing) if failing else "none of any method"
+    text = (f"<b>Real machines.</b> On {count(faces)} triangles of {len(data.faces)} meshes of robot arms and a milling centre, with balls at most two "
+            f"doubles from a threshold, of {count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
+    text += words(failing) if failing else "none of those asked"
     if never:
-        text += (f". Not one of {words(never)}: no triangle of {count(faces)}, so at most {percent(upper_limit(faces))} of such triangles "
-                 "(95 %)")
-    return [text + "."]
+        text += f"; of {words(never)} not one"
+    return text + "."
+
+
+def rate(wrong, trials):
+    return bar(wrong / trials, percent(wrong / trials)) if wrong else "0"
 
 
 def chapter(study):
@@ -55,9 +58,9 @@ def chapter(study):
     by_test = table(
         f"Wrong answers by test, on all {count(faces)} faces. <i>plane</i>: does the ball cross the face's plane? <i>foot</i>: is the point "
         "of that plane straight below the centre inside the face? <i>edges</i>: the list of edges within the radius. The final answer is "
-        "contact or none.",
+        f"contact or none. 0: not one of {count(data.counts(methods[0])[1])}.",
         ["method", *TESTS.values()],
-        [[code(m), *(share(*data.counts(m, test)) for test in TESTS)] for m in methods], range(1, 5))
+        [[code(m), *(rate(*data.counts(m, test)) for test in TESTS)] for m in methods], range(1, 5))
     by_machine = table(
         "Wrong final answers by machine.",
         ["machine", "meshes", "faces", *(code(m) for m in methods)],

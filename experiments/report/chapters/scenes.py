@@ -28,13 +28,13 @@ def asked(study):
     return {}
 
 
-def verdict(study):
+def finding(study):
     data = Data(study)
     most = max(data.largest(scene) for scene in data.scenes)
     wrong = [f"{escaped(library)} {percent(data.wrong(library)[0] / data.wrong(library)[1])}" for library in data.libraries
              if library != OURS and data.wrong(library)[0]]
-    return [f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in {count(data.wrong(OURS)[0])} of "
-            f"{count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that differ: {words(wrong)}" if wrong else "") + "."]
+    return (f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in {count(data.wrong(OURS)[0])} of "
+            f"{count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that differ: {words(wrong)}" if wrong else "") + ".")
 
 
 def chapter(study):
@@ -51,7 +51,7 @@ matter. Each library builds the same scene and is asked about the same balls, in
             own = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
             body.append([escaped(library), *(
                 "not asked" if q not in own else f"{rounded(own[q]['nanoseconds'] / 1000)} µs"
-                + (f" <small>{rounded(own[q]['nanoseconds'] / ours[q])} ×</small>" if library != OURS and q in ours else "")
+                + (f"<br><small>{rounded(own[q]['nanoseconds'] / ours[q])} ×</small>" if library != OURS and q in ours else "")
                 + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
                 for q in questions)])
         text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, and answers that differ.",

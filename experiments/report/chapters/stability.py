@@ -2,7 +2,7 @@
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
 from chapters.asked import Asked
 from names import AXES, NEARNESSES
-from page import bar, code, count, escaped, percent, picture, rounded, smaller, table, words
+from page import bar, code, count, escaped, level, percent, picture, power, rounded, smaller, table, words
 from results import finite, maybe, natural, number, share
 
 TITLE = "Polygons under stress"
@@ -43,32 +43,38 @@ def title(axis):
     return AXES[axis][0].replace("\n", " ")
 
 
-def verdict(study):
+# Of what a sentence says a level.
+SAID = {"aspect": ("slivers {} times as long as wide", level), "origin": ("polygons {} sizes from the origin", level),
+        "small": ("coordinates of about {}", lambda text: power("2", text)), "large": ("coordinates of about {}", lambda text: power("2", text))}
+
+
+def finding(study):
     data = Data(study)
-    levels = []
-    for axis in ("aspect", "origin", "small", "large"):
-        level = data.first_failure(axis, "close", "fast") if "fast" in data.methods else None
-        if level:
-            levels.append(f"{title(axis)}: {escaped(AXES[axis][1])} {escaped(level)}")
-    if not levels:
-        return []
-    return [f"<b>Under stress</b> errors are no longer near contact: with the radius 2⁻³⁰ of the distance off, {code('fast')} was first seen to fail at "
-            + words(levels) + "."]
+    failures = [said.format(shown(data.first_failure(axis, "close", "fast"))) for axis, (said, shown) in SAID.items()
+                if data.first_failure(axis, "close", "fast")]
+    if not failures:
+        return f"<b>Under stress</b>, with the radius 2⁻³⁰ of the distance off, {code('fast')} was not seen to fail."
+    return (f"<b>Under stress</b> errors are no longer near contact. With the radius 2⁻³⁰ of the distance off, {code('fast')} was first seen to fail with "
+            f"{words(failures)}.")
 
 
 def first_table(data, nearness):
     rows = []
     for axis in data.axes:
+        mildest = next(row["level"] for row in data.rows if row["axis"] == axis)
         cells = []
         for method in data.methods:
             row = next((r for r in data.first if (r["axis"], r["nearness"], r["method"]) == (axis, nearness, method)), None)
-            cells.append("not asked" if row is None else "none" if not row["failed_samples"] else
-                         bar(row["failed_samples"] / row["samples"], f"{escaped(row['first_failure'])} "
-                             f"<small>{percent(row['failed_samples'] / row['samples'])}</small>"))
-        if any(cell != "not asked" for cell in cells):
-            rows.append([f"{escaped(title(axis))} <small>({escaped(AXES[axis][1])})</small>", *cells])
-    return table(f"The level at which a method was first seen to give a wrong final answer, and the share of all levels' polygons on which it did; "
-                 f"{NEARNESSES[nearness]}. none: not on one polygon.",
+            if row is None:
+                cells.append("not asked")
+            elif not row["failed_samples"]:
+                cells.append("none")
+            else:
+                begins = "all levels" if row["first_failure"] == mildest else f"from {level(row['first_failure'])}"
+                cells.append(bar(row["failed_samples"] / row["samples"], f"{begins}, {percent(row['failed_samples'] / row['samples'])}"))
+        rows.append([f"{escaped(title(axis))} <small>({escaped(AXES[axis][1])})</small>", *cells])
+    return table(f"{NEARNESSES[nearness].capitalize()}: the level from which a method was seen to give wrong final answers, and the share of all levels' "
+                 "polygons on which it did. all levels: already at the mildest; none: not on one polygon.",
                  ["what is made worse", *(code(m) for m in data.methods)], rows, range(1, len(data.methods) + 1))
 
 
@@ -100,7 +106,8 @@ def tightness_picture(study, data):
                    f"Rounding errors of the signs that {code('filtered')} decides by, divided by the bounds that are proved for them. "
                    f"<b>What follows:</b> {'no error' if not exceeded else f'{count(exceeded)} errors'} beyond its bound in "
                    f"{count(sum(row['observations'] for row in observed))} observations; the largest is {rounded(top['max'])} of the bound "
-                   f"({escaped(top['stage'])}: {escaped(top['quantity'])}), so the bounds are not idle.")
+                   f"({escaped(top['stage'])}: {escaped(top['quantity'])}), so the bounds are not idle. Names: the stage (maxima and permanent: doubles with a "
+                   "quick and with a sharper bound; double-double; frame: the plane's own coordinates), then the sign that is decided.")
 
 
 def onset_picture(study, data):
@@ -109,18 +116,19 @@ def onset_picture(study, data):
         return ""
     parts = []
     for distance in dict.fromkeys(row["origin_distance"] for row in data.onset):
-        for method in ("fast", "filtered"):
-            wrong = [row["offset_exponent"] for row in data.onset if row["origin_distance"] == distance and row["method"] == method and
-                     row["failed_triangles"]]
-            triangles = max((row["triangles"] for row in data.onset if row["origin_distance"] == distance and row["method"] == method), default=0)
-            if triangles:
-                place = "at the origin" if distance == 0 else f"{rounded(distance, 1)} sizes away"
-                seen = f"wrong from 2⁻{str(-max(wrong)).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))} on" if wrong else "never wrong"
-                parts.append(f"{code(method)} {place}: {seen} ({count(triangles)} triangles an offset)")
+        seen = []
+        for method in ("fast", "thesis", "filtered"):
+            own = [row for row in data.onset if row["origin_distance"] == distance and row["method"] == method]
+            wrong = [row["offset_exponent"] for row in own if row["failed_triangles"]]
+            if own:
+                seen.append(f"{code(method)} from {power('2', max(wrong))} on" if wrong else f"{code(method)} nowhere")
+        place = "at the origin" if distance == 0 else f"{level(f'{distance:.0e}'.replace('e+0', 'e'))} sizes away"
+        parts.append(f"{place}, wrong answers of {words(seen)}")
+    triangles = max(row["triangles"] for row in data.onset)
     return picture(path, "Curves of the share of triangles with a wrong contact against the offset of the radius, for triangles at the origin and a "
                    "million sizes away.",
                    f"A ball above a triangle's face, the radius off by 2⁻ᵏ of the distance to either side: where wrong answers begin. "
-                   f"<b>What follows:</b> {words(parts)}.")
+                   f"<b>What follows:</b> {'; '.join(parts)}; of {count(triangles)} triangles at each offset.")
 
 
 def chapter(study):
@@ -128,8 +136,5 @@ def chapter(study):
     text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the origin, tiny and huge
 numbers, vertices off the plane, long chains of rotations, other rounding modes; {study.run['samples_asked']} polygons a level, fewer at slow levels. Each is
 asked about balls at three distances from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
-    for nearness in NEARNESSES:
-        if any(row["nearness"] == nearness for row in data.first) and nearness != "one-double":
-            text += first_table(data, nearness)
-    text += failures_picture(study, data, "close") + failures_picture(study, data, "ample")
+    text += failures_picture(study, data, "close") + first_table(data, "close") + failures_picture(study, data, "ample")
     return text + onset_picture(study, data) + tightness_picture(study, data)

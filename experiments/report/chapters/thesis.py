@@ -40,12 +40,11 @@ def differing(data):
                  for row in data.differing)
 
 
-def verdict(study):
+def finding(study):
     data = Data(study)
-    return [f"<b>The thesis, reproduced.</b> Of its {len(data.entries)} figures, tables and known errors, "
-            + words(f"{count(n)} {escaped(status)}" for status, n in data.statuses.items())
-            + f"; {len(data.stated) - len(data.differing)} of {len(data.stated)} numbers that are stated somewhere come out"
-            + (f" (not: {differing(data)})." if data.differing else ".")]
+    return (f"<b>The thesis, reproduced.</b> Of {len(data.entries)} figures, tables and known errors, "
+            f"{len(data.stated) - len(data.differing)} of the {len(data.stated)} numbers that are stated somewhere come out"
+            + (f" (not: {differing(data)})." if data.differing else "."))
 
 
 def shown_picture(study, entry):
@@ -53,7 +52,7 @@ def shown_picture(study, entry):
     if path is None:
         return ""
     return picture(path, entry["shows"], f"{escaped(name_of(entry))}, {escaped(entry['caption'])}: {escaped(entry['shows'])} "
-                   f"<b>What follows:</b> {escaped(entry['text'])} <span class=\"status\">{escaped(entry['status'])}.</span>")
+                   f"<b>What follows:</b> {escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}.")
 
 
 def chapter(study):
@@ -63,9 +62,10 @@ def chapter(study):
 Universiti Putra Malaysia, 2008, decides contact as this project's {code('thesis')} does: it adds the angles at which the polygon's edges are seen from
 the foot and calls the foot inside if they reach 0.99 of a full turn. Without signs, that is wrong for non-convex outlines"""
     if worst:
-        text += f": for the outline “{escaped(worst['outline'])}” the area wrongly called inside is {percent(worst['share'])} of the outline's own"
+        text += f": for the outline “{escaped(worst['outline'])}” the area wrongly called inside is {percent(worst['share'], 3)} of the outline's own"
     text += ". Every figure and table of the thesis that has a number gets that number; "
     text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
+    text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
     text += "".join(shown_picture(study, by_id[name]) for name in SHOWN if name in by_id)
     for chapter_id, title in CHAPTERS:

@@ -46,21 +46,26 @@ def asked(study):
     return by_method(data.bands, trials, "polygons")
 
 
+def range_of(numbers):
+    low, high = min(numbers := list(numbers)), max(numbers)
+    return count(low) if low == high else f"{count(low)} to {count(high)}"
+
+
 def times(ratio):
     return "not timed" if ratio is None else f"{rounded(ratio)} ×"
 
 
-def verdict(study):
+def finding(study):
     data = Data(study)
     parts = []
     for method in ("filtered", "exact"):
         if method in data.methods and all(data.ratio(method, p, b) for p in data.placements for b in ("near", "anywhere")):
-            parts.append(f"{code(method)} takes " + words(
+            parts.append(f"{code(method)} took " + words(
                 f"{words((times(data.ratio(method, p, balls)) for p in data.placements), 'to')} {where}"
-                for balls, where in (("anywhere", "where balls are anywhere"), ("near", "where they are within 8 doubles of contact"))))
+                for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))))
     if not parts:
-        return []
-    return [f"<b>What being right costs.</b> Of the time of {code('fast')} on the same questions (planar to rotated polygons): " + "; ".join(parts) + "."]
+        return "<b>What being right costs</b> was not measured: neither filtered nor exact was timed beside fast."
+    return f"<b>What being right costs.</b> Of the time of {code('fast')} on the same questions (planar to rotated polygons): " + "; ".join(parts) + "."
 
 
 def rates_table(data):
@@ -70,14 +75,14 @@ def rates_table(data):
         for placement in data.placements:
             row = data.rate(method, placement)
             cells.append("no final answer" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
-                         f"0 in {count(row['samples'])} polygons (< {percent(row['upper'])})")
+                         f"0 <small>(< {percent(row['upper'])})</small>")
         for balls in ("near", "anywhere"):
             cells += [times(data.ratio(method, placement, balls)) for placement in data.placements]
         rows.append([code(method), *cells])
     heads = [f"not right, {NAMES[p]}" for p in data.placements]
     heads += [f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements]
-    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: of how many polygons, and the 95 % limit "
-                 "after Hoeffding), and the time of a question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
+    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit after Hoeffding, of some "
+                 f"{range_of(row['samples'] for row in data.front)} polygons), and the time of a question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
 
 
 MEASURES = {
@@ -97,7 +102,7 @@ def front_picture(study, data, measure):
         on = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "on"]
         perhaps = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "within-noise"]
         parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'none for certain'}"
-                     + (f", perhaps {words(map(code, perhaps))}" if perhaps else ""))
+                     + (f", perhaps {len(perhaps)} others, which the noise of times leaves open" if perhaps else ""))
     about, axis = MEASURES[measure]
     return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds a question, a point for each of "
                    f"{len({row['method'] for row in rows})} methods; those that no other beats in both are ringed.",

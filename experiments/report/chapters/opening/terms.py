@@ -38,4 +38,4 @@ def methods(results):
         if not name or not about.strip():
             raise DataError(f"{path}: line {number}: no name and summary of a method")
         entries.append(f"<dt>{code(name)}</dt><dd>{escaped(about.strip())}</dd>")
-    return f'<section><h2 id="methods">The methods</h2><p>Each answers the same questions about the same balls and polygons.</p><dl>{"".join(entries)}</dl></section>'
+    return f'<section><h2 id="methods">The methods</h2><p>Each answers the same questions about the same balls and polygons.</p><dl class="methods">{"".join(entries)}</dl></section>'
