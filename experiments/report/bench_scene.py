@@ -6,11 +6,11 @@ import csv
 import pathlib
 import sys
 
+from names import BALLS, QUESTIONS
 from style import STYLES, plt, save
 
-QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
-BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
-BYTES = [20, 50, 100, 200, 500, 1000]  # that are drawn as numbers
+# The ticks that are drawn as numbers.
+BYTES = [20, 50, 100, 200, 500, 1000]
 MICROSECONDS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10]
 
 

@@ -11,15 +11,8 @@ import matplotlib.colors
 import numpy as np
 from matplotlib.patches import Patch
 
+from names import OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
 from style import STYLES, plt, save
-
-THRESHOLDS = ["face", "edge", "vertex", "tangent", "foot-edge", "foot-vertex"]
-OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "plane", "foot-edge": "foot",
-            "foot-vertex": "foot"}
-TITLES = {"face": "radius at a face", "edge": "radius at an edge", "vertex": "radius at a vertex",
-          "tangent": "radius exactly tangent", "foot-edge": "foot crosses an edge", "foot-vertex": "foot passes a vertex"}
-PLACEMENTS = {"lattice-frame": "exactly planar polygons on an integer lattice",
-              "rotated": "rotated polygons, vertices rounded to doubles"}
 
 
 def place(offset):

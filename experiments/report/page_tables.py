@@ -14,6 +14,9 @@ import subprocess
 import sys
 import tempfile
 
+from engines import OVERALL, by_family, overall
+from names import ENGINES
+
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
 ROWS = {  # threshold: what is asked about there, in words; the test of rates.csv
@@ -22,21 +25,6 @@ ROWS = {  # threshold: what is asked about there, in words; the test of rates.cs
     "vertex": ("radius at the distance of a vertex", "contact"),
     "foot-edge": ("foot crosses an edge: is it inside?", "foot"),
     "foot-vertex": ("foot passes a vertex: is it inside?", "foot"),
-}
-ENGINES = {  # method of `touchstone regress`: what it is
-    "filtered": "ours, certified",
-    "fast": "ours, plain doubles",
-    "cgal-epeck-distance": "CGAL's exact kernel, squared distance",
-    "cgal-epick-distance": "CGAL's inexact constructions, squared distance",
-    "cgal-double-distance": "CGAL over plain doubles, squared distance",
-    "cgal-epick-intersect": "CGAL's inexact constructions, do_intersect",
-    "cgal-double-intersect": "CGAL over plain doubles, do_intersect",
-    "fcl": "FCL, doubles",
-    "libccd": "libccd's GJK, doubles",
-    "bullet": "Bullet, doubles",
-    "ode": "ODE, doubles",
-    "embree": "Embree's closest point, floats",
-    "thesis": "the thesis of 2008",
 }
 
 
@@ -82,50 +70,26 @@ def absent_engines(touchstone):
 
 @functools.cache
 def standing(touchstone):
-    """Rows of standing.csv by (method, family), and the families in their order."""
+    """The rows of standing.csv."""
     with tempfile.TemporaryDirectory() as folder:
         present = [engine for engine in ENGINES if engine not in absent_engines(touchstone)]
         subprocess.run([touchstone, "regress", "--method", ",".join(present), "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "standing.csv"), newline="") as rows:
-            all_rows = list(csv.DictReader(rows))
-    return {(row["method"], row["family"]): row for row in all_rows}, list(dict.fromkeys(r["family"] for r in all_rows))
+            return list(csv.DictReader(rows))
 
 
-def share_and_first(rows):
-    """Of these rows together: wrong answers in per cent, and the largest offset at which one was found."""
-    wrong, cases = sum(int(row["wrong"]) for row in rows), sum(int(row["cases"]) for row in rows)
-    first = min((int(row["first_offset_exponent"]) for row in rows if row["first_offset_exponent"]), default=None)
-    if wrong == 0:
-        return f"0 of {cases:,} (< {100 * (1 - 0.05 ** (1 / cases)):.2g} %)", "none"
-    return f"{100 * wrong / cases:.2g} %", "at tangency alone" if first is None else f"2^-{first}"
+def markdown(head, lines):
+    return "".join(["| " + " | ".join(head) + " |\n", "|" + "---|" * len(head) + "\n",
+                    *(f"| `{engine}` | " + " | ".join(cells) + " |\n" for engine, *cells in lines)])
 
 
 def engines_table(touchstone):
-    by_engine, families = standing(touchstone)
-    lines = ["| engine | | wrong answers | largest relative offset of one | families with one |", "|---|---|---|---|---|"]
-    for engine, description in ENGINES.items():
-        if engine in absent_engines(touchstone):
-            continue
-        rows = [by_engine[engine, family] for family in families]
-        share, first = share_and_first(rows)
-        failed = sum(int(row["wrong"]) > 0 for row in rows)
-        lines.append(f"| `{engine}` | {description} | {share} | {first} | {failed} of {len(families)} |")
-    return "\n".join(lines) + "\n"
+    return markdown(OVERALL, overall(standing(touchstone))).replace("|  |", "| |")
 
 
 def engines_by_family_table(touchstone):
-    by_engine, families = standing(touchstone)
-    lines = ["| engine | " + " | ".join(families) + " |", "|---|" + "---|" * len(families)]
-    for engine in ENGINES:
-        if engine in absent_engines(touchstone):
-            continue
-        cells = []
-        for family in families:
-            row = by_engine[engine, family]
-            cells.append("0" if row["wrong"] == "0" else f"{row['wrong']}, {share_and_first([row])[1]}")
-        lines.append(f"| `{engine}` | " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    return markdown(*by_family(standing(touchstone)))
 
 
 TABLES = [  # page, name in its markers, what makes it

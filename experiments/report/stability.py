@@ -9,29 +9,9 @@ import sys
 
 import numpy as np
 
+from names import AXES, NEARNESSES
 from style import STYLES, plt, save
 
-# The title of each axis, and what its levels are.
-AXES = {"aspect": ("slivers", "length / width"),
-        "parallel": ("near-parallel edges", "angle, radians"),
-        "duplicate": ("near-duplicate vertices", "distance / size"),
-        "collinear-exact": ("straight side, exactly", "vertices on it"),
-        "collinear-rounded": ("straight side, rounded", "vertices on it"),
-        "origin": ("away from the origin", "distance / size"),
-        "small": ("small numbers", "binary exponent"),
-        "large": ("large numbers", "binary exponent"),
-        "mixed": ("mixed exponents", "binary orders between axes"),
-        "off-plane": ("a vertex off the plane", "ulps"),
-        "vertices": ("many vertices", "vertices"),
-        "chain-input": ("chain of rotations,\nagainst exact on its end", "steps"),
-        "chain-motion": ("chain of rotations,\nagainst the motion meant", "steps"),
-        "pose-input": ("chain of pose products,\nagainst exact on its end", "steps"),
-        "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
-        "rounding": ("rounding direction", "mode"),
-        "flush": ("subnormals flushed", "mode")}
-NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
-              "close": "radius off by $2^{-30}$ of the distance",
-              "ample": "radius off by a quarter of the distance"}
 MODES = ("rounding", "flush")
 # Where products underflow, bounds have an absolute part, which a line cannot show.
 UNDERFLOWING = ("small", "mixed", "flush")

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page of `touchstone thesis`: every figure and table with its status, numbers and picture, in one file."""
-import base64
-import html
+from page import document, escaped, inlined, number, smaller
 
 CHAPTERS = (("2", "Chapter 2: literature"), ("3", "Chapter 3: methodology"), ("4", "Chapter 4: the collision detection algorithm"),
             ("5", "Chapter 5: the virtual environment"), ("6", "Chapter 6: the case studies"),
@@ -10,50 +9,19 @@ LABELS = {"T": "the thesis's public text", "S": "another public source", "D": "d
           "C": "rests on values chosen here, because no public source gives them"}
 
 STYLE = """
-:root { color-scheme: light dark; --ink: #1c1c1c; --paper: #ffffff; --soft: #f2f2ef; --line: #d0d0c8; --dim: #595959;
-        --good: #00634a; --bad: #a33b00; --link: #00558a; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e8e8e4; --paper: #16181a; --soft: #222528; --line: #43474b; --dim: #adb1b4; --good: #5fd0a8; --bad: #ff9d66;
-          --link: #7cc4f2; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem; max-width: 56rem; font: 1rem/1.5 system-ui, sans-serif; color: var(--ink);
-       background: var(--paper); overflow-wrap: break-word; }
-h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-bottom: 2px solid var(--line); }
-a { color: var(--link); }
 article { margin: 1.5rem 0; padding: 1rem; border: 1px solid var(--line); border-radius: .5rem; background: var(--soft); }
-article h3 { margin: 0 0 .3rem; line-height: 1.3; }
-article img { display: block; max-width: 100%; height: auto; margin: .8rem auto 0; background: #fff; border-radius: .3rem; padding: .3rem; }
-.page, figcaption, small { color: var(--dim); font-size: .85rem; }
-figure { margin: 0; } figcaption { margin: .3rem auto .5rem; }
-.status { font-weight: 600; } .yes { color: var(--good); } .no { color: var(--bad); }
-table { width: 100%; border-collapse: collapse; font-size: .9rem; margin-top: .6rem; }
-th, td { text-align: left; vertical-align: top; padding: .25rem .5rem .25rem 0; border-top: 1px solid var(--line); }
-thead th { border-top: 0; color: var(--dim); font-weight: 600; }
-tbody th { font-weight: 400; width: 46%; }
+article h3 { margin: 0 0 .3rem; }
+article img { margin: .8rem auto 0; }
+article figure { margin: 0; }
+.page { color: var(--dim); font-size: .88rem; font-weight: 400; } .status { font-weight: 600; }
+table { width: 100%; margin-top: .6rem; } tbody th { width: 46%; }
 th:last-child, td:last-child { white-space: nowrap; padding-right: 0; } td { hyphens: manual; }
 nav ul, .summary ul { padding-left: 1.2rem; }
 .index { columns: 2 18rem; font-size: .88rem; padding-left: 0; list-style: none; }
 .index li { break-inside: avoid; padding: .1rem 0; }
-:target { outline: 3px solid var(--link); }
-@media (max-width: 34rem) { body { padding: .6rem; } article { padding: .7rem; } tbody th { width: 40%; } }
-@media print { body { max-width: none; font-size: 9.5pt; --soft: #fff; } article, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } nav { display: none; }
-  article img { max-height: 9cm; } }
+@media (max-width: 34rem) { article { padding: .7rem; } tbody th { width: 40%; } }
+@media print { article { break-inside: avoid; } article img { max-height: 9cm; } }
 """
-
-
-def escaped(text):
-    return html.escape(text, quote=True)
-
-
-def number(text, digits=6):
-    value = float(text)
-    if value != value:
-        return "none"
-    shown = f"{value:.{digits}g}"
-    if "e" in shown:
-        mantissa, exponent = shown.split("e")
-        shown = f"{float(mantissa):.4g} × 10<sup>{int(exponent)}</sup>"
-    return shown.replace("-", "−")
 
 
 def name_of(entry):
@@ -70,10 +38,7 @@ def picture(folder, entry):
     """The smaller of both files, within the page."""
     if not entry["picture"]:
         return ""
-    files = [(folder / f"{entry['picture']}.{kind}", mime) for kind, mime in (("svg", "image/svg+xml"), ("png", "image/png"))]
-    path, mime = min(((path, mime) for path, mime in files), key=lambda file: file[0].stat().st_size)
-    data = base64.b64encode(path.read_bytes()).decode()
-    return (f'<figure><img decoding="async" alt="{escaped(entry["shows"])}" src="data:{mime};base64,{data}">'
+    return (f'<figure><img decoding="async" alt="{escaped(entry["shows"])}" src="{inlined(smaller(folder, entry["picture"]))}">'
             f'<figcaption>{escaped(entry["shows"])} (<a href="{entry["picture"]}.svg">SVG</a>, '
             f'<a href="{entry["picture"]}.png">PNG</a>)</figcaption></figure>')
 
@@ -135,10 +100,7 @@ def write_page(folder, entries, numbers, run):
             f'<li><a href="#{anchor(entry)}">{name_of(entry)}</a>: {escaped(entry["status"])}</li>' for entry in members) + "</ul>"
         sections += f'<section><h2 id="chapter-{chapter}">{title}</h2>' + "".join(
             article(folder, entry, own.get(entry["id"], [])) for entry in members) + "</section>"
-    text = f"""<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>The figures of a 2008 thesis, as numbers</title><style>{STYLE}</style></head><body>
-<header><h1>The figures of a 2008 thesis, as numbers</h1>
+    body = f"""<header><h1>The figures of a 2008 thesis, as numbers</h1>
 <p>H. Arshad, <cite>A Collision Detection Algorithm for Virtual Robot-Centered Flexible Manufacturing Cell</cite>, PhD thesis,
 Universiti Putra Malaysia, 2008. Its front matter, with every caption, is public; its chapters from page 8 on are not. Captions are
 cited from its lists of figures and tables; pictures and numbers are computed by <code>touchstone thesis</code>, none is copied.</p>
@@ -150,6 +112,8 @@ and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:<
 <p>Shares of random samples have Clopper-Pearson limits. {run["samples_asked"]:,} balls of each outline and radius, seed
 {run["seed"]}; run.json says how to have the same again.</p></div>
 <nav aria-label="All figures and tables">{index}</nav></header>
-<main>{sections}</main></body></html>
+<main>{sections}</main>
 """
-    (folder / "index.html").write_text(text, encoding="utf-8")
+    title = "The figures of a 2008 thesis, as numbers"
+    (folder / "index.html").write_text(document(title, "Every figure and table of the thesis, with its numbers beside ours.", STYLE, body),
+                                       encoding="utf-8")

@@ -12,7 +12,8 @@ from matplotlib.legend_handler import HandlerTuple
 from matplotlib.lines import Line2D
 from matplotlib.path import Path as MarkerPath
 
-from near_edge import EVEN_STEPS, OWN_TEST, PLACEMENTS, TITLES, place, shade_even_steps
+from names import OWN_TEST, PLACEMENTS, TITLES
+from near_edge import EVEN_STEPS, place, shade_even_steps
 from style import STYLES, plt, save
 
 # What their names begin with; a colour a kind of method, a marker a method of it.

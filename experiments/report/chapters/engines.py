@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone regress`: engines of others on the same cases."""
+import re
+
+from chapters.asked import Asked
+from engines import OVERALL, by_family, overall, rows_by_engine
+from names import ENGINES
+from page import code, count, escaped, power, table, upper_limit, percent, words
+from results import natural
+
+TITLE = "Other engines on the same questions"
+
+
+def rows_of(study):
+    rows = study.rows("standing.csv", method=str, family=str, wrong=natural, cases=natural, first_offset_exponent=str)
+    return [dict(row, wrong=str(row["wrong"]), cases=str(row["cases"])) for row in rows]
+
+
+def shown(text):
+    """2^-28 as 2⁻²⁸."""
+    return re.sub(r"2\^(-\d+)", lambda match: power("2", match[1]), escaped(text))
+
+
+def asked(study):
+    counts = {}
+    for row in rows_of(study):
+        before = counts.get(row["method"], Asked(0, 0, 0, "cases"))
+        cases = int(row["cases"])
+        counts[row["method"]] = Asked(before.answers + cases, before.wrong + int(row["wrong"]), before.trials + cases, "cases")
+    return counts
+
+
+def finding(study):
+    lines = overall(rows_of(study))
+    others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
+    wrong = [f"{code(name)} {share}" for name, _, share, _, _ in others if not share.startswith("0 of")]
+    never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
+    cases = max(a.trials for a in asked(study).values())
+    text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and at contact: "
+    text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
+    return text + (f"; of {words(never)} none (< {percent(upper_limit(cases))})" if never and wrong else "") + "."
+
+
+def chapter(study):
+    rows = rows_of(study)
+    absent = [engine for engine in ENGINES if engine not in rows_by_engine(rows)]
+    cases = max(a.trials for a in asked(study).values())
+    head, lines = by_family(rows)
+    text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {len(head) - 1} families? The radii are at relative offsets of 2⁻⁸ to
+2⁻⁵² from contact, or at contact itself. Most engines take triangles, and polygons come to them as those. The cases are the same as those of the
+baseline in <code>tests/regress</code>, which every <code>./check</code> compares with.</p>"""
+    text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still errs.",
+                  OVERALL[:1] + ["what it is"] + OVERALL[2:],
+                  [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows)], (2, 3, 4))
+    if absent:
+        text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
+                 "<code>./reproduce --full</code> installs them.</p>")
+    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset of one (tangency: only where the radius is "
+                        "the double nearest to the distance).", head,
+                        [[code(name), *(shown(cell.replace("at tangency alone", "tangency")) for cell in cells)] for name, *cells in lines],
+                        range(1, len(head)))

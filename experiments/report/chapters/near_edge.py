@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone near-edge`: random polygons, double by double."""
+import math
+
+from chapters.asked import by_method
+from names import NAMED, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES, of_method
+from page import bar, code, count, percent, picture, power, share_of_size, smaller, table, upper_limit, words
+from results import finite, maybe, natural, share
+
+TITLE = "Random polygons, double by double"
+DISTANCES = {0: "at the origin", 1000: "10³ sizes away", 1000000: "10⁶ sizes away"}
+CONTACT = ("face", "edge", "vertex", "tangent")  # thresholds of the radius, which the final answer crosses
+
+
+def final_test(threshold):
+    """Of the test that is decided at a threshold: the final answer, or where an ample ball hides the foot, the foot's."""
+    return "contact" if threshold in CONTACT else OWN_TEST[threshold]
+
+
+class Data:
+    def __init__(self, study):
+        rates = study.rows("rates.csv", family=str, placement=str, threshold=str, test=str, method=str, offset=int, failures=natural,
+                           trials=natural)
+        self.rates = [row for row in rates if row["family"] == "all"]
+        bands = study.rows("bands.csv", family=str, placement=str, threshold=str, test=str, method=str, samples=natural,
+                           failures=natural, trials=natural, rate=share)
+        self.families = len({row["family"] for row in bands} - {"all"})
+        self.bands = [row for row in bands if row["family"] == "all"]
+        self.worst = [] if not (study.folder / "worst.csv").exists() else study.rows(
+            "worst.csv", threshold=str, origin_distance=natural, method=str, samples=natural, sampled_share=maybe(finite),
+            climbed_share=maybe(finite))
+        self.methods = list(dict.fromkeys(row["method"] for row in self.bands))
+        self.thresholds = [t for t in THRESHOLDS if any(row["threshold"] == t for row in self.bands)]
+        self.placements = [p for p in PLACEMENTS if any(row["placement"] == p for row in self.bands)]
+
+    def within_one_double(self, method, threshold):
+        """Failures and answers of the test that is decided there."""
+        rows = [row for row in self.rates if row["method"] == method and row["threshold"] == threshold and abs(row["offset"]) <= 1 and
+                row["test"] == final_test(threshold)]
+        return sum(row["failures"] for row in rows), sum(row["trials"] for row in rows)
+
+    def samples(self, threshold):
+        return sum(row["samples"] for row in self.bands if row["threshold"] == threshold and row["test"] == final_test(threshold) and
+                   row["method"] == self.methods[0])
+
+    def furthest(self, method, distance, thresholds):
+        """Of wrong answers, as a share of the polygon's size; 0 where none was seen."""
+        return max((row[name] or 0 for row in self.worst for name in ("sampled_share", "climbed_share") if row["method"] == method and
+                    row["origin_distance"] == distance and row["threshold"] in thresholds), default=0)
+
+    @property
+    def distances(self):
+        return [d for d in DISTANCES if any(row["origin_distance"] == d for row in self.worst)]
+
+
+def asked(study):
+    """All tests, at all offsets."""
+    data = Data(study)
+    trials = sum(data.samples(threshold) for threshold in data.thresholds)
+    return by_method([dict(row, answers=row["trials"], wrong=row["failures"]) for row in data.bands],
+                     dict.fromkeys(data.methods, trials), "polygons")
+
+
+def ranges(data, method):
+    rates = [failures / trials for failures, trials in (data.within_one_double(method, t) for t in data.thresholds) if trials]
+    return min(rates), max(rates)
+
+
+def from_to(low, high):
+    low, high = percent(low), percent(high)
+    return low if low == high else f"{low.removesuffix(' %')} to {high}"
+
+
+def finding(study):
+    data = Data(study)
+    text = "<b>Random polygons</b>"
+    named = [method for method in data.methods if method in NAMED and ranges(data, method)[1] > 0]
+    text += (f" of {data.families} families, within one double of a threshold; wrong answers, from the mildest threshold to the worst: "
+             + words(f"{of_method(m)} {from_to(*ranges(data, m))}" for m in named) + "." if named else ": no wrong answer within one double.")
+    if data.distances:
+        near, far = data.distances[0], data.distances[-1]
+        parts = []
+        for method in named:
+            here, there = (data.furthest(method, d, CONTACT) for d in (near, far))
+            if there:
+                parts.append(f"{code(method)} {share_of_size(here) if here else 'none'} and {share_of_size(there)}")
+        if parts:
+            text += (f" The furthest wrong ones from contact that a search found, in shares of the polygon’s size, with the polygon {DISTANCES[near]} and "
+                     f"{DISTANCES[far]}: {words(parts)}.")
+    return text
+
+
+def rates_table(data):
+    rows = []
+    for threshold in data.thresholds:
+        cells = []
+        for method in data.methods:
+            failures, trials = data.within_one_double(method, threshold)
+            cells.append("not asked" if not trials else bar(failures / trials, percent(failures / trials)) if failures else
+                         f"0 of {count(trials)} (polygons: < {percent(upper_limit(data.samples(threshold)))})")
+        rows.append([f"{TITLES[threshold]}: {'contact?' if threshold in CONTACT else 'foot inside?'}", *cells])
+    return table("Wrong answers within one double of each threshold, exactly planar and rotated polygons together. In brackets: the upper "
+                 "95 % limit of the share of polygons.", ["threshold and question", *(code(m) for m in data.methods)], rows,
+                 range(1, len(data.methods) + 1))
+
+
+def furthest_table(data):
+    rows = []
+    for name, thresholds in (("final answer", CONTACT), ("is the foot inside?", ("foot-edge", "foot-vertex"))):
+        for distance in data.distances:
+            shares = [data.furthest(m, distance, thresholds) for m in data.methods]
+            rows.append([f"{name}, polygon {DISTANCES[distance]}", *(share_of_size(s) if s else "none found" for s in shares)])
+    return table("The furthest wrong answers, of random samples and of a search that moves coordinates to make them worse: offset from the "
+                 "threshold, as a share of the polygon's size, rounded up to a power of two.",
+                 ["question", *(code(m) for m in data.methods)], rows, range(1, len(data.methods) + 1))
+
+
+def rates_picture(study, data, placement):
+    path = smaller(study.folder, f"rates-{placement}")
+    if path is None:
+        return ""
+    methods = words(data.methods)
+    at = {m: [row for row in data.rates if row["placement"] == placement and row["method"] == m and row["threshold"] in CONTACT and
+              row["test"] == "contact"] for m in data.methods}
+    far = [abs(row["offset"]) for row in at.get("fast", []) if row["failures"]]
+    at_once = [row for row in at.get("fast", []) if row["offset"] == 0]
+    follows = (f" <b>What follows:</b> with the double nearest to the exact distance as the radius, {code('fast')} is wrong in "
+               f"{percent(sum(row['failures'] for row in at_once) / sum(row['trials'] for row in at_once))}, and there is no sharp end of trouble: single wrong "
+               f"answers were seen as far as {power('2', round(math.log2(max(far))))} doubles of the radius from contact, for coordinates may round much more "
+               "coarsely than the radius." if far and at_once else "")
+    return picture(path, f"Curves of the share of wrong answers of {methods} against the offset from the threshold in doubles, for "
+                   f"{PLACEMENTS[placement]}; a panel for each threshold.",
+                   f"{PLACEMENTS[placement].capitalize()}. Above, the test whose threshold is crossed, below, the final answer; in the middle of each "
+                   f"panel is the threshold. Each method has a colour, a line and a marker of its own; bands are 95 % limits.{follows}")
+
+
+MAPS = {"vertex": "a vertex of an L", "reflex-vertex": "the reflex vertex of an L"}
+
+
+def map_picture(study, spot):
+    path = smaller(study.folder, f"maps-{spot}")
+    names = [name for name in sorted(p.name for p in study.folder.glob(f"map-{spot}-*.csv"))]
+    if path is None or not names:
+        return ""
+    methods = [m for m in ("filtered", "fast", "fast-float", "thesis", "thesis-signed") if m in head(study.folder / names[0])]
+    wrong = dict.fromkeys(methods, 0)
+    pixels, confused = 0, False
+    for name in names:
+        rows = study.rows(name, **dict.fromkeys(methods, str))
+        pixels += len(rows)
+        confused |= any(row[method] == "b" for row in rows for method in methods)
+        for method in methods:
+            wrong[method] += sum(row[method] != "=" for row in rows)
+    found = words(f"{code(m)} {percent(wrong[m] / pixels) if wrong[m] else 'none'}" for m in methods)
+    return picture(path, f"Maps about {MAPS[spot]}: one pixel for each double of two coordinates of the ball's centre, a row for the truth and "
+                   "for each method, columns for the foot and the final answer at three distances from the origin.",
+                   f"The plane about {MAPS[spot]}, one pixel a double. Grey and white: right. Orange: says inside (or contact) where it is not; "
+                   f"blue: says outside (or none){'; yellow: confuses inside and boundary' if confused else ''}. <b>What follows:</b> the border of what a method believes is not a line: wrong of "
+                   f"{count(pixels)} pixels in {len(names)} maps, {found}.")
+
+
+def head(path):
+    with open(path, encoding="utf-8") as file:
+        return file.readline().strip().split(",")
+
+
+def onset_picture(study, data):
+    path = smaller(study.folder, "onset")
+    if path is None or not data.worst:
+        return ""
+    far = data.distances[-1]
+    at = {m: (data.furthest(m, 0, CONTACT), data.furthest(m, far, CONTACT)) for m in data.methods}
+    said = words(f"{code(m)} from {share_of_size(a) if a else 'none'} to {share_of_size(b)}" for m, (a, b) in at.items() if b)
+    return picture(path, "Curves of the share of wrong answers against the offset from the threshold as a share of the polygon's size, a row for "
+                   "each threshold, a column for each distance from the origin.",
+                   f"Where errors begin: offsets as shares of the polygon's size, for polygons ever further from the origin. Marks on the axis: the "
+                   f"furthest wrong answer that a search found. <b>What follows:</b> moving a polygon away from the origin moves its errors "
+                   f"outwards; {DISTANCES[far]} the furthest wrong final answers have gone, {said}.")
+
+
+def chapter(study):
+    data = Data(study)
+    polygons = max(asked(study).values(), key=lambda a: a.trials).trials
+    text = f"""<p>{count(polygons)} random polygons of {data.families} families (triangles, convex, stars, combs, spirals, Koch curves, letters),
+some exactly planar on an integer lattice, some rotated so that their vertices are rounded to doubles. For each, the exact distance from the
+ball's centre is computed; then the radius is set to the double nearest to it and moved double by double, from 1 to 2³² of them, to either side
+(<i>face</i>, <i>edge</i>, <i>vertex</i>: what is nearest). Likewise the centre is moved so that its foot crosses an edge or passes a vertex.</p>"""
+    text += rates_table(data)
+    text += "".join(rates_picture(study, data, placement) for placement in reversed(data.placements))
+    text += "".join(map_picture(study, spot) for spot in MAPS)
+    if data.worst:
+        text += furthest_table(data) + onset_picture(study, data)
+    return text

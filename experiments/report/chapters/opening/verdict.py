@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verdict: what fails, how far from contact, what never failed, what that costs."""
+from chapters import engines, near_edge, real_input, stability, thesis, tradeoff
+from chapters.opening import never_failed
+from page import code, count
+
+BEFORE = (("real-input", real_input), ("near-edge", near_edge), ("stability", stability))
+BEHIND = (("tradeoff", tradeoff), ("engines", engines), ("thesis", thesis))
+
+
+def headline(asked):
+    methods = dict.fromkeys(method for counts in asked.values() for method in counts if method != never_failed.TRUTH)
+    wrong = [method for method in methods if never_failed.sums(asked, method)[1]]
+    text = f"Near contact, {count(len(wrong))} of {count(len(methods))} methods gave wrong answers"
+    answers = never_failed.sums(asked, never_failed.CERTIFIED)[0]
+    if answers and never_failed.CERTIFIED not in wrong:
+        text += f"; {code(never_failed.CERTIFIED)} never did, in {count(answers)}"
+    return text + "."
+
+
+def lines(found, asked):
+    return [*(chapter.finding(found[name]) for name, chapter in BEFORE if name in found), never_failed.sentence(asked),
+            *(chapter.finding(found[name]) for name, chapter in BEHIND if name in found)]

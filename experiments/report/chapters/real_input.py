@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone mesh-contact`: every face of meshes of real machines."""
+from chapters.asked import by_method
+from names import NAMED, of_method
+from page import bar, code, count, escaped, percent, table, words
+from results import natural
+
+TITLE = "Real input: every face of a robot cell"
+TESTS = {"plane": "plane", "foot": "foot", "edges": "edges", "contact": "final answer"}
+
+
+class Data:
+    def __init__(self, study):
+        self.rows = study.rows("meshes.csv", mesh=str, faces=natural, rejected=natural, method=str, place=str, test=str,
+                               trials=natural, wrong=natural)
+        self.faces = {row["mesh"]: row["faces"] - row["rejected"] for row in self.rows}
+        self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
+
+    def counts(self, method, test="contact", mesh=""):
+        """Wrong answers and all, in the meshes whose name begins so."""
+        rows = [row for row in self.rows if row["method"] == method and row["test"] == test and row["mesh"].startswith(mesh)]
+        return sum(row["wrong"] for row in rows), sum(row["trials"] for row in rows)
+
+    @property
+    def folders(self):
+        return list(dict.fromkeys(mesh.split("/")[0] for mesh in self.faces))
+
+
+def asked(study):
+    """The final answers."""
+    data = Data(study)
+    faces = sum(data.faces.values())
+    return by_method([dict(row, answers=row["trials"]) for row in data.rows if row["test"] == "contact"],
+                     dict.fromkeys(data.methods, faces), "faces")
+
+
+def finding(study):
+    data, all_asked = Data(study), asked(study)
+    faces = sum(data.faces.values())
+    failing = [f"{of_method(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong and m in NAMED]
+    never = [code(m) for m, a in all_asked.items() if not a.wrong]
+    text = (f"<b>Real machines.</b> On {count(faces)} triangles of {len(data.faces)} meshes of robot arms and a milling centre, with balls at most two "
+            f"doubles from a threshold, of {count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
+    text += words(failing) if failing else "none of those asked"
+    if never:
+        text += f"; of {words(never)} not one"
+    return text + "."
+
+
+def rate(wrong, trials):
+    return bar(wrong / trials, percent(wrong / trials)) if wrong else "0"
+
+
+def chapter(study):
+    data = Data(study)
+    faces = sum(data.faces.values())
+    methods = data.methods
+    by_test = table(
+        f"Wrong answers by test, on all {count(faces)} faces. <i>plane</i>: does the ball cross the face's plane? <i>foot</i>: is the point "
+        "of that plane straight below the centre inside the face? <i>edges</i>: the list of edges within the radius. The final answer is "
+        f"contact or none. 0: not one of {count(data.counts(methods[0])[1])}.",
+        ["method", *TESTS.values()],
+        [[code(m), *(rate(*data.counts(m, test)) for test in TESTS)] for m in methods], range(1, 5))
+    by_machine = table(
+        "Wrong final answers by machine.",
+        ["machine", "meshes", "faces", *(code(m) for m in methods)],
+        [[escaped(folder), str(sum(mesh.startswith(folder + "/") for mesh in data.faces)),
+          count(sum(n for mesh, n in data.faces.items() if mesh.startswith(folder + "/"))),
+          *(percent(wrong / trials) if wrong else "0" for wrong, trials in (data.counts(m, mesh=folder + "/") for m in methods))]
+         for folder in data.folders], range(1, 3 + len(methods)))
+    missed = sum(row["rejected"] for row in {row["mesh"]: row for row in data.rows}.values())
+    ordered = sorted((data.counts(m)[0] / data.counts(m)[1], m) for m in methods)
+    least = next(((rate, m) for rate, m in ordered if rate), None)
+    text = f"""<p>Do such failures need contrived shapes? Debian's package <code>linuxcnc-uspace</code> ships the meshes of {len(data.folders)}
+machines: robot arms and a milling centre. Each of their {count(faces)} faces is asked about 20 balls: 5 near the face, 5 near an edge and 5 near
+a vertex, with the double nearest to the exact distance as the radius, and one and two doubles to either side; and 5 with an ample radius, whose
+centre is moved by single doubles so that its <i>foot</i> (the point of the face's plane straight below it) crosses an edge. The truth is
+{code("exact")}: rational arithmetic on the doubles as they are. {count(missed) if missed else "None"} of the faces {"were" if missed else "was"}
+rejected as no polygon.</p>{by_test}"""
+    if least:
+        text += (f"<p>What follows: the meshes of working machines are no kinder than random polygons. Of those that err at all, "
+                 f"{code(least[1])} errs least, in {percent(least[0])}; the most, {code(ordered[-1][1])}, in {percent(ordered[-1][0])}. "
+                 "The machine hardly matters:</p>")
+    return text + by_machine

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone bench --scene`: whole scenes, beside other libraries."""
+from names import BALLS, QUESTIONS
+from page import code, count, escaped, percent, picture, rounded, smaller, table, words
+from results import finite, natural
+
+TITLE = "Whole scenes"
+OURS = "Scene"
+
+
+class Data:
+    def __init__(self, study):
+        self.queries = study.rows("queries.csv", scene=str, triangles=natural, balls=str, question=str, library=str, nanoseconds=finite,
+                                  wrong=natural, checked=natural)
+        self.builds = study.rows("builds.csv", scene=str, triangles=natural, library=str, seconds=finite, bytes_a_triangle=finite)
+        self.libraries = list(dict.fromkeys(row["library"] for row in self.queries))
+        self.scenes = list(dict.fromkeys(row["scene"] for row in self.queries))
+
+    def largest(self, scene):
+        return max(row["triangles"] for row in self.queries if row["scene"] == scene)
+
+    def wrong(self, library):
+        rows = [row for row in self.queries if row["library"] == library]
+        return sum(row["wrong"] for row in rows), sum(row["checked"] for row in rows)
+
+
+def asked(study):
+    return {}
+
+
+def finding(study):
+    data = Data(study)
+    most = max(data.largest(scene) for scene in data.scenes)
+    wrong = [f"{escaped(library)} {percent(data.wrong(library)[0] / data.wrong(library)[1])}" for library in data.libraries
+             if library != OURS and data.wrong(library)[0]]
+    return (f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in {count(data.wrong(OURS)[0])} of "
+            f"{count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that differ: {words(wrong)}" if wrong else "") + ".")
+
+
+def chapter(study):
+    data = Data(study)
+    text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and passes over what cannot
+matter. Each library builds the same scene and is asked about the same balls, in turns, with one thread.</p>"""
+    for scene in data.scenes:
+        size = data.largest(scene)
+        rows = [row for row in data.queries if row["scene"] == scene and row["triangles"] == size]
+        questions = list(dict.fromkeys((row["balls"], row["question"]) for row in rows))
+        ours = {(row["balls"], row["question"]): row["nanoseconds"] for row in rows if row["library"] == OURS}
+        body = []
+        for library in data.libraries:
+            own = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
+            body.append([escaped(library), *(
+                "not asked" if q not in own else f"{rounded(own[q]['nanoseconds'] / 1000)} µs"
+                + (f"<br><small>{rounded(own[q]['nanoseconds'] / ours[q])} ×</small>" if library != OURS and q in ours else "")
+                + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
+                for q in questions)])
+        text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, and answers that differ.",
+                      ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)], body,
+                      range(1, len(questions) + 1))
+        path = smaller(study.folder, f"queries-{scene}")
+        if path:
+            growth = []
+            small = min(row["triangles"] for row in data.queries if row["scene"] == scene)
+            for library in data.libraries:
+                times = {row["triangles"]: row["nanoseconds"] for row in data.queries if (row["scene"], row["library"], row["balls"], row["question"]) ==
+                         (scene, library, "near", "any")}
+                if small in times and size in times and small < size:
+                    growth.append(f"{escaped(library)} {rounded(times[size] / times[small])} ×")
+            follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: touches any?” grows by "
+                       f"{words(growth)}." if growth else "")
+            text += picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each library, a panel for each "
+                            "kind of ball and question.", f"Time of a query against the size of the scene “{escaped(scene)}”.{follows}")
+    return text

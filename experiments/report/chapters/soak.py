@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone soak`: filtered against exact on adversarial cases."""
+from chapters.asked import Asked
+from page import bar, code, count, escaped, percent, table, upper_limit
+from results import natural
+
+TITLE = "The certified path under attack"
+STAGES = {"double": "doubles", "permanent": "sharper doubles", "double-double": "double-doubles", "fixed-integer": "short integers",
+          "unlimited": "unlimited integers"}
+
+
+def rows_of(study):
+    return study.rows("soak.csv", family=str, way=str, cases=natural, differences=natural, **dict.fromkeys(STAGES, natural))
+
+
+def asked(study):
+    """Ways of asking are compared with exact one by one; a case counts once."""
+    rows = rows_of(study)
+    answers, wrong = sum(row["cases"] for row in rows), sum(row["differences"] for row in rows)
+    return {"filtered": Asked(answers, wrong, study.run["samples_done"], "cases")}
+
+
+def finding(study):
+    a = asked(study)["filtered"]
+    if a.wrong:
+        return f'<b class="no">{count(a.wrong)} answers of {count(a.answers)} differed from the exact ones: see differences.jsonl.</b>'
+    return (f"<b>Adversarial cases.</b> Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} cases: at most "
+            f"{percent(upper_limit(a.trials))} of such cases do (95 %).")
+
+
+def chapter(study):
+    rows = rows_of(study)
+    families = list(dict.fromkeys(row["family"] for row in rows))
+    body = []
+    for family in families:
+        own = [row for row in rows if row["family"] == family]
+        asked_here = sum(row["cases"] for row in own)
+        body.append([escaped(family), count(asked_here), *(bar(sum(row[stage] for row in own) / asked_here,
+                                                               percent(sum(row[stage] for row in own) / asked_here)) if asked_here else "0"
+                                                           for stage in STAGES), str(sum(row["differences"] for row in own))])
+    return f"""<p>{code('filtered')} answers by stages: plain doubles with a proved bound on their error; where that cannot tell, double-doubles
+(two doubles for one number); where those cannot, integers as long as it takes. The soak asks it about cases made to hurt (exact tangency, needles,
+points, extreme exponents, far from the origin) in three ways (a triangle, a prepared polygon, the whole answer) and holds every answer against
+{code('exact')}.</p>""" + table(
+        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which doubles could not have "
+        "told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))

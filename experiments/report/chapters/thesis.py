@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone thesis`: the figures of the thesis of 2008, with their status."""
+from page import code, count, escaped, number, percent, picture, smaller, table, words
+from results import maybe, natural
+from results import number as any_number
+from thesis_page import CHAPTERS, anchor, chapter_of, name_of
+
+TITLE = "The figures of the thesis of 2008"
+SHOWN = ("E.1", "E.2", "4.8", "5.24")  # in this page; all are on the thesis's own
+
+
+class Data:
+    def __init__(self, study):
+        self.entries = study.rows("entries.csv", id=str, caption=str, page=str, status=str, text=str, picture=str, shows=str)
+        self.numbers = study.rows("numbers.csv", id=str, what=str, unit=str, ours=any_or_none, stated=str, label=str, agrees=str)
+        self.areas = study.rows("areas.csv", outline=str, share=maybe(any_number), right=natural, wrong=natural)
+        self.stated = [row for row in self.numbers if row["stated"]]
+        self.differing = [row for row in self.stated if row["agrees"] == "no"]
+
+    @property
+    def statuses(self):
+        counts = {}
+        for entry in self.entries:
+            counts[entry["status"]] = counts.get(entry["status"], 0) + 1
+        return dict(sorted(counts.items(), key=lambda item: -item[1]))
+
+
+def any_or_none(text):
+    """NaN stands for what there is none of."""
+    float(text)
+    return text
+
+
+def asked(study):
+    return {}
+
+
+def differing(data):
+    return words(f"{escaped(row['id'])}, {escaped(row['what'])}: {number(row['ours'])} {escaped(row['unit'])}, stated {number(row['stated'])}"
+                 for row in data.differing)
+
+
+def finding(study):
+    data = Data(study)
+    return (f"<b>The thesis, reproduced.</b> Of {len(data.entries)} figures, tables and known errors, "
+            f"{len(data.stated) - len(data.differing)} of the {len(data.stated)} numbers that are stated somewhere come out"
+            + (f" (not: {differing(data)})." if data.differing else "."))
+
+
+def shown_picture(study, entry):
+    path = smaller(study.folder, entry["picture"]) if entry["picture"] else None
+    if path is None:
+        return ""
+    return picture(path, entry["shows"], f"{escaped(name_of(entry))}, {escaped(entry['caption'])}: {escaped(entry['shows'])} "
+                   f"<b>What follows:</b> {escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}.")
+
+
+def chapter(study):
+    data = Data(study)
+    worst = max((row for row in data.areas if row["share"] is not None), key=lambda row: row["share"], default=None)
+    text = f"""<p>H. Arshad, <cite>A Collision Detection Algorithm for Virtual Robot-Centered Flexible Manufacturing Cell</cite>, PhD thesis,
+Universiti Putra Malaysia, 2008, decides contact as this project's {code('thesis')} does: it adds the angles at which the polygon's edges are seen from
+the foot and calls the foot inside if they reach 0.99 of a full turn. Without signs, that is wrong for non-convex outlines"""
+    if worst:
+        text += f": for the outline “{escaped(worst['outline'])}” the area wrongly called inside is {percent(worst['share'], 3)} of the outline's own"
+    text += ". Every figure and table of the thesis that has a number gets that number; "
+    text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
+    text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
+    by_id = {entry["id"]: entry for entry in data.entries}
+    text += "".join(shown_picture(study, by_id[name]) for name in SHOWN if name in by_id)
+    for chapter_id, title in CHAPTERS:
+        members = [entry for entry in data.entries if chapter_of(entry) == chapter_id]
+        if members:
+            text += table(escaped(title), ["figure or table", "caption", "status", "numbers that agree"],
+                          [[f'<a href="thesis/index.html#{anchor(e)}">{escaped(name_of(e))}</a>', escaped(e["caption"]),
+                            escaped(e["status"]), agreement(data, e)] for e in members], (3,))
+    return text
+
+
+def agreement(data, entry):
+    own = [row for row in data.stated if row["id"] == entry["id"]]
+    return f"{sum(row['agrees'] != 'no' for row in own)} of {len(own)}" if own else "none stated"

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone tradeoff`: run time against error."""
+from chapters.asked import by_method
+from names import PLACEMENTS
+from page import bar, code, count, percent, picture, rounded, smaller, table, words
+from results import finite, natural, number, share
+
+TITLE = "What being right costs"
+NAMES = {"lattice-frame": "planar", "rotated": "rotated"}
+
+
+class Data:
+    def __init__(self, study):
+        self.front = [row for row in study.rows("front.csv", measure=str, family=str, placement=str, method=str, nanoseconds=finite,
+                                                error=number, lower=number, upper=number, samples=natural, front=str)
+                      if row["family"] == "all"]
+        self.bands = [row for row in study.rows("bands.csv", family=str, placement=str, threshold=str, test=str, method=str, samples=natural,
+                                                wrong=natural, unsure=natural, answers=natural)
+                      if row["family"] == "all" and row["test"] == "contact"]
+        self.timings = study.rows("timings.csv", family=str, placement=str, balls=str, question=str, method=str, median_ns=finite)
+        self.placements = [p for p in PLACEMENTS if any(row["placement"] == p for row in self.front)]
+        self.methods = list(dict.fromkeys(row["method"] for row in self.front))
+
+    def rate(self, method, placement):
+        """The row of not-right answers; None where the method gives no final answer."""
+        return next((row for row in self.front if (row["measure"], row["method"], row["placement"]) == ("not-right", method, placement)), None)
+
+    def nanoseconds(self, method, placement, balls):
+        """The mean over families of the medians of a question about contact; None where it was not timed."""
+        times = [row["median_ns"] for row in self.timings if
+                 (row["method"], row["placement"], row["balls"], row["question"]) == (method, placement, balls, "contact")]
+        return sum(times) / len(times) if times else None
+
+    def ratio(self, method, placement, balls):
+        """To fast."""
+        own, fast = (self.nanoseconds(m, placement, balls) for m in (method, "fast"))
+        return own / fast if own and fast else None
+
+
+def asked(study):
+    """Final answers."""
+    data = Data(study)
+    trials = {}
+    for row in data.bands:
+        trials[row["method"]] = trials.get(row["method"], 0) + row["samples"]
+    return by_method(data.bands, trials, "polygons")
+
+
+def range_of(numbers):
+    low, high = min(numbers := list(numbers)), max(numbers)
+    return count(low) if low == high else f"{count(low)} to {count(high)}"
+
+
+def times(ratio):
+    return "not timed" if ratio is None else f"{rounded(ratio)} ×"
+
+
+def finding(study):
+    data = Data(study)
+    parts = []
+    for method in ("filtered", "exact"):
+        if method in data.methods and all(data.ratio(method, p, b) for p in data.placements for b in ("near", "anywhere")):
+            parts.append(f"{code(method)} took " + words(
+                f"{words((times(data.ratio(method, p, balls)) for p in data.placements), 'to')} {where}"
+                for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))))
+    if not parts:
+        return "<b>What being right costs</b> was not measured: neither filtered nor exact was timed beside fast."
+    return f"<b>What being right costs.</b> Of the time of {code('fast')} on the same questions (planar to rotated polygons): " + "; ".join(parts) + "."
+
+
+def rates_table(data):
+    rows = []
+    for method in data.methods:
+        cells = []
+        for placement in data.placements:
+            row = data.rate(method, placement)
+            cells.append("no final answer" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
+                         f"0 <small>(< {percent(row['upper'])})</small>")
+        for balls in ("near", "anywhere"):
+            cells += [times(data.ratio(method, placement, balls)) for placement in data.placements]
+        rows.append([code(method), *cells])
+    heads = [f"not right, {NAMES[p]}" for p in data.placements]
+    heads += [f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements]
+    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit after Hoeffding, of some "
+                 f"{range_of(row['samples'] for row in data.front)} polygons), and the time of a question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
+
+
+MEASURES = {
+    "not-right": ("Wrong or undecided answers within 8 doubles of contact, against the time of a question",
+                  "share of answers that are not right"),
+    "distance": ("Error of the distance, against the time of a whole answer", "error of the distance, in units of its last place"),
+}
+
+
+def front_picture(study, data, measure):
+    path = smaller(study.folder, f"front-{measure}")
+    rows = [row for row in data.front if row["measure"] == measure]
+    if path is None or not rows:
+        return ""
+    parts = []
+    for placement in data.placements:
+        on = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "on"]
+        perhaps = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "within-noise"]
+        parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'none for certain'}"
+                     + (f", perhaps {len(perhaps)} others, which the noise of times leaves open" if perhaps else ""))
+    about, axis = MEASURES[measure]
+    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds a question, a point for each of "
+                   f"{len({row['method'] for row in rows})} methods; those that no other beats in both are ringed.",
+                   f"{about}; a colour for each kind of method, a marker for each of its kind. Lower is more often right, further left is faster; a "
+                   f"method is on the front if whoever is no less right is slower. <b>What follows:</b> {'; '.join(parts)}.")
+
+
+def chapter(study):
+    data = Data(study)
+    text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run, {study.run['samples_asked']} polygons of each family and
+threshold for the errors, and take turns on the same lists of distinct questions for the times. Times on a machine that does other things
+beside are noise: their quartiles are drawn, and the front says whom they may keep from it.</p>"""
+    return text + front_picture(study, data, "not-right") + rates_table(data) + front_picture(study, data, "distance")

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the names in the data are called in pictures and on pages."""
+
+# near-edge and tradeoff: what is crossed, the test that crosses it, where polygons are.
+THRESHOLDS = ["face", "edge", "vertex", "tangent", "foot-edge", "foot-vertex"]
+OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "plane", "foot-edge": "foot",
+            "foot-vertex": "foot"}
+TITLES = {"face": "radius at a face", "edge": "radius at an edge", "vertex": "radius at a vertex",
+          "tangent": "radius exactly tangent", "foot-edge": "foot crosses an edge", "foot-vertex": "foot passes a vertex"}
+PLACEMENTS = {"lattice-frame": "exactly planar polygons on an integer lattice",
+              "rotated": "rotated polygons, vertices rounded to doubles"}
+
+# What stability makes worse: the title of each axis, and what its levels are.
+AXES = {"aspect": ("slivers", "length / width"),
+        "parallel": ("near-parallel edges", "angle, radians"),
+        "duplicate": ("near-duplicate vertices", "distance / size"),
+        "collinear-exact": ("straight side, exactly", "vertices on it"),
+        "collinear-rounded": ("straight side, rounded", "vertices on it"),
+        "origin": ("away from the origin", "distance / size"),
+        "small": ("small numbers", "binary exponent"),
+        "large": ("large numbers", "binary exponent"),
+        "mixed": ("mixed exponents", "binary orders between axes"),
+        "off-plane": ("a vertex off the plane", "ulps"),
+        "vertices": ("many vertices", "vertices"),
+        "chain-input": ("chain of rotations,\nagainst exact on its end", "steps"),
+        "chain-motion": ("chain of rotations,\nagainst the motion meant", "steps"),
+        "pose-input": ("chain of pose products,\nagainst exact on its end", "steps"),
+        "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
+        "rounding": ("rounding direction", "mode"),
+        "flush": ("subnormals flushed", "mode")}
+NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
+              "close": "radius off by 2⁻³⁰ of the distance",
+              "ample": "radius off by a quarter of the distance"}
+
+# Methods that a sentence names, and in what words.
+NAMED = {"fast": "careful plain doubles", "cgal-double": "CGAL’s kernel of plain doubles", "thesis": "the method of the 2008 thesis",
+         "fast-float": "floats"}
+
+
+def of_method(name):
+    """HTML: its words, and its name."""
+    return f"{NAMED[name]} (<code>{name}</code>)"
+
+
+# bench --scene
+QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
+BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
+
+# regress: the engines of the tables, in their order. Method: what it is.
+ENGINES = {
+    "filtered": "ours, certified",
+    "fast": "ours, plain doubles",
+    "cgal-epeck-distance": "CGAL's exact kernel, squared distance",
+    "cgal-epick-distance": "CGAL's inexact constructions, squared distance",
+    "cgal-double-distance": "CGAL over plain doubles, squared distance",
+    "cgal-epick-intersect": "CGAL's inexact constructions, do_intersect",
+    "cgal-double-intersect": "CGAL over plain doubles, do_intersect",
+    "fcl": "FCL, doubles",
+    "libccd": "libccd's GJK, doubles",
+    "bullet": "Bullet, doubles",
+    "ode": "ODE, doubles",
+    "embree": "Embree's closest point, floats",
+    "thesis": "the thesis of 2008",
+}

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How all pages look, and the parts that they are made of. A page is one file that loads nothing: light and dark by the
+reader's setting, narrow and printed. Same data, same bytes."""
+import base64
+import html
+import math
+import re
+
+from results import DataError
+
+PIXELS_AN_INCH = 150  # of the pictures in PNG: style.py
+
+STYLE = """
+:root { color-scheme: light dark; --ink: #1c1c1c; --paper: #ffffff; --soft: #f2f2ef; --line: #d0d0c8; --dim: #595959;
+        --good: #00634a; --bad: #a33b00; --link: #00558a; --bar: #eab68f; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e8e8e4; --paper: #16181a; --soft: #222528; --line: #43474b; --dim: #adb1b4; --good: #5fd0a8; --bad: #ff9d66;
+          --link: #7cc4f2; --bar: #7a4520; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 1rem; max-width: 60rem; font: 1rem/1.5 system-ui, sans-serif; color: var(--ink);
+       background: var(--paper); overflow-wrap: break-word; }
+h1 { line-height: 1.2; } h2 { margin-top: 3rem; border-bottom: 2px solid var(--line); line-height: 1.3; } h3 { line-height: 1.3; }
+a { color: var(--link); }
+figure { margin: 1rem 0; } figcaption { margin: .3rem auto .5rem; }
+figcaption, .dim { color: var(--dim); font-size: .88rem; } small { color: var(--dim); font-size: .9em; }
+img { display: block; max-width: 100%; height: auto; margin: 0 auto; background: #fff; border-radius: .3rem; }
+.yes { color: var(--good); } .no { color: var(--bad); }
+table { border-collapse: collapse; font-size: .9rem; }
+th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-top: 1px solid var(--line); }
+thead th { border-top: 0; color: var(--dim); font-weight: 600; vertical-align: bottom; }
+tbody th { font-weight: 400; }
+.scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
+:target { outline: 3px solid var(--link); }
+@media (max-width: 34rem) { body { padding: .6rem; } }
+@media print { :root { --ink: #000; --paper: #fff; --soft: #fff; --line: #bbb; --dim: #444; --good: #00634a; --bad: #a33b00;
+                       --link: #000; --bar: #eab68f; color-scheme: light; }
+  body { max-width: none; padding: 0; font-size: 9.5pt; } tr, figure { break-inside: avoid; }
+  h2, h3 { break-after: avoid; } nav { display: none; } .scroll { overflow: visible; } }
+"""
+
+
+def escaped(text):
+    return html.escape(str(text), quote=True)
+
+
+def number(text, digits=6):
+    """HTML of a number; "none" of one that is not a number."""
+    value = float(text)
+    if value != value:
+        return "none"
+    shown = f"{value:.{digits}g}"
+    if "e" in shown:
+        mantissa, exponent = shown.split("e")
+        shown = f"{float(mantissa):.4g} × 10<sup>{int(exponent)}</sup>"
+    return shown.replace("-", "−")
+
+
+def count(value):
+    return f"{value:,}"
+
+
+def rounded(value, digits=2):
+    """So many significant digits, without an exponent; whole numbers with commas."""
+    if value == 0:
+        return "0"
+    value = float(f"{value:.{digits - 1}e}")
+    places = max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    return f"{value:,.{places}f}".replace("-", "−")
+
+
+def percent(share, digits=2):
+    return f"{rounded(100 * share, digits)} %"
+
+
+def power(base, exponent):
+    """As text, so that it also stands in alternative texts: 2⁻³³."""
+    return base + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def share_of_size(share):
+    """The least power of two that is no less, up to the whole size."""
+    exponent = math.ceil(math.log2(share))
+    return power("2", exponent) if exponent < 0 else "1"
+
+
+def level(text):
+    """Of a stress, as the data name it: 1e4 as 10⁴, 2^20 as 2²⁰."""
+    parts = re.fullmatch(r"(?:1e|(2)\^)(-?\d+)", text)
+    return power(parts[1] or "10", parts[2]) if parts else escaped(text).replace("-", "−")
+
+
+def upper_limit(trials):
+    """The one-sided 95 % limit of a probability after no failure in so many independent trials (Clopper and Pearson)."""
+    return 1 - 0.05 ** (1 / trials)
+
+
+def share(failures, trials, digits=2):
+    """A share; where nothing failed, of how many, and the upper 95 % limit."""
+    if failures:
+        return percent(failures / trials, digits)
+    return f"0 of {count(trials)} (< {percent(upper_limit(trials))})"
+
+
+def words(parts, last="and"):
+    """A list in a sentence: a, b and c."""
+    parts = list(parts)
+    return parts[0] if len(parts) == 1 else ", ".join(parts[:-1]) + f" {last} " + parts[-1] if parts else ""
+
+
+def code(text):
+    return f"<code>{escaped(text)}</code>"
+
+
+def inlined(path):
+    """A picture as an address that holds it."""
+    kind = {".svg": "image/svg+xml", ".png": "image/png"}[path.suffix]
+    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
+
+
+def smaller(folder, stem):
+    """Of STEM.svg and STEM.png, the smaller file; None where there is neither."""
+    files = [path for path in (folder / f"{stem}.svg", folder / f"{stem}.png") if path.is_file()]
+    return min(files, key=lambda path: path.stat().st_size, default=None)
+
+
+def size_of(path):
+    """Of a picture of ours, as it is meant to be seen: CSS pixels, 96 an inch."""
+    if path.suffix == ".png":
+        head = path.read_bytes()[:24]
+        if len(head) == 24 and head[1:4] == b"PNG":
+            return tuple(round(int.from_bytes(head[place:place + 4], "big") * 96 / PIXELS_AN_INCH) for place in (16, 20))
+    else:
+        tag = re.search(r"<svg [^>]*>", path.read_text(encoding="utf-8", errors="replace"))
+        sides = [re.search(rf' {side}="([\d.]+)pt"', tag[0] if tag else "") for side in ("width", "height")]
+        if all(sides):
+            return tuple(round(float(side[1]) * 4 / 3) for side in sides)
+    raise DataError(f"{path}: is no picture of ours")
+
+
+def image(path, alt):
+    width, height = size_of(path)
+    return f'<img decoding="async" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+
+
+def picture(path, alt, caption):
+    """`alt` is text, `caption` HTML."""
+    return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways where it is wider">'
+            f"{image(path, alt)}</div><figcaption>{caption}</figcaption></figure>")
+
+
+def bar(fraction, shown):
+    """A number before a bar of so much of the cell."""
+    return f'<div class="bar" style="--share: {100 * min(max(fraction, 0), 1):.3g}%">{shown}</div>'
+
+
+def table(caption, head, rows, figures=()):
+    """Cells are HTML; the first of each row is its head, the columns in `figures` stand to the right. Scrolls within itself."""
+    def right(column):
+        return ' class="figure"' if column in figures else ""
+
+    top = "".join(f'<th scope="col"{right(i)}>{cell}</th>' for i, cell in enumerate(head))
+    body = "".join("<tr>" + "".join(f"<td{right(i)}>{cell}</td>" if i else f'<th scope="row">{cell}</th>'
+                                    for i, cell in enumerate(row)) + "</tr>\n" for row in rows)
+    return (f'<figure class="table"><figcaption>{caption}</figcaption><div class="scroll" tabindex="0" role="group" '
+            f'aria-label="A table; scrolls sideways where it is wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
+
+
+def document(title, description, style, body):
+    """A whole page."""
+    return f"""<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="description" content="{escaped(description)}">
+<title>{escaped(title)}</title><style>{STYLE}{style}</style></head><body>
+{body}</body></html>
+"""

@@ -1,0 +1,160 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: report.py RESULTS
+
+Writes RESULTS/report.html, one page that loads nothing, from the data in RESULTS: a folder for each study of studies.py. A
+study that was not run is named with the command that runs it. Exit status 1, and the file's name, where data are missing or
+malformed. Same data, same bytes.
+"""
+import pathlib
+import re
+import sys
+
+import studies
+from chapters import cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
+from chapters.opening import glance, never_failed, scheme, terms, verdict
+from page import code, count, document, escaped, rounded, words
+from results import DataError, study_in
+
+CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "engines": engines, "soak": soak,
+            "bench-scene": scenes, "merge": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
+
+STYLE = """
+header p.lead { font-size: 1.12rem; }
+#contents { columns: 2 16rem; padding-left: 1.9rem; } #contents li { break-inside: avoid; }
+.verdict { border: 2px solid var(--line); border-radius: .5rem; background: var(--soft); padding: 0 1rem; }
+.verdict h2 { margin: .8rem 0 .2rem; } .verdict li { margin: .5rem 0; } .verdict ul { padding-left: 1.1rem; margin: .5rem 0; }
+.headline { font-size: 1.12rem; font-weight: 600; margin: .5rem 0; }
+code { font-size: .93em; } tbody th code, td code { white-space: nowrap; }
+.table { margin: 1.5rem 0; } td.figure, th.figure { text-align: right; padding-left: .6rem; } td.figure { white-space: nowrap; }
+th[scope=row] { min-width: 8rem; max-width: 22rem; }
+.bar { background: linear-gradient(to right, var(--bar) var(--share), transparent 0); min-width: 5.5rem; padding: 0 .25rem; border-radius: .15rem;
+       -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+.short { border-left: 3px solid var(--link); padding-left: .8rem; }
+.made { border-left: 3px solid var(--line); padding-left: .8rem; margin: 1.2rem 0; font-size: .88rem; color: var(--dim); }
+pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: .3rem; }
+.made pre { color: var(--ink); max-height: 6rem; white-space: pre-wrap; overflow-wrap: anywhere; overflow-y: auto; margin: .3rem 0; }
+.absent { border: 1px dashed var(--line); padding: .2rem 1rem; border-radius: .5rem; }
+dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
+iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
+.paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
+@media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); } }
+@media (max-width: 40rem) { .picture img { max-width: none; } svg.scheme { min-width: 36rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
+@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } .table { break-inside: auto; } table { font-size: 8pt; }
+  th[scope=row] { min-width: 0; } td.figure, th.figure { padding-left: .3rem; } .bar { min-width: 0; }
+  .picture .scroll { margin-inline: 0; } .picture img { max-width: 100%; max-height: 17cm; width: auto; } }
+"""
+
+
+def made(study):
+    """How a study was run."""
+    run = study.run
+    warning = "" if study.complete else (f'<p class="no"><b>Interrupted</b>: {count(run["samples_done"])} of {count(run["samples_asked"])} samples '
+                                         "were done; numbers here are of those.</p>")
+    missing = f", {count(run['samples_missing'])} not found" if run["samples_missing"] else ""
+    return f"""{warning}<div class="made">How this was made: <pre tabindex="0"><code>{escaped(run["command"])}</code></pre>
+Seed {run["seed"]}; {count(run["samples_done"])} of {count(run["samples_asked"])} samples{missing}; {rounded(run["seconds"])} s with
+{run["processes"]} × {run["threads"]} threads; commit {code(run.get("commit") or "unknown")}; {escaped(run["compiler"])}, {code(run["flags"])};
+{escaped(run["processor"])}, {run["cores"]} cores, {escaped(run["machine"])}; {escaped(run["date"])}. Data: <a href="{study.folder.name}/">{study.folder.name}/</a>.</div>"""
+
+
+def absent(name, folder):
+    """In place of a study that was not run, or not to its end."""
+    study = studies.by_name(name)
+    calls = "\n".join(studies.shown(call, f"{folder.name}/{name}") for call in study.full)
+    begun = (folder / name).exists()
+    why = "It was begun, and has not come to its end." if begun else "This study was not run."
+    how = "./reproduce" if study.quick else "./reproduce --full"
+    return (f'<div class="absent"><p><b>{why}</b> {code(how)} runs it, or:</p><pre tabindex="0"><code>{escaped(calls)}</code></pre></div>')
+
+
+def sections(results, found):
+    text = ""
+    for name, chapter in CHAPTERS.items():
+        text += f'<section><h2 id="{name}">{escaped(chapter.TITLE)}</h2>'
+        if name in found:
+            text += f'<p class="short">{chapter.finding(found[name])}</p>' + chapter.chapter(found[name]) + made(found[name])
+        else:
+            text += absent(name, results)
+        text += "</section>\n"
+    return text
+
+
+def commits(found):
+    """What all was made with, and a warning where that differs."""
+    def distinct(key):
+        return list(dict.fromkeys(str(study.run.get(key) or "unknown") for study in found.values()))
+
+    commit = distinct("commit")
+    dates = sorted(distinct("date"))
+    text = (f"Made between {dates[0][:16].replace('T', ' ')} and {dates[-1][:16].replace('T', ' ')} UTC on "
+            f"{words(map(escaped, distinct('processor')))} with {words(map(escaped, distinct('compiler')))}, commit {words(code(c[:12]) for c in commit)}.")
+    if len(commit) > 1:
+        text += ' <b class="no">Not all studies were made by the same commit: see below each.</b>'
+    if any(c.endswith("+") for c in commit):
+        text += " A + after a commit: the sources differed from it."
+    return text
+
+
+def reproducing(results):
+    return f"""<section><h2 id="reproducing">The same again</h2>
+<p>On a Debian 12 machine, in a clone of the repository:</p>
+<pre tabindex="0"><code>./reproduce          # the studies with small samples, and this page
+./reproduce --full   # all studies with their full samples: hours</code></pre>
+<p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page comes out the same
+(times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte, with any number
+of threads and processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page anew.</p>
+<h3>Testing an engine of yours</h3>
+<p>An engine is any program that reads cases, one a line of JSON, and prints what it answers:</p>
+<pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles err
+touchstone judge --exec './engine' cases.jsonl              # what yours answers, held against the exact answers
+touchstone regress --baseline tests/regress/baseline.json   # the engines that are built in, against what they were</code></pre>
+<p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
+<code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></section>
+"""
+
+
+def page(results):
+    if not results.is_dir():
+        raise DataError(f"{results}: is no folder")
+    found = {name: study for name in CHAPTERS if (study := study_in(results / name))}
+    if not found:
+        raise DataError(f"{results}: holds no study's run.json")
+    missing = [f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>' for name in CHAPTERS if name not in found]
+    not_run = f"<p>Not run: {words(missing)}.</p>" if missing else ""
+    asked = {name: CHAPTERS[name].asked(study) for name, study in found.items()}
+    titles = {name: CHAPTERS[name].TITLE for name in CHAPTERS}
+    contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a>{"" if name in found else " (not run)"}</li>' for name, title in titles.items())
+    body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
+<p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point numbers, which round; near contact
+the rounding decides. This page measures how often different ways of asking are wrong, how far from contact, and what it costs never to be wrong:
+by {code("filtered")}, which gives the answer of exact arithmetic.</p>
+<p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
+<main><section class="verdict"><h2 id="verdict">Verdict</h2><p class="headline">{verdict.headline(asked)}</p><ul>
+{"".join(f"<li>{line}</li>" for line in verdict.lines(found, asked))}
+</ul></section>
+{not_run}
+{glance.table_of(found)}
+{never_failed.table_of(asked, titles)}
+<nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used here</a></li>{contents}
+<li><a href="#reproducing">The same again; testing an engine of yours</a></li><li><a href="#methods">The methods</a></li></ol></nav>
+<section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{terms.TERMS}</section>
+{sections(results, found)}{reproducing(results)}{terms.methods(results)}</main>
+"""
+    text = document("Touchstone: the report", "Where ball-polygon contact tests fail, how often, and how sure exact answers are.", STYLE, body)
+    return re.sub(r"[ \t]+\n", "\n", text)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: report.py RESULTS")
+    results = pathlib.Path(sys.argv[1])
+    try:
+        text = page(results)
+    except DataError as error:
+        sys.exit(f"report.py: {error}")
+    (results / "report.html").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

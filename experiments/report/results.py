@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The data that pages are made of: what lies in the folder of a study, read strictly. Whatever is missing or malformed is
+an error that names the file, and the line."""
+import csv
+import json
+import math
+
+
+class DataError(Exception):
+    pass
+
+
+def finite(text):
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError
+    return value
+
+
+def number(text):
+    """Infinity is one (an error beyond all bounds); what is no number is none."""
+    value = float(text)
+    if math.isnan(value):
+        raise ValueError
+    return value
+
+
+def share(text):
+    value = finite(text)
+    if not 0 <= value <= 1:
+        raise ValueError
+    return value
+
+
+def natural(text):
+    value = int(text)
+    if value < 0:
+        raise ValueError
+    return value
+
+
+def maybe(kind):
+    """Of a column in which cells may be empty: None there."""
+    return lambda text: kind(text) if text else None
+
+
+def read_csv(path, **columns):
+    """The rows as dicts of the columns that are named, each by what reads its cells."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            reader = csv.reader(file)
+            head = next(reader, [])
+            if missing := [name for name in columns if name not in head]:
+                raise DataError(f"{path}: no column {', '.join(missing)}")
+            places = [(name, head.index(name), kind) for name, kind in columns.items()]
+            rows = []
+            for cells in reader:
+                if len(cells) != len(head):
+                    raise DataError(f"{path}: line {reader.line_num}: {len(cells)} cells instead of {len(head)}")
+                row = {}
+                for name, place, kind in places:
+                    try:
+                        row[name] = kind(cells[place])
+                    except ValueError:
+                        raise DataError(f"{path}: line {reader.line_num}: {name} cannot be '{cells[place]}'") from None
+                rows.append(row)
+            return rows
+    except OSError as error:
+        raise DataError(f"{path}: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise DataError(f"{path}: is not text in UTF-8") from None
+
+
+RUN = {"command": str, "seed": int, "samples_asked": int, "samples_done": int, "samples_missing": int, "processes": int,
+       "threads": int, "seconds": (int, float), "date": str, "compiler": str, "flags": str, "processor": str, "cores": int,
+       "machine": str}
+
+
+def read_run(path):
+    """What run.json says; `commit` may be null, `interrupted` may be left out."""
+    try:
+        run = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise DataError(f"{path}: {error.strerror}") from None
+    except ValueError as error:
+        raise DataError(f"{path}: is not JSON: {error}") from None
+    if not isinstance(run, dict):
+        raise DataError(f"{path}: is not an object")
+    for name, kind in RUN.items():
+        if not isinstance(run.get(name), kind):
+            raise DataError(f"{path}: {name} is {'missing' if name not in run else 'of another type'}")
+    return run
+
+
+class Study:
+    """A study that was run: its folder, and what run.json says of it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.run = read_run(folder / "run.json")
+
+    def rows(self, name, **columns):
+        return read_csv(self.folder / name, **columns)
+
+    @property
+    def complete(self):
+        return not self.run.get("interrupted", False)
+
+
+def study_in(folder):
+    """None where none was run: an interrupted or killed one leaves no run.json, or one that says so."""
+    return Study(folder) if (folder / "run.json").exists() else None

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: run_studies.py TOUCHSTONE RESULTS [--full]
+
+Runs the studies of studies.py, each in its folder of RESULTS; called from the project's folder. What was done to its end by
+the same program with the same arguments is not done again; what was stopped or killed halfway goes on, where the study can.
+"""
+import fcntl
+import hashlib
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+from studies import MESHES, OUTPUT, STUDIES, shown
+
+MARK = "reproduce.json"  # in a study's folder: how it was begun, by which program, and whether it has come to its end
+INTERRUPTED = 130
+
+
+def meshes():
+    return sorted(str(path) for path in pathlib.Path("cache/meshes").rglob("*") if path.is_file())
+
+
+def checksum(paths):
+    digest = hashlib.sha256()
+    for path in paths:
+        digest.update(pathlib.Path(path).read_bytes())
+    return digest.hexdigest()
+
+
+class Folder:
+    """Of one study: what was begun there, and what is to be done."""
+
+    def __init__(self, path, study, program):
+        self.path, self.study = path, study
+        self.program = {"program": checksum([program]), "meshes": checksum(meshes()) if study.needs_meshes else ""}
+        try:
+            self.mark = json.loads((path / MARK).read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            self.mark = {}
+
+    def settings(self, full):
+        return self.program | {"calls": [shown(call, self.study.name) for call in self.study.calls(full)]}
+
+    def begun(self, full):
+        return self.mark == self.settings(full) | {"done": self.mark.get("done")}
+
+    def done(self, full):
+        return self.begun(full) and self.mark["done"] and (self.path / "run.json").exists()
+
+    def begin(self, full):
+        """Nothing of another run is left among the results."""
+        if self.mark and not (self.begun(full) and self.study.resumes):
+            shutil.rmtree(self.path)
+        self.path.mkdir(parents=True, exist_ok=True)
+        self.write(self.settings(full) | {"done": False})
+
+    def end(self):
+        self.write(self.mark | {"done": True})
+
+    def write(self, mark):
+        self.mark = mark
+        scratch = self.path / f"{MARK}.new"
+        scratch.write_text(json.dumps(mark, indent=1) + "\n", encoding="utf-8")
+        scratch.replace(self.path / MARK)
+
+
+def status_of(command, lock):
+    """Keeps the lock for as long as the command runs, even if this process is killed. An interrupt is for the command, which
+    saves what it has."""
+    process = subprocess.Popen(command, pass_fds=[lock.fileno()])
+    while True:
+        try:
+            return process.wait()
+        except KeyboardInterrupt:
+            pass
+
+
+def run(program, study, path, full, lock):
+    folder = Folder(path, study, program)
+    if folder.done(full) or (not full and folder.done(True)):
+        print("Done before.", flush=True)
+        return 0
+    if not full and folder.begun(True):
+        print("Begun with --full, and not done: ./reproduce --full goes on.", flush=True)
+        return 0
+    resume = ["--resume"] if study.resumes and folder.begun(full) else []
+    folder.begin(full)
+    for call in study.calls(full):
+        words = [word for each in call for word in (meshes() if each == MESHES else [each.replace(OUTPUT, str(path))])]
+        if status := status_of([program, *words, *resume], lock):
+            return status
+    folder.end()
+    return 0
+
+
+def main(program, results, *options):
+    full, results = "--full" in options, pathlib.Path(results)
+    results.mkdir(parents=True, exist_ok=True)
+    lock = open(results / "lock", "w")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        sys.exit(f"run_studies.py: another run is at work in {results}")
+    methods = subprocess.run([program, "methods"], check=True, capture_output=True, text=True).stdout
+    (results / "methods.txt").write_text(methods, encoding="utf-8")
+    begin, failed = time.monotonic(), []
+    for study in STUDIES:
+        if not study.calls(full):
+            continue
+        print(f"\n== {study.name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
+        if study.needs_meshes and not meshes():
+            print("Left out: there are no meshes in cache/meshes.")
+            continue
+        status = run(program, study, results / study.name, full, lock)
+        if status == INTERRUPTED:
+            print("run_studies.py: interrupted; called again, it goes on", file=sys.stderr)
+            return INTERRUPTED
+        if status:
+            print(f"run_studies.py: {study.name}: exit status {status}", file=sys.stderr)
+            failed.append(study.name)
+    if failed:
+        print(f"run_studies.py: failed: {', '.join(failed)}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What ./reproduce runs, in its order: the studies, their folders in the results and how each is called."""
+import dataclasses
+
+CELL = "experiments/cell/cells/aristo.json"
+MESHES = "MESHES"  # stands for all mesh files in cache/meshes
+OUTPUT = "OUTPUT"  # stands for the study's folder
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    name: str  # of its folder in the results
+    about: str
+    full: list  # calls of the program, each a list of arguments
+    quick: list | None = None  # None: with --full alone
+    resumes: bool = False  # goes on where it was killed, with --resume
+
+    @property
+    def needs_meshes(self):
+        return any(MESHES in call for call in self.full)
+
+    def calls(self, full):
+        return self.full if full else self.quick
+
+
+def same(*calls):
+    return {"full": list(calls), "quick": list(calls)}
+
+
+KERNELS = "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cgal-double,cgal-epick"
+THESIS = "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed"
+NEAR_EDGE = ["near-edge", "--method", "filtered,fast,fast-float,thesis,thesis-signed"]
+
+STUDIES = [
+    Study("real-input", "every face of real meshes",
+          **same(["mesh-contact", MESHES, "--skip-bad", "--method", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
+    Study("cell", "the manufacturing cell",
+          **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"])),
+    Study("thesis", "the thesis's figures",
+          full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]]),
+    Study("engines", "engines of others", **same(["regress", "--output", OUTPUT])),
+    Study("near-edge", "random polygons, double by double", resumes=True,
+          full=[[*NEAR_EDGE, "--output", OUTPUT]],
+          quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]]),
+    Study("stability", "polygons under stress", resumes=True,
+          full=[["stability", "--output", OUTPUT]], quick=[["stability", "--samples", "12", "--output", OUTPUT]]),
+    Study("tradeoff", "run time against error", resumes=True,
+          full=[["tradeoff", "--output", OUTPUT]],
+          quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "3", "--output", OUTPUT]]),
+    Study("soak", "the certified path under attack", resumes=True,
+          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--cases", "100000", "--output", OUTPUT]]),
+    Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
+    Study("merge", "coplanar faces as polygons", full=[["merge", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("bench-scene", "whole scenes beside five libraries",
+          full=[["bench", "--scene", "--meshes", "cache/meshes", "--output", OUTPUT]]),
+]
+
+
+def by_name(name):
+    return next(study for study in STUDIES if study.name == name)
+
+
+def shown(call, folder):
+    """As one would type it."""
+    return " ".join(["touchstone", *("$(find cache/meshes -type f | sort)" if word == MESHES else word.replace(OUTPUT, folder) for word in call)])
