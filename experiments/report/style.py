@@ -13,9 +13,11 @@ STYLES = [("#0072B2", "-", "o"), ("#E69F00", "--", "s"), ("#D55E00", "-", "^"), 
           ("#009E73", "-.", "D"), ("#CC79A7", "--", "P"), ("#56B4E9", "-", "X"), ("#999999", "-.", "*")]
 
 
+UNTOLD = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDate": None, "Producer": None}}
+
+
 def save(figure, folder, name, kinds=("png", "svg")):
-    """FOLDER/name.png and .svg, without dates and versions."""
+    """FOLDER/name.png and .svg (or .pdf), without dates and versions."""
     for kind in kinds:
-        metadata = {"Date": None} if kind == "svg" else {"Software": None}
-        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=metadata)
+        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=UNTOLD[kind])
     plt.close(figure)
