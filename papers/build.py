@@ -1,0 +1,173 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: build.py RESULTS OUTPUT [--no-latex]
+       build.py --check RESULTS OUTPUT
+
+Makes OUTPUT/touchstone.pdf, every number, table and figure of it from the studies in RESULTS. The same data give the
+same bytes. A study or a number that is missing, an interrupted study, or studies of different programs are errors
+(status 1). --no-latex stops before LaTeX is called. --check builds nothing: it fails where OUTPUT was made from other
+data than those that are in RESULTS now, or from another text.
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+PAPERS = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(PAPERS))
+sys.path.append(str(PAPERS.parent / "experiments/report"))
+
+from results import DataError, study_in  # noqa: E402
+from values import bench, corpus, engines, near_edge, real_input, scenes, soak, stability, thesis, tradeoff  # noqa: E402
+from values.latex import decimal, escaped, table  # noqa: E402
+
+STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of \val
+    "near-edge": (near_edge, "near-edge"), "stability": (stability, "stability"), "tradeoff": (tradeoff, "tradeoff"),
+    "bench": (bench, "bench"), "engines": (engines, "engines"), "soak": (soak, "soak"), "real-input": (real_input, "real"),
+    "bench-scene": (scenes, "scenes"), "thesis": (thesis, "thesis")}
+
+
+class Recording:
+    """A study that remembers which of its files were read."""
+
+    def __init__(self, study):
+        self.folder, self.run, self._study, self.files = study.folder, study.run, study, {"run.json"}
+
+    def rows(self, name, **columns):
+        self.files.add(name)
+        return self._study.rows(name, **columns)
+
+
+def read_studies(results):
+    studies = {}
+    for name in STUDIES:
+        study = study_in(results / name)
+        if study is None:
+            raise DataError(f"{results / name}: not run; ./reproduce --paper runs it")
+        if not study.complete:
+            raise DataError(f"{results / name}/run.json: interrupted; ./reproduce --paper ends it")
+        studies[name] = Recording(study)
+    commits = {study.run.get("commit") for study in studies.values()}
+    if len(commits) != 1:
+        raise DataError(f"{results}: studies of different programs: {', '.join(sorted(map(str, commits)))}")
+    return studies
+
+
+def run_values(studies):
+    run = studies["near-edge"].run
+    yield "commit", escaped((run.get("commit") or "unknown")[:12])
+    yield "date", min(study.run["date"] for study in studies.values())[:10]
+    for name in ("compiler", "flags", "machine", "processor"):
+        yield name, escaped(run[name]).replace("-", "{-}")
+    yield "cores", str(run["cores"])
+
+
+def digest(paths):
+    sums = hashlib.sha256()
+    for path in sorted(paths):
+        sums.update(hashlib.sha256(path.read_bytes()).digest())
+    return sums.hexdigest()
+
+
+def command_of(run):
+    """Without its output, and with a long list of files cut short."""
+    words = re.sub(r" --output '[^']*'| --json '[^']*'| --baseline '[^']*'", "", run["command"])
+    return re.sub(r"('[^']*' ){3,}", "MESH... ", words)
+
+
+def data_table(studies, digests):
+    rows = []
+    for name, study in studies.items():
+        command = escaped(command_of(study.run)).replace("--", "-{}-").replace(",", r",\allowbreak{}")
+        rows.append([rf"\raggedright\ttfamily {command}", decimal(study.run["seconds"]), rf"\texttt{{{digests[name][:8]}}}"])
+    return table(r"p{.72\textwidth}rr", ["command", "seconds", "data"], rows)
+
+
+def write_inputs(results, output):
+    """values.tex, tables, figures, and data.json: what they were made from."""
+    studies = read_studies(results)
+    values = {f"run/{key}": value for key, value in run_values(studies)}
+    values |= {f"corpus/{key}": value for key, value in corpus.values()}
+    tables = {}
+    for name, (module, prefix) in STUDIES.items():
+        try:
+            values |= {f"{prefix}/{key}": value for key, value in module.values(studies[name])}
+            tables |= dict(module.tables(studies[name]))
+        except (ValueError, KeyError, ZeroDivisionError) as error:
+            raise DataError(f"{results / name}: {type(error).__name__}: {error}") from None
+    for folder in ("tables", "figures"):
+        (output / folder).mkdir(parents=True, exist_ok=True)
+    import figures  # when the numbers are right: it is slow to come
+    figures.draw(results, output / "figures")
+    digests = data_digests(results, {name: sorted(study.files) for name, study in studies.items()})
+    tables["data"] = data_table(studies, digests)
+    for name, text in tables.items():
+        (output / "tables" / f"{name}.tex").write_text(text)
+    (output / "values.tex").write_text("".join(f"\\defineval{{{key}}}{{{value}}}%\n" for key, value in values.items()))
+    record = {"files": {name: sorted(study.files) for name, study in studies.items()}, "sums": digests, "text": digest(text_files())}
+    (output / "data.json").write_text(json.dumps(record, indent=1) + "\n")
+    return studies
+
+
+def data_digests(results, files):
+    return {name: digest([results / name / file for file in its]) for name, its in files.items()}
+
+
+def text_files():
+    return [*PAPERS.glob("*.tex"), *PAPERS.glob("*.bib"), *PAPERS.glob("sections/*.tex"), *PAPERS.glob("*.py"), *PAPERS.glob("values/*.py")]
+
+
+def run_latex(output, studies):
+    for path in (PAPERS / "touchstone.tex", PAPERS / "references.bib"):
+        shutil.copy(path, output)
+    shutil.copytree(PAPERS / "sections", output / "sections", dirs_exist_ok=True)
+    date = max(study.run["date"] for study in studies.values())
+    epoch = subprocess.run(["date", "-d", date, "+%s"], check=True, capture_output=True, text=True).stdout.strip()
+    environment = os.environ | {"SOURCE_DATE_EPOCH": epoch, "FORCE_SOURCE_DATE": "1", "max_print_line": "1000"}
+    made = subprocess.run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-silent", "touchstone.tex"], cwd=output,
+                          env=environment, capture_output=True, text=True)
+    log = (output / "touchstone.log").read_text(errors="replace") if (output / "touchstone.log").exists() else made.stdout
+    lines = log.splitlines()
+    faults = ([line for line in lines if line.startswith("!")] or
+              [line for line in lines if re.search(r"undefined|multiply defined|Overfull .hbox \(\d\d", line)])
+    if made.returncode != 0 or faults:
+        raise DataError("\n".join([f"{output}/touchstone.log:", *faults]))
+
+
+def check(results, output):
+    try:
+        record = json.loads((output / "data.json").read_text())
+    except OSError as error:
+        raise DataError(f"{output}/data.json: {error.strerror}: the paper was not built") from None
+    if record["text"] != digest(text_files()):
+        raise DataError(f"{output}: older than the text of the paper")
+    now = data_digests(results, record["files"])
+    if stale := [name for name, sum_ in record["sums"].items() if now[name] != sum_]:
+        raise DataError(f"{output}: older than the data of {', '.join(stale)}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("output", type=pathlib.Path)
+    parser.add_argument("--no-latex", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    try:
+        if options.check:
+            return check(options.results, options.output)
+        studies = write_inputs(options.results, options.output)
+        if not options.no_latex:
+            run_latex(options.output, studies)
+            print(options.output / "touchstone.pdf")
+    except (DataError, OSError) as error:
+        sys.exit(f"build.py: {error}")
+
+
+if __name__ == "__main__":
+    main()

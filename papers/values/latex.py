@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers and tables as LaTeX."""
+import math
+
+
+def count(n):
+    """12345 as 12,345."""
+    return f"{n:,}".replace(",", "{,}")
+
+
+def percent(share):
+    """To two digits; what would round to 100 % without being it keeps a digit below it."""
+    value = 100 * share
+    shown = f"{value:.0f}" if value >= 9.5 else f"{value:.2g}"
+    if share < 1 and float(shown) >= 100:
+        shown = f"{math.floor(10 * value) / 10:.1f}"
+    return rf"{shown}\,\%"
+
+
+def power(x):
+    """The power of two next to x > 0."""
+    return rf"$2^{{{round(math.log2(x))}}}$"
+
+
+def decimal(x, digits=2):
+    """In powers of ten where it is far from 1."""
+    if x == 0:
+        return "0"
+    if 1e-3 <= abs(x) < 1e5:
+        shown = f"{x:.{digits}g}"
+        return shown if "e" not in shown else count(round(x, digits - 1 - math.floor(math.log10(abs(x)))) // 1).split(".")[0]
+    mantissa, exponent = f"{x:.{digits - 1}e}".split("e")
+    return rf"${mantissa}\cdot10^{{{int(exponent)}}}$"
+
+
+def never(trials):
+    """The upper 95 % limit of a rate of which none was seen (one-sided, Clopper and Pearson)."""
+    return 1 - 0.05 ** (1 / trials)
+
+
+def times(ratio):
+    """A ratio, to three digits and at most three places."""
+    if ratio >= 100:
+        return count(round(ratio))
+    return f"{ratio:.2f}" if ratio >= 0.1 else f"{ratio:.2g}"
+
+
+def escaped(text):
+    for mark in "\\&%$#_{}":
+        text = text.replace(mark, {"\\": r"\textbackslash "}.get(mark, "\\" + mark))
+    return text.replace("^", r"\^{}").replace("~", r"\~{}")
+
+
+def table(columns, head, rows):
+    """A tabular with the rules of booktabs; a row that is None is a rule."""
+    lines = [rf"\begin{{tabular}}{{{columns}}}", r"\toprule", " & ".join(head) + r" \\", r"\midrule"]
+    lines += [r"\midrule" if row is None else " & ".join(row) + r" \\" for row in rows]
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", ""])

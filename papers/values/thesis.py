@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The thesis's figures, and the area that its method takes for inside."""
+from results import finite, natural
+from values.latex import count, percent, table
+
+STATUSES = ("reproduced", "reproduced with chosen values", "photograph: not computable", "not computable", "differs")
+
+
+def values(study):
+    entries = study.rows("entries.csv", id=str, status=str)
+    if unknown := {row["status"] for row in entries} - set(STATUSES):
+        raise ValueError(f"unknown status: {', '.join(sorted(unknown))}")
+    number = lambda *statuses: str(sum(row["status"] in statuses for row in entries))
+    yield "entries", str(len(entries))
+    yield "reproduced", number("reproduced")
+    yield "chosen", number("reproduced with chosen values")
+    yield "not-computable", number("photograph: not computable", "not computable")
+    yield "differs", number("differs")
+    turns = [row["degrees"] for row in study.rows("moves.csv", joint=str, degrees=finite) if row["joint"] == "base"]
+    captioned = [abs(turn) for turn in turns]
+    yield "base-turns", ", ".join(rf"{turn:g}\textdegree{{}}" for turn in captioned[:-1]) + rf" and {captioned[-1]:g}\textdegree{{}}"
+    areas = study.rows("areas.csv", outline=str, points=natural, share=finite)
+    yield "points", count(min(row["points"] for row in areas))
+    yield "worst-area-share", percent(max(row["share"] for row in areas))
+    touching = study.rows("touching.csv", balls=natural, missed=natural)
+    yield "touching-balls", count(sum(row["balls"] for row in touching))
+    yield "touching-missed", count(sum(row["missed"] for row in touching))
+
+
+def tables(study):
+    rows = [[row["outline"], percent(row["share"]), f"{percent(row['lower'])} to {percent(row['upper'])}"]
+            for row in study.rows("areas.csv", outline=str, share=finite, lower=finite, upper=finite)]
+    yield "areas", table("lrr", ["outline", "wrongly inside", "limits"], rows)

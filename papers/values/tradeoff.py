@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Errors of the computed distance, in units in the last place."""
+from results import maybe, natural, number
+from values.latex import count, decimal, percent
+
+
+def values(study):
+    sums = {}
+    for row in study.rows("points.csv", family=str, method=str, quantity=str, asked=natural, correctly_rounded=natural,
+                          worst=maybe(number)):
+        if row["family"] == "all" and row["quantity"] == "distance":
+            sum_ = sums.setdefault(row["method"], [0, 0, 0.0])
+            sum_[0] += row["asked"]
+            sum_[1] += row["correctly_rounded"]
+            sum_[2] = max(sum_[2], row["worst"] or 0)
+    for method, (asked, right, worst) in sums.items():
+        yield f"distance-asked/{method}", count(asked)
+        yield f"distance-right/{method}", "all" if right == asked else percent(right / asked)
+        yield f"distance-worst/{method}", decimal(worst)
+
+
+def tables(study):
+    return ()

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The smallest results that the paper can be made of: a few rows of each file that it reads, in the formats of the studies."""
+import csv
+import itertools
+import json
+
+RUN = {"seed": 7, "samples_asked": 4, "samples_done": 4, "samples_missing": 0, "processes": 1, "threads": 2, "seconds": 1.5,
+       "date": "2026-01-02T03:04:05Z", "commit": "0123456789abcdef", "compiler": "g++ 12", "flags": "-O3", "processor": "some_core",
+       "cores": 2, "machine": "Linux", "interrupted": False}
+METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
+
+
+def table(columns, *rows):
+    """Rows of the product of each one's cells: a list stands for one row a cell."""
+    names = columns.split()
+    lines = []
+    for row in rows:
+        assert len(row) == len(names), (names, row)
+        lines += itertools.product(*(cell if isinstance(cell, list) else [cell] for cell in row))
+    return [names, *lines]
+
+
+RATES = "family placement threshold test method offset failures trials rate lower upper"
+OFFSETS = [-4294967296, -1, 0, 1, 4294967296]
+PLACEMENTS = ["lattice-frame", "rotated"]
+AXES = "axis nearness test method"
+
+FILES = {
+    "near-edge": {
+        "rates.csv": table(RATES, (["all", "star"], PLACEMENTS, ["face", "edge", "vertex"], "contact", METHODS, OFFSETS, 1, 4, 0.25, 0, 0.9),
+                           (["all", "star"], PLACEMENTS, ["foot-edge", "foot-vertex"], "foot", METHODS, OFFSETS, 2, 4, 0.5, 0, 0.9)),
+        "worst.csv": table("threshold origin_distance method test samples sampled_share climbed_share",
+                           ("face", [0, 1000, 1000000], METHODS, "contact", 4, 1e-16, 1e-12)),
+        **{f"map-reflex-vertex-foot-{distance}.csv": table("row column truth " + " ".join(METHODS),
+                                                           ([0, 1], [0, 1], "i", "=", "-", "=", "+")) for distance in (0, 1000)}},
+    "stability": {
+        "failures.csv": table(AXES + " level failed_samples samples", ("aspect", "one-double", "contact", ["fast", "filtered"], "1", 0, 4),
+                              ("chain-motion", "one-double", "contact", "filtered", "1", 4, 4)),
+        "first-failure.csv": table(AXES + " first_failure", ("aspect", "close", "contact", "fast", "1e4")),
+        "onset.csv": table("origin_distance method offset_exponent failed_triangles wrong_answers answers rate lower upper",
+                           ([0, 1000000], ["ericson-absolute", "fast"], -36, 0, 0, 8, 0, 0, 0.5),
+                           ([0, 1000000], ["ericson-absolute", "fast"], -51, 1, 2, 8, 0.25, 0, 0.9)),
+        "tightness.csv": table("stage quantity axis max exceeded",
+                               (["maxima", "permanent"], ["vertex", "along", "beyond", "line", "front", "plane", "side", "above", "normal"], "all", 0.2, 0),
+                               ("frame", ["height", "along"], "all", 0.1, 0)),
+        "contraction.csv": table("sign family trials fused_wrong", ("orientation", "exactly zero", 8, 8))},
+    "tradeoff": {
+        "points.csv": table("family method quantity asked correctly_rounded worst", ("all", "fast", "distance", 8, 4, 17),
+                            ("all", "filtered", "distance", 8, 8, 0)),
+        "front.csv": table("measure family placement method nanoseconds lower_quartile_ns upper_quartile_ns error lower upper finite_error "
+                           "not_finite samples front",
+                           ("not-right", "all", "rotated", "fast", 100, 90, 110, 0.2, 0.1, 0.3, 0.2, 0, 8, "on"),
+                           ("not-right", "all", "rotated", "filtered", 300, 290, 310, 0, 0, 0.3, 0, 0, 8, "on"))},
+    "engines": {
+        "standing.csv": table("method family wrong cases first_offset_exponent", ("filtered", ["star", "u"], 0, 8, ""),
+                              ("fast", ["star", "u"], 1, 8, 28), ("cgal-epeck-distance", ["star", "u"], 0, 8, ""),
+                              ("fcl", ["star", "u"], 2, 8, 8))},
+    "soak": {"soak.csv": table("family cases double permanent double-double fixed-integer unlimited differences",
+                               (["general", "point"], 8, 3, 2, 1, 1, 1, 0))},
+    "real-input": {
+        "meshes.csv": table("mesh faces rejected method place test trials wrong",
+                            ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),
+                            ("arm", 4, 1, ["fast", "thesis"], ["face", "edge", "vertex"], "contact", 8, 1))},
+    "bench-scene": {
+        "queries.csv": table("scene triangles balls question library nanoseconds wrong checked",
+                             ("torus", [100, 1000], "near", ["any", "all", "nearest"], ["Scene", "Embree 3"], 500, 0, 8),
+                             ("torus", 1000, ["anywhere", "touching"], "any", "Scene", 300, 0, 8),
+                             ("torus", 1000, ["anywhere", "touching"], "any", "Embree 3", 200, 3, 8)),
+        "builds.csv": table("triangles library bytes_a_triangle", (1000, ["Scene", "Embree 3"], 91))},
+    "thesis": {
+        "entries.csv": table("id status", ("4.1", "reproduced"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
+        "moves.csv": table("joint degrees", ("elbow", -3), ("base", -149), ("base", 66)),
+        "areas.csv": table("outline points share lower upper", (["U3x3", "square"], 100, 0.86, 0.8, 0.9)),
+        "touching.csv": table("balls missed", (8, 7))},
+}
+
+
+def quartiles(median):
+    return {"median": median, "lower_quartile": median, "upper_quartile": median, "repetitions": [median]}
+
+
+def contest(family, name):
+    first = {"name": "fast", "asked": 8, "nanoseconds": quartiles(20), "wrong": {"count": 1, "of": 8}}
+    others = [{"name": other, "asked": 8, "nanoseconds": quartiles(30), "wrong": {"count": 0, "of": 8}, "ratio": quartiles(1.5)}
+              for other in ("filtered", "EPICK", "EPECK")]
+    return {"family": family, "name": name, "contestants": [first, *others]}
+
+
+BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
+                      contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines")]}
+
+
+def write(results):
+    for study, files in {**FILES, "bench": {}}.items():
+        folder = results / study
+        folder.mkdir(parents=True)
+        (folder / "run.json").write_text(json.dumps(RUN | {"command": f"touchstone {study} --seed 7"}))
+        for name, rows in files.items():
+            with open(folder / name, "w", newline="") as file:
+                csv.writer(file).writerows(rows)
+    (results / "bench" / "bench.json").write_text(json.dumps(BENCH))

@@ -1,0 +1,149 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: paper.py ROOT
+
+The paper's numbers are those of its data: whatever the text asks for is made, from the data that it is said to be from, the
+same bytes again; what is missing, interrupted, mixed, malformed or stale ends the build and is named; no measured number is
+typed. LaTeX itself is run by `./check --full`."""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+import miniature  # noqa: E402
+
+faults = []
+
+
+def expect(condition, what):
+    if not condition:
+        faults.append(what)
+
+
+def build(root, results, output, *options):
+    return subprocess.run(["/usr/bin/python3", "-B", root / "papers/build.py", *options, results, output], capture_output=True, text=True)
+
+
+def text_of(root):
+    files = [root / "papers/touchstone.tex", *sorted((root / "papers/sections").glob("*.tex"))]
+    return {file: re.sub(r"(?<!\\)%.*", "", file.read_text()) for file in files}
+
+
+def files_below(folder):
+    return {path.relative_to(folder): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def edit(path, old, new):
+    text = path.read_text()
+    assert old in text, (path, old)
+    path.write_text(text.replace(old, new, 1))
+
+
+def what_the_text_asks_for_is_made(root, results, output):
+    made = build(root, results, output, "--no-latex")
+    expect(made.returncode == 0, made.stderr)
+    keys = set(re.findall(r"\\defineval\{([^}]*)\}", (output / "values.tex").read_text()))
+    for file, text in text_of(root).items():
+        for key in re.findall(r"\\val\{([^}#]*)\}", text):
+            expect(key in keys, f"{file.name}: no value {key}")
+        for table in re.findall(r"\\input\{tables/([^}]*)\}", text):
+            expect((output / f"tables/{table}.tex").exists(), f"{file.name}: no table {table}")
+        for figure in re.findall(r"\\includegraphics\[[^]]*\]\{figures/([^}]*)\}", text):
+            expect((output / f"figures/{figure}.pdf").exists(), f"{file.name}: no figure {figure}")
+
+
+def data_make_the_numbers(root, results, output, scratch):
+    values = (output / "values.tex").read_text()
+    for line in (r"\defineval{near-edge/face/fast}{25\,\%}", r"\defineval{near-edge/foot-edge/thesis}{50\,\%}",
+                 r"\defineval{engines/never-wrong-count}{one}", r"\defineval{soak/cases}{16}", r"\defineval{soak/limit}{0.17}",
+                 r"\defineval{stability/first/1e6/fast}{$2^{-51}$}", r"\defineval{stability/filtered-samples}{4}",
+                 r"\defineval{bench/half-near/filtered/ratio}{1.50}", r"\defineval{real/face/fast}{12\,\%}",
+                 r"\defineval{thesis/base-turns}{149\textdegree{} and 66\textdegree{}}", r"\defineval{tradeoff/distance-right/filtered}{all}"):
+        expect(line in values, f"not there: {line}")
+    again = scratch / "again"
+    build(root, results, again, "--no-latex")
+    expect(files_below(output) == files_below(again), "the same data make other bytes")
+    edit(results / "engines/standing.csv", "cgal-epeck-distance,u,0,8,", "cgal-epeck-distance,u,1,8,52")
+    build(root, results, again, "--no-latex")
+    expect(r"\defineval{engines/never-wrong-count}{none}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
+
+
+def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
+    def spoiled(name, spoil):
+        broken = scratch / "broken"
+        shutil.rmtree(broken, ignore_errors=True)
+        shutil.copytree(results, broken)
+        spoil(broken)
+        made = build(root, broken, scratch / "none", "--no-latex")
+        expect(made.returncode == 1 and name in made.stderr and "Traceback" not in made.stderr, f"{name}: {made.returncode}: {made.stderr}")
+
+    def run_says(key, value):
+        return lambda at: (at / "soak/run.json").write_text(json.dumps(miniature.RUN | {"command": "touchstone soak", key: value}))
+
+    spoiled("soak: not run", lambda at: shutil.rmtree(at / "soak"))
+    spoiled("soak/run.json: interrupted", run_says("interrupted", True))
+    spoiled("studies of different programs", run_says("commit", "fedcba"))
+    spoiled("rates.csv: no column trials", lambda at: edit(at / "near-edge/rates.csv", "trials", "tries"))
+    spoiled("rates.csv: line 2: failures cannot be", lambda at: edit(at / "near-edge/rates.csv", ",1,4,", ",-1,4,"))
+    spoiled("soak: ValueError: 1 answers of filtered differ", lambda at: edit(at / "soak/soak.csv", "1,1,1,0", "1,1,1,1"))
+    spoiled("stability: ValueError: filtered failed", lambda at: edit(at / "stability/failures.csv", "filtered,1,0,4", "filtered,1,1,4"))
+    spoiled("real-input: ValueError: filtered differs", lambda at: edit(at / "real-input/meshes.csv", "8,0", "8,1"))
+    spoiled("bench-scene: ValueError: Scene is wrong", lambda at: edit(at / "bench-scene/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
+    spoiled("thesis: ValueError: unknown status: better", lambda at: edit(at / "thesis/entries.csv", "not computable", "better"))
+    spoiled("bench/bench.json", lambda at: (at / "bench/bench.json").write_text("{"))
+
+
+def what_is_stale_is_told(root, results, output, scratch):
+    copy = scratch / "root"
+    for folder in ("papers", "experiments/report", "tests/corpus"):
+        shutil.copytree(root / folder, copy / folder)
+    (copy / "robust/filtered").mkdir(parents=True)
+    shutil.copy(root / "robust/filtered/bounds.h", copy / "robust/filtered")
+    expect(build(copy, results, output, "--no-latex").returncode == 0, "the paper cannot be built elsewhere")
+    expect(build(copy, results, output, "--check").returncode == 0, "a fresh paper is called stale")
+    edit(copy / "papers/sections/limits.tex", "Limits", "Bounds")
+    stale = build(copy, results, output, "--check")
+    expect(stale.returncode == 1 and "older than the text" in stale.stderr, stale.stderr)
+    edit(copy / "papers/sections/limits.tex", "Bounds", "Limits")
+    edit(results / "soak/soak.csv", "8,3", "9,3")
+    stale = build(copy, results, output, "--check")
+    expect(stale.returncode == 1 and "older than the data of soak" in stale.stderr, stale.stderr)
+    unbuilt = build(copy, results, scratch / "unbuilt", "--check")
+    expect(unbuilt.returncode == 1 and "not built" in unbuilt.stderr, unbuilt.stderr)
+
+
+# What a text may hold in digits: a year, a standard, the confidence of limits, a constant of a method or of the model.
+STATED = {"2008", "754", "256", "95", "0.99", "12", "101", "201"}
+
+
+def no_measured_number_is_typed(root):
+    for file, text in text_of(root).items():
+        if file.name == "touchstone.tex":
+            text = text[text.index(r"\begin{document}"):]
+        text = re.sub(r"\\(val|cite[tp]?|autoref|label|input|includegraphics|ref)(\[[^]]*\])*\{[^}]*\}", "", text)
+        text = re.sub(r"\$[^$]*\$|\\setlength\{[^}]*\}\{[^}]*\}|\\texttt\{[^}]*\}|\[width=[^]]*\]", "", text)
+        for number in re.findall(r"(?<![\w.+])\d+(?:\.\d+)?", text):
+            expect(number in STATED or float(number) < 10, f"{file.name}: {number} is typed")
+
+
+def main(root):
+    root = pathlib.Path(root)
+    with tempfile.TemporaryDirectory() as folder:
+        scratch = pathlib.Path(folder)
+        results, output = scratch / "results", scratch / "paper"
+        miniature.write(results)
+        what_the_text_asks_for_is_made(root, results, output)
+        what_is_wrong_with_the_data_is_named(root, results, output, scratch)
+        data_make_the_numbers(root, results, output, scratch)
+        what_is_stale_is_told(root, results, output, scratch)
+        no_measured_number_is_typed(root)
+    print("\n".join(faults) or "the paper is made of its data")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
