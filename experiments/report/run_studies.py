@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: run_studies.py TOUCHSTONE RESULTS [--full]
+"""Usage: run_studies.py TOUCHSTONE RESULTS [--full] [--paper]
 
 Runs the studies of studies.py, each in its folder of RESULTS; called from the project's folder. What was done to its end by
 the same program with the same arguments is not done again; what was stopped or killed halfway goes on, where the study can.
@@ -42,21 +42,21 @@ class Folder:
         except (OSError, ValueError):
             self.mark = {}
 
-    def settings(self, full):
-        return self.program | {"calls": [shown(call, self.study.name) for call in self.study.calls(full)]}
+    def settings(self, mode):
+        return self.program | {"calls": [shown(call, self.study.name) for call in self.study.calls(mode)]}
 
-    def begun(self, full):
-        return self.mark == self.settings(full) | {"done": self.mark.get("done")}
+    def begun(self, mode):
+        return self.mark == self.settings(mode) | {"done": self.mark.get("done")}
 
-    def done(self, full):
-        return self.begun(full) and self.mark["done"] and (self.path / "run.json").exists()
+    def done(self, mode):
+        return self.begun(mode) and self.mark["done"] and (self.path / "run.json").exists()
 
-    def begin(self, full):
+    def begin(self, mode):
         """Nothing of another run is left among the results."""
-        if self.mark and not (self.begun(full) and self.study.resumes):
+        if self.mark and not (self.begun(mode) and self.study.resumes):
             shutil.rmtree(self.path)
         self.path.mkdir(parents=True, exist_ok=True)
-        self.write(self.settings(full) | {"done": False})
+        self.write(self.settings(mode) | {"done": False})
 
     def end(self):
         self.write(self.mark | {"done": True})
@@ -79,17 +79,17 @@ def status_of(command, lock):
             pass
 
 
-def run(program, study, path, full, lock):
+def run(program, study, path, mode, lock):
     folder = Folder(path, study, program)
-    if folder.done(full) or (not full and folder.done(True)):
+    if folder.done(mode) or folder.done("full"):
         print("Done before.", flush=True)
         return 0
-    if not full and folder.begun(True):
+    if mode != "full" and folder.begun("full"):
         print("Begun with --full, and not done: ./reproduce --full goes on.", flush=True)
         return 0
-    resume = ["--resume"] if study.resumes and folder.begun(full) else []
-    folder.begin(full)
-    for call in study.calls(full):
+    resume = ["--resume"] if study.resumes and folder.begun(mode) else []
+    folder.begin(mode)
+    for call in study.calls(mode):
         words = [word for each in call for word in (meshes() if each == MESHES else [each.replace(OUTPUT, str(path))])]
         if status := status_of([program, *words, *resume], lock):
             return status
@@ -98,7 +98,8 @@ def run(program, study, path, full, lock):
 
 
 def main(program, results, *options):
-    full, results = "--full" in options, pathlib.Path(results)
+    mode = "full" if "--full" in options else "paper" if "--paper" in options else "quick"
+    results = pathlib.Path(results)
     results.mkdir(parents=True, exist_ok=True)
     lock = open(results / "lock", "w")
     try:
@@ -109,13 +110,13 @@ def main(program, results, *options):
     (results / "methods.txt").write_text(methods, encoding="utf-8")
     begin, failed = time.monotonic(), []
     for study in STUDIES:
-        if not study.calls(full):
+        if not study.calls(mode):
             continue
         print(f"\n== {study.name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
         if study.needs_meshes and not meshes():
             print("Left out: there are no meshes in cache/meshes.")
             continue
-        status = run(program, study, results / study.name, full, lock)
+        status = run(program, study, results / study.name, mode, lock)
         if status == INTERRUPTED:
             print("run_studies.py: interrupted; called again, it goes on", file=sys.stderr)
             return INTERRUPTED

@@ -12,15 +12,16 @@ class Study:
     name: str  # of its folder in the results
     about: str
     full: list  # calls of the program, each a list of arguments
-    quick: list | None = None  # None: with --full alone
+    quick: list | None = None  # None: with --full alone, or for the paper
+    paper: list | None = None  # of one without quick calls: what the paper needs of it
     resumes: bool = False  # goes on where it was killed, with --resume
 
     @property
     def needs_meshes(self):
         return any(MESHES in call for call in self.full)
 
-    def calls(self, full):
-        return self.full if full else self.quick
+    def calls(self, mode):
+        return {"quick": self.quick, "paper": self.quick or self.paper, "full": self.full}[mode]
 
 
 def same(*calls):
@@ -51,8 +52,12 @@ STUDIES = [
           full=[["soak", "--output", OUTPUT]], quick=[["soak", "--cases", "100000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
     Study("merge", "coplanar faces as polygons", full=[["merge", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("bench", "what certainty costs",
+          full=[["bench", "--json", f"{OUTPUT}/bench.json"]],
+          paper=[["bench", "--repetitions", "3", "--json", f"{OUTPUT}/bench.json"]]),
     Study("bench-scene", "whole scenes beside five libraries",
-          full=[["bench", "--scene", "--meshes", "cache/meshes", "--output", OUTPUT]]),
+          full=[["bench", "--scene", "--meshes", "cache/meshes", "--output", OUTPUT]],
+          paper=[["bench", "--scene", "--most-faces", "100000", "--repetitions", "3", "--output", OUTPUT]]),
 ]
 
 
