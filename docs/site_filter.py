@@ -3,7 +3,7 @@
 
 Prints a page or a header as Doxygen takes it, which calls this for each of its inputs from the root of the sources.
 
-A page gets anchors at its headings, and links that lead to them within the site; a link to a file that is not in the
+A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file that is not in the
 site becomes the file's path. In a header numbered guarantees, (1), (2), ..., become lists.
 """
 
@@ -36,7 +36,8 @@ def target(page, link):
 def site_page(page, text):
     def heading(match):
         anchor = page_name(page) + ("" if match[1] == "#" else "-" + slug(match[2]))
-        return match[0] if anchor == "index" else f"{match[0]} {{#{anchor}}}"
+        contents = "\n\n[TOC]" if match[1] == "#" else ""
+        return match[0] + (f" {{#{anchor}}}" if anchor != "index" else "") + contents
 
     def link(match):
         if re.match(r"\w+:", match[2]):
@@ -44,7 +45,8 @@ def site_page(page, text):
         path, anchor = target(page, match[2])
         if path.suffix != ".md":
             return f"`{path}`"
-        return f"[{match[1]}](@ref {page_name(path)}{'-' + anchor if anchor else ''})"
+        words = " ".join(match[1].split())  # Doxygen wants them on one line
+        return f"[{words}](@ref {page_name(path)}{'-' + anchor if anchor else ''})"
 
     parts = FENCE.split(text)
     parts[::2] = [LINK.sub(link, HEADING.sub(heading, part)) for part in parts[::2]]
