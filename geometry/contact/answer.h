@@ -8,6 +8,8 @@
 
 #include "geometry/floating_point.h"
 
+/// What is asked about: balls, polygons, triangles, meshes and poses; and what an answer consists of. Each way to
+/// answer is a namespace of its own.
 namespace touchstone {
 
 /// On which side of the supporting plane a closed ball lies; touching the plane is `Intersects`.
@@ -22,8 +24,9 @@ enum class Relation { Separate, Touching, Overlapping };
 /// The feature that holds the closest point: the relative interior of the face or of an edge, or a vertex.
 /// Among equal distances an edge comes before a vertex, then the lowest index. The face's index is 0.
 struct Feature {
-  enum class Kind { Face, Edge, Vertex } kind;
-  std::size_t index = 0;
+  /// The three kinds.
+  enum class Kind { Face, Edge, Vertex } kind;  ///< which it is
+  std::size_t index = 0;                        ///< of the edge or vertex in the polygon
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
@@ -33,24 +36,27 @@ struct Feature {
 /// Lengths are in the unit of the input. `off_plane` is a property of the polygon alone. Equality is that of every
 /// member, numbers by value.
 struct Answer {
-  PlaneSide plane;
-  bool plane_tangent;                   ///< the centre is at distance r from the supporting plane
-  FootPlace foot;
-  std::vector<std::size_t> edges_hit;   ///< edges at distance <= r from the centre, ascending
-  Relation relation;
-  Feature nearest;
-  Eigen::Vector3d point;                ///< the closest point of the polygon
-  double distance;                      ///< from the centre to the polygon
-  double off_plane;                     ///< the largest move of a vertex onto the supporting plane
+  PlaneSide plane;                     ///< the first test
+  bool plane_tangent;                  ///< the centre is at distance r from the supporting plane
+  FootPlace foot;                      ///< the second
+  std::vector<std::size_t> edges_hit;  ///< the third: edges at distance <= r from the centre, ascending
+  Relation relation;                   ///< distance against radius
+  Feature nearest;                     ///< which holds the closest point
+  Eigen::Vector3d point;               ///< the closest point of the polygon
+  double distance;                     ///< from the centre to the polygon
+  double off_plane;                    ///< the largest move of a vertex onto the supporting plane
 
+  /// Do they touch?
   [[nodiscard]] bool contact() const { return relation != Relation::Separate; }
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
+/// @{
 /// The words of the contract, such as `in_front`, `boundary`, `touching`, `edge`.
 [[nodiscard]] std::string_view word(PlaneSide side);
 [[nodiscard]] std::string_view word(FootPlace place);
 [[nodiscard]] std::string_view word(Relation relation);
 [[nodiscard]] std::string_view word(Feature::Kind kind);
+/// @}
 
 }  // namespace touchstone

@@ -34,18 +34,24 @@ namespace touchstone::fast {
 template <class Scalar = double>
 class PreparedPolygon {
  public:
-  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;  ///< a point or a direction
+  /// An edge, from vertex to vertex.
   struct Edge {
-    Vector start;          ///< its first vertex
-    Vector direction;      ///< from its first to its last vertex
-    Scalar length_squared;
+    Vector start;           ///< its first vertex
+    Vector direction;       ///< from its first to its last vertex
+    Scalar length_squared;  ///< of the direction
   };
 
+  /// Prepares it.
   explicit PreparedPolygon(const Polygon& polygon);
 
+  /// The supporting plane, with the Newell sum for a normal.
   [[nodiscard]] const Plane<Scalar>& plane() const { return plane_; }
+  /// N.N of that normal.
   [[nodiscard]] Scalar normal_squared() const { return normal_squared_; }
+  /// The axis along which vertices are lifted.
   [[nodiscard]] int dropped_axis() const { return dropped_axis_; }
+  /// The largest move of a vertex onto the plane; 0 where none was lifted.
   [[nodiscard]] Scalar off_plane() const { return off_plane_; }
   /// Edge i starts at vertex i; loops follow each other as in the polygon.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
@@ -86,6 +92,7 @@ template <class Scalar>
 template <class Scalar>
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon);
 
+/// @{
 /// The same questions on a polygon asked about once, in doubles.
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
@@ -93,5 +100,6 @@ template <class Scalar>
 [[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
+/// @}
 
 }  // namespace touchstone::fast

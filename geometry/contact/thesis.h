@@ -49,11 +49,11 @@ enum class Comparison { Strict, Closed };
 
 /// What is varied, one error at a time. The defaults are [S]; every other value is [C].
 struct Options {
-  double match_factor = 0.99;  ///< the share of 2 pi from which a sum of angles means inside
-  Angles angles = Angles::Unsigned;
-  Arc arc = Arc::Cosine;
-  Normal normal = Normal::FirstThreeVertices;
-  Comparison comparison = Comparison::Strict;
+  double match_factor = 0.99;                  ///< the share of 2 pi from which a sum of angles means inside
+  Angles angles = Angles::Unsigned;            ///< in step (3)
+  Arc arc = Arc::Cosine;                       ///< in step (3)
+  Normal normal = Normal::FirstThreeVertices;  ///< in step (1)
+  Comparison comparison = Comparison::Strict;  ///< in steps (2) and (4)
 };
 
 /// A polygon with all that does not depend on the ball. [S] computes it again for each ball, to the same bits.
@@ -63,15 +63,21 @@ struct Options {
 template <class Scalar = double>
 class PreparedPolygon {
  public:
-  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;  ///< a point or a direction
+  /// An edge, from vertex to vertex.
   struct Edge {
+    /// @{
+    /// As the polygon has them.
     Vector start, end;
+    /// @}
     Vector direction;  ///< of length 1; NaN where start and end are equal in Scalar
-    Scalar length;
+    Scalar length;     ///< from start to end
   };
 
+  /// Prepares it for the method as varied.
   explicit PreparedPolygon(const Polygon& polygon, const Options& options = {});
 
+  /// What is varied.
   [[nodiscard]] const Options& options() const { return options_; }
   /// N, of length 1 or NaN.
   [[nodiscard]] const Vector& normal() const { return normal_; }

@@ -8,9 +8,10 @@ namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).
 struct Place {
+  /// What is counted.
   enum class Unit { Line, Byte };
-  Unit unit;
-  std::size_t number;
+  Unit unit;           ///< of the number
+  std::size_t number;  ///< from 1 or 0
 };
 
 /// `arm.stl: line 12: reason`.

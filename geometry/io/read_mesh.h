@@ -22,8 +22,9 @@ class BrokenMesh : public std::runtime_error {
 /// What to do about a part of a mesh file that is wrong: refuse the file, or leave that part out and say so.
 enum class OnFault { Refuse, Skip };
 
+/// What a mesh file holds, and what of it was left out.
 struct ReadMesh {
-  Mesh mesh;
+  Mesh mesh;                          ///< all else
   std::vector<io::Place> places;      ///< where in the file each face of the mesh stands
   std::vector<std::string> left_out;  ///< a sentence for each of the first kMostSentences parts left out
   std::size_t parts_left_out = 0;     ///< all of them; 0 with OnFault::Refuse

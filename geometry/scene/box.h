@@ -11,9 +11,12 @@ namespace touchstone {
 
 /// The closed box of all points between two corners, coordinate by coordinate; empty where low > high.
 struct Box {
+  /// The corner of the least coordinates.
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  /// The corner of the largest ones.
   Eigen::Vector3d high = -low;
 
+  /// Is there no point in it?
   [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
   /// The smallest box that holds both.
   [[nodiscard]] Box joined(const Box& other) const { return {low.cwiseMin(other.low), high.cwiseMax(other.high)}; }

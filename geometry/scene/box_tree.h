@@ -25,16 +25,20 @@ namespace touchstone {
 /// beside it.
 class BoxTree {
  public:
-  static constexpr std::size_t kWidth = 4;
-  static constexpr std::uint32_t kMostInLeaf = 6;
-  static constexpr std::size_t kMostBoxes = std::size_t{1} << 31;
+  static constexpr std::size_t kWidth = 4;                         ///< children of a node
+  static constexpr std::uint32_t kMostInLeaf = 6;                  ///< boxes of a leaf, at most
+  static constexpr std::size_t kMostBoxes = std::size_t{1} << 31;  ///< boxes of a tree, at most
   /// The most nodes that are open at once in a depth-first walk.
   static constexpr std::size_t kStackSize = 256;
 
+  /// The children of a node, side by side.
   struct alignas(64) Node {
-    float low[3][kWidth], high[3][kWidth];  ///< of each child, by axis; one that is not there is empty
-    std::uint32_t child[kWidth];            ///< a node, or where a leaf begins in `order`; 0 for none
-    std::uint32_t count[kWidth];            ///< how many boxes a leaf has; 0 for a node
+    /// @{
+    /// The box of each child, by axis; that of one that is not there is empty.
+    float low[3][kWidth], high[3][kWidth];
+    /// @}
+    std::uint32_t child[kWidth];  ///< a node, or where a leaf begins in `order`; 0 for none
+    std::uint32_t count[kWidth];  ///< how many boxes a leaf has; 0 for a node
   };
 
   /// Requires boxes that are finite and not empty, at most kMostBoxes. Cost: O(n log n), about 1 us a box on one core;

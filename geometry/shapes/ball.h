@@ -14,8 +14,8 @@ namespace touchstone {
 /// Centre and radius are exact real numbers in one unit of length, that of the polygon asked about. Requires finite
 /// coordinates and a finite radius >= 0: what `find_fault` accepts. The contact functions do not look again.
 struct Ball {
-  Eigen::Vector3d center;
-  double radius;
+  Eigen::Vector3d center;  ///< c
+  double radius;           ///< r
 };
 
 /// The reason why a ball is none (`not-finite` before `negative-radius`), if there is one.

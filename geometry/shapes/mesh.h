@@ -13,8 +13,8 @@ namespace touchstone {
 /// planar or not. Nothing is welded, triangulated or repaired; coordinates are the doubles nearest to the file's
 /// numbers, in the file's own unit.
 struct Mesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
+  std::vector<Eigen::Vector3d> vertices;          ///< in the order of the file
+  std::vector<std::vector<std::uint32_t>> faces;  ///< the numbers of each one's vertices
 };
 
 }  // namespace touchstone

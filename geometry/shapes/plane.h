@@ -12,8 +12,8 @@ namespace touchstone {
 /// The normal need not have length 1: unit normals cost a root and a rounding that no test needs.
 template <class Scalar>
 struct Plane {
-  Eigen::Matrix<Scalar, 3, 1> normal;
-  Eigen::Matrix<Scalar, 3, 1> point;
+  Eigen::Matrix<Scalar, 3, 1> normal;  ///< not zero
+  Eigen::Matrix<Scalar, 3, 1> point;   ///< any one of the plane
 };
 
 /// The axis of the component of largest magnitude, the lowest on a tie: the coordinate to drop when points of a plane

@@ -30,9 +30,12 @@ class Polygon {
   /// loop and the vertex. Cost: linear.
   explicit Polygon(const Loop& outer, const std::vector<Loop>& holes = {});
 
+  /// Of all loops together: as many as there are edges.
   [[nodiscard]] std::size_t vertex_count() const { return coordinates_[0].size(); }
+  /// One more than there are holes.
   [[nodiscard]] std::size_t loop_count() const { return loop_ends_.size(); }
 
+  /// Vertex i, of whichever loop.
   [[nodiscard]] Eigen::Vector3d vertex(std::size_t i) const {
     return {coordinates_[0][i], coordinates_[1][i], coordinates_[2][i]};
   }
@@ -41,15 +44,19 @@ class Polygon {
     return coordinates_[static_cast<std::size_t>(axis)];
   }
 
+  /// @{
   /// First vertex of a loop, and one past its last; loop 0 is the outer one.
   [[nodiscard]] std::size_t loop_begin(std::size_t loop) const { return loop == 0 ? 0 : loop_ends_[loop - 1]; }
   [[nodiscard]] std::size_t loop_end(std::size_t loop) const { return loop_ends_[loop]; }
+  /// @}
   /// The loop that holds vertex i, and edge i. Cost: logarithmic in the number of loops.
   [[nodiscard]] std::size_t loop_of(std::size_t i) const;
 
+  /// @{
   /// The neighbours of vertex i in its loop.
   [[nodiscard]] std::size_t next(std::size_t i) const { return next_[i]; }
   [[nodiscard]] std::size_t previous(std::size_t i) const { return previous_[i]; }
+  /// @}
 
   friend bool operator==(const Polygon&, const Polygon&) = default;
 

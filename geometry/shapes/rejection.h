@@ -26,15 +26,17 @@ enum class RejectionCode {
 
 /// A code and a sentence that names the loop and the vertex or edge.
 struct Rejection {
-  RejectionCode code;
-  std::string message;
+  RejectionCode code;   ///< the first reason that applies
+  std::string message;  ///< the sentence, without the name of a case
 };
 
 /// Thrown where a shape is built from an input that the contract rejects.
 class Rejected : public std::invalid_argument {
  public:
+  /// `what()` is the rejection's sentence.
   explicit Rejected(Rejection rejection)
       : std::invalid_argument(rejection.message), rejection_(std::move(rejection)) {}
+  /// Why.
   [[nodiscard]] const Rejection& rejection() const { return rejection_; }
 
  private:

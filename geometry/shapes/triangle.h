@@ -12,7 +12,10 @@ namespace touchstone {
 /// Coordinates are exact real numbers. Requires finite coordinates and vertices that are not collinear: what
 /// `exact::validate` accepts of the polygon with these three vertices. The contact functions do not look again.
 struct Triangle {
+  /// @{
+  /// Vertices 0, 1 and 2.
   Eigen::Vector3d a, b, c;
+  /// @}
 };
 
 }  // namespace touchstone

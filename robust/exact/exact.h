@@ -43,12 +43,17 @@ namespace touchstone::exact {
 /// required (`validate` decides it). Cost: linear; about 1 us a vertex.
 class PreparedPolygon {
  public:
+  /// Prepares it.
   explicit PreparedPolygon(const Polygon& polygon);
+  /// @{
+  /// One that was moved from may only be assigned to or destroyed.
   PreparedPolygon(PreparedPolygon&&) noexcept;
   PreparedPolygon& operator=(PreparedPolygon&&) noexcept;
+  /// @}
   ~PreparedPolygon();
 
   struct Lifted;
+  /// What was prepared; for the functions of this namespace.
   [[nodiscard]] const Lifted& lifted() const { return *lifted_; }
 
  private:
@@ -71,6 +76,7 @@ class PreparedPolygon {
 /// Which of two polygons is nearer to the ball's centre: the first (-1), neither (0), the second (+1).
 [[nodiscard]] int compare_distances(const Ball& ball, const PreparedPolygon& first, const PreparedPolygon& second);
 
+/// @{
 /// The same questions on a polygon asked about once.
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
@@ -78,5 +84,6 @@ class PreparedPolygon {
 [[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
+/// @}
 
 }  // namespace touchstone::exact

@@ -36,12 +36,17 @@ namespace touchstone::filtered {
 /// every part of the plane.
 class PreparedPolygon {
  public:
+  /// Prepares it.
   explicit PreparedPolygon(const Polygon& polygon);
+  /// @{
+  /// One that was moved from may only be assigned to or destroyed.
   PreparedPolygon(PreparedPolygon&&) noexcept;
   PreparedPolygon& operator=(PreparedPolygon&&) noexcept;
+  /// @}
   ~PreparedPolygon();
 
   struct Parts;
+  /// What was prepared; for the functions of this library.
   [[nodiscard]] const Parts& parts() const { return *parts_; }
 
  private:
@@ -61,6 +66,7 @@ class PreparedPolygon {
 /// Every key of the contract.
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon);
 
+/// @{
 /// The same questions; `counts` is told which stages decided.
 [[nodiscard]] bool contact(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
@@ -68,7 +74,9 @@ class PreparedPolygon {
 [[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+/// @}
 
+/// @{
 /// The same questions on a polygon asked about once.
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
@@ -76,10 +84,13 @@ class PreparedPolygon {
 [[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
+/// @}
 
+/// @{
 /// Does the ball touch the triangle? Nothing is prepared. Constant cost, a little more than that of `fast::contact`.
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle);
 [[nodiscard]] bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts);
+/// @}
 
 /// The point of a triangle that is closest to a centre.
 struct ClosestPoint {
@@ -90,9 +101,11 @@ struct ClosestPoint {
   friend bool operator==(const ClosestPoint&, const ClosestPoint&) = default;
 };
 
+/// @{
 /// As `answer` has them. Nothing is prepared. Constant cost, about 0.5 us.
 [[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle);
 [[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts);
+/// @}
 
 /// Many balls against one polygon: touches[i] says whether balls[i] does. Requires spans of equal length.
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches);

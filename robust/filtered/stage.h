@@ -15,7 +15,7 @@ enum class Stage {
   FixedInteger,  ///< one sign in integers of fixed width
   Unlimited,     ///< one sign, or one correctly rounded number, in integers of any size
 };
-inline constexpr std::size_t kStages = 5;
+inline constexpr std::size_t kStages = 5;  ///< how many there are
 
 /// The words of `--explain`: `double`, `permanent`, `double-double`, `fixed-integer`, `unlimited`.
 [[nodiscard]] std::string_view word(Stage stage);
@@ -24,7 +24,9 @@ inline constexpr std::size_t kStages = 5;
 /// count single signs and roundings.
 class StageCounts {
  public:
+  /// One decision more.
   void count(Stage stage) { ++counts_[static_cast<std::size_t>(stage)]; }
+  /// How many this one took.
   [[nodiscard]] std::uint64_t decided_by(Stage stage) const { return counts_[static_cast<std::size_t>(stage)]; }
   /// The slowest stage that decided anything.
   [[nodiscard]] Stage last() const {
@@ -40,7 +42,7 @@ class StageCounts {
 
 /// Counts nothing, at no cost.
 struct NoCounts {
-  void count(Stage) const {}
+  void count(Stage) const {}  ///< nothing
 };
 
 }  // namespace touchstone::filtered

@@ -13,7 +13,7 @@ namespace touchstone::mesh {
 
 /// A polygon, and the faces of the mesh whose union it is.
 struct MergedFace {
-  Polygon polygon;
+  Polygon polygon;                   ///< the union
   std::vector<std::uint32_t> faces;  ///< ascending
   /// The largest move, along the dropped axis onto the supporting plane of the polygon, of a vertex of these faces, as
   /// the nearest double. The polygon is the union of the faces with every point moved so, by no more than this.
@@ -22,8 +22,8 @@ struct MergedFace {
 
 /// A face that the contract rejects, by its number in the mesh.
 struct RejectedFace {
-  std::uint32_t face;
-  Rejection rejection;
+  std::uint32_t face;   ///< from 0
+  Rejection rejection;  ///< why
 };
 
 /// The edges of the welded mesh, each in the first row that fits. Faces that are rejected have no edges.
@@ -39,11 +39,12 @@ struct EdgeCounts {
   friend bool operator==(const EdgeCounts&, const EdgeCounts&) = default;
 };
 
+/// The polygons of a mesh.
 struct MergedMesh {
   std::vector<MergedFace> faces;       ///< by their lowest face of the mesh
   std::vector<RejectedFace> rejected;  ///< ascending
-  EdgeCounts edges;
-  std::size_t splits = 0;  ///< how often a region was cut in parts, because it was no polygon
+  EdgeCounts edges;                    ///< of the welded mesh
+  std::size_t splits = 0;              ///< how often a region was cut in parts, because it was no polygon
 };
 
 /// Merges neighbouring faces of one plane into polygons with holes, as large as they can be grown.

@@ -13,7 +13,7 @@ namespace touchstone::mesh {
 
 /// The faces of a mesh as an object of a scene.
 struct SceneFaces {
-  scene::Faces faces;
+  scene::Faces faces;                 ///< for scene::Scene::add
   std::vector<std::uint32_t> merged;  ///< by the number of a face in the scene: its place in MergedMesh::faces
 };
 

@@ -25,7 +25,7 @@ enum class Fate {
   Edges,    ///< the foot is outside, and the edges that were looked at are out of the ball
   Touched,  ///< the ball touches the face; for `nearest` it was a candidate then
 };
-inline constexpr std::size_t kFates = 6;
+inline constexpr std::size_t kFates = 6;  ///< how many there are
 
 /// `box`, `known`, `slab`, `foot`, `edges`, `touched`.
 [[nodiscard]] std::string_view word(Fate fate);
@@ -42,6 +42,7 @@ class FaceCounts {
  public:
   /// Faces that were asked about: all of the objects.
   [[nodiscard]] std::uint64_t faces() const;
+  /// Those of one fate.
   [[nodiscard]] std::uint64_t faces(Fate fate) const { return fates_[static_cast<std::size_t>(fate)]; }
   /// Faces about which the contact question was asked.
   [[nodiscard]] std::uint64_t tested() const { return faces() - faces(Fate::Box) - faces(Fate::Known); }
@@ -56,6 +57,7 @@ class FaceCounts {
   /// its hierarchy that were come to, all where only `exact` reaches.
   [[nodiscard]] std::uint64_t edges_looked_at() const { return edges_looked_at_; }
 
+  /// Adds the counts of other questions.
   FaceCounts& operator+=(const FaceCounts& other);
   friend bool operator==(const FaceCounts&, const FaceCounts&) = default;
 

@@ -32,19 +32,22 @@ namespace touchstone::scene {
 
 /// The faces of an object: triangles first, then polygons, numbered together from 0.
 struct Faces {
-  std::vector<Triangle> triangles;
-  std::vector<Polygon> polygons;
+  std::vector<Triangle> triangles;  ///< first
+  std::vector<Polygon> polygons;    ///< then
 };
 
 /// A face of an object of a scene. Ordered by object, then by number.
 struct FaceId {
+  /// @{
+  /// Their numbers, from 0.
   std::uint32_t object, face;
+  /// @}
   friend auto operator<=>(const FaceId&, const FaceId&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The face of a scene that is nearest to a centre.
 struct NearestFace {
-  FaceId face;
+  FaceId face;            ///< the lowest of equals
   Feature feature;        ///< of that face
   Eigen::Vector3d point;  ///< of that face, rounded as in Answer
   double distance;        ///< rounded as in Answer
@@ -53,9 +56,12 @@ struct NearestFace {
 /// Objects by name, each under a pose. Asking is safe from several threads, while nothing is added or moved.
 class Scene {
  public:
-  Scene();
+  Scene();  ///< no objects
+  /// @{
+  /// One that was moved from may only be assigned to or destroyed.
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
+  /// @}
   ~Scene();
 
   /// Returns the number of the object: objects are numbered from 0 as they are added. Throws std::invalid_argument for
@@ -72,12 +78,16 @@ class Scene {
   /// hierarchy is built anew, 1.2 us a vertex of a polygon, divided among all cores but for the refitting; memory: 72
   /// bytes more a triangle for as long as the pose is not the identity.
   void set_pose(std::uint32_t object, const Pose& pose);
+  /// Where the object stands. Throws std::out_of_range, as above.
   [[nodiscard]] const Pose& pose(std::uint32_t object) const;
 
+  /// How many objects were added.
   [[nodiscard]] std::size_t object_count() const { return objects_.size(); }
+  /// The name that it was added by. Throws std::out_of_range, as above.
   [[nodiscard]] const std::string& name(std::uint32_t object) const;
   /// The object of that name. Throws std::invalid_argument where there is none.
   [[nodiscard]] std::uint32_t find(std::string_view name) const;
+  /// How many triangles and polygons it has.
   [[nodiscard]] std::size_t face_count(std::uint32_t object) const;
   /// What the object's triangles and their hierarchy occupy in memory, in bytes.
   [[nodiscard]] std::size_t triangle_memory(std::uint32_t object) const;
@@ -85,7 +95,8 @@ class Scene {
   /// Which objects are asked about: all, or some. Asking throws std::out_of_range for a number that no object has.
   class Objects {
    public:
-    Objects() = default;                          // all
+    Objects() = default;  ///< all
+    /// Some.
     Objects(std::vector<std::uint32_t> numbers);  // NOLINT: it is a set of objects
 
    private:
@@ -101,18 +112,22 @@ class Scene {
   /// that reaches it; each face at the very same distance that does not share the nearest vertex or edge adds 20 us.
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects = {}) const;
 
+  /// @{
   /// The same questions; what became of each face is added to the counts. Cost: twice the time or more.
   [[nodiscard]] bool touches(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, FaceCounts& counts,
                                                    const Objects& objects = {}) const;
+  /// @}
 
+  /// @{
   /// The same for many balls, by all cores of the machine: answer i is that of ball i.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::optional<NearestFace>> nearest(std::span<const Ball> balls,
                                                                 const Objects& objects = {}) const;
+  /// @}
 
  private:
   struct Object;

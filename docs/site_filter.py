@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: site_filter.py FILE
+
+Prints a page or a header as Doxygen takes it, which calls this for each of its inputs from the root of the sources.
+
+A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file that is not in the
+site becomes the file's path. In a header numbered guarantees, (1), (2), ..., become lists.
+"""
+
+import pathlib
+import re
+import sys
+
+FENCE = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
+HEADING = re.compile(r"^(#+) +(.+?)$", re.MULTILINE)
+LINK = re.compile(r"(?<!!)\[([^][]+)\]\(([^()\s]+)\)")
+
+
+def slug(heading):
+    """The anchor that a host of git repositories gives a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def page_name(path):
+    """What the site calls a page: `robust-proofs` of robust/proofs/README.md; its file is that with `.html`."""
+    name = "-".join(path.with_suffix("").parts).lower()
+    return "index" if name == "readme" else name.removesuffix("-readme")
+
+
+def target(page, link):
+    """The file and the anchor ("" for none) that a page's relative link leads to."""
+    path, _, anchor = link.partition("#")
+    return (page.parent / path if path else page).resolve().relative_to(pathlib.Path.cwd()), anchor
+
+
+def site_page(page, text):
+    def heading(match):
+        anchor = page_name(page) + ("" if match[1] == "#" else "-" + slug(match[2]))
+        contents = "\n\n[TOC]" if match[1] == "#" else ""
+        return match[0] + (f" {{#{anchor}}}" if anchor != "index" else "") + contents
+
+    def link(match):
+        if re.match(r"\w+:", match[2]):
+            return match[0]
+        path, anchor = target(page, match[2])
+        if path.suffix != ".md":
+            return f"`{path}`"
+        words = " ".join(match[1].split())  # Doxygen wants them on one line
+        return f"[{words}](@ref {page_name(path)}{'-' + anchor if anchor else ''})"
+
+    parts = FENCE.split(text)
+    parts[::2] = [LINK.sub(link, HEADING.sub(heading, part)) for part in parts[::2]]
+    return "".join(parts)
+
+
+def site_header(text):
+    lines, in_list = [], False
+    for line in text.splitlines():
+        item = re.match(r"( *///) +\((\d+)\) (.*)", line)
+        if item:
+            line = f"{item[1]}  {item[2]}. {item[3]}"
+        elif in_list and re.match(r" */// \S", line):
+            lines.append("///")
+        in_list = bool(item) or in_list and bool(re.match(r" *///  ", line))
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def main(file):
+    page = pathlib.Path(file).resolve().relative_to(pathlib.Path.cwd())
+    text = page.read_text()
+    print(site_page(page, text) if page.suffix == ".md" else site_header(text), end="")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: site.py FOLDER
+
+Every link and picture within the site that Doxygen made leads to a file there, and to a place in it. Exit status 1
+otherwise.
+"""
+
+import html.parser
+import pathlib
+import sys
+import urllib.parse
+
+
+class Page(html.parser.HTMLParser):
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.places = set(), set()
+        self.feed(path.read_text())
+
+    def handle_starttag(self, _, attributes):
+        for name, value in attributes:
+            if name in ("id", "name"):
+                self.places.add(value)
+            elif name in ("href", "src") and value and not urllib.parse.urlsplit(value).scheme:
+                self.links.add(urllib.parse.unquote(value))
+
+
+def main(folder):
+    folder = pathlib.Path(folder)
+    pages = {path.name: Page(path) for path in folder.glob("*.html")}
+    faults, links = [], 0
+    for name, page in pages.items():
+        for link in page.links:
+            file, _, place = link.partition("#")
+            links += 1
+            if file and not (folder / file).exists():
+                faults.append(f"{name}: {link}: there is no such file")
+            elif place and (file or name) in pages and place not in pages[file or name].places:
+                faults.append(f"{name}: {link}: there is no such place")
+    print("\n".join(sorted(faults)) or f"{len(pages)} pages, {links} links")
+    return 1 if faults or not links else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
