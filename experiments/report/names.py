@@ -58,6 +58,7 @@ ENGINES = {
     "fcl": "FCL, doubles",
     "libccd": "libccd's GJK, doubles",
     "bullet": "Bullet, doubles",
+    "bullet-float": "Bullet, its default build in floats",
     "ode": "ODE, doubles",
     "embree": "Embree's closest point, floats",
     "thesis": "the thesis of 2008",

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <BulletCollision/CollisionDispatch/SphereTriangleDetector.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
-#include <BulletCollision/CollisionShapes/btTriangleShape.h>
-
+#include "experiments/methods/engines/bullet_contact.h"
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/engines/triangle_method.h"
 
@@ -11,15 +8,10 @@ namespace {
 
 static_assert(sizeof(btScalar) == sizeof(double), "this is about Bullet's double build");
 
-btVector3 vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
 std::optional<bool> contact(const Ball& ball, const Triangle& t) {
-  btSphereShape sphere(ball.radius);
-  btTriangleShape triangle(vector(t.a), vector(t.b), vector(t.c));
-  SphereTriangleDetector detector(&sphere, &triangle, 0);
-  btVector3 where, normal;
-  btScalar depth = 0, time = 1;
-  return detector.collide(vector(ball.center), where, normal, depth, time, 0);
+  const double sphere[]{ball.center.x(), ball.center.y(), ball.center.z(), ball.radius};
+  const double triangle[]{t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
+  return bullet_contact(sphere, triangle);
 }
 
 }  // namespace

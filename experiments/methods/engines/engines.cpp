@@ -15,6 +15,9 @@ void add_engines(MethodList& list) {
 #ifdef TOUCHSTONE_BULLET
   add_bullet(list);
 #endif
+#ifdef TOUCHSTONE_BULLET_FLOAT
+  add_bullet_float(list);
+#endif
 #ifdef TOUCHSTONE_ODE
   add_ode(list);
 #endif
