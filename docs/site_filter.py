@@ -4,8 +4,8 @@
 Prints a page or a header as Doxygen takes it, which calls this for each of its inputs from the root of the sources.
 
 A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file
-that is no page becomes its path, which Doxygen makes a link of if it has the file. In a header numbered guarantees, (1),
-(2), ..., become lists.
+that is no page becomes its path, of which Doxygen makes a link if it has the file. In a header, numbered guarantees
+become lists.
 """
 
 import pathlib
