@@ -3,8 +3,9 @@
 
 Prints a page or a header as Doxygen takes it, which calls this for each of its inputs from the root of the sources.
 
-A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file that is not in the
-site becomes the file's path. In a header numbered guarantees, (1), (2), ..., become lists.
+A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file
+that is no page becomes its path, of which Doxygen makes a link if it has the file. In a header, numbered guarantees
+become lists.
 """
 
 import pathlib
@@ -13,6 +14,7 @@ import sys
 
 FENCE = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^(#+) +(.+?)$", re.MULTILINE)
+CODE = re.compile(r"(`+)(.+?)\1")
 LINK = re.compile(r"(?<!!)\[([^][]+)\]\(([^()\s]+)\)")
 
 
@@ -33,6 +35,11 @@ def target(page, link):
     return (page.parent / path if path else page).resolve().relative_to(pathlib.Path.cwd()), anchor
 
 
+def quotable(text):
+    """Code with a quote stands between two backticks: after one, Doxygen takes it for the end."""
+    return CODE.sub(lambda code: f"``{code[2]}``" if "'" in code[2] else code[0], text)
+
+
 def site_page(page, text):
     def heading(match):
         anchor = page_name(page) + ("" if match[1] == "#" else "-" + slug(match[2]))
@@ -49,7 +56,7 @@ def site_page(page, text):
         return f"[{words}](@ref {page_name(path)}{'-' + anchor if anchor else ''})"
 
     parts = FENCE.split(text)
-    parts[::2] = [LINK.sub(link, HEADING.sub(heading, part)) for part in parts[::2]]
+    parts[::2] = [quotable(LINK.sub(link, HEADING.sub(heading, part))) for part in parts[::2]]
     return "".join(parts)
 
 
@@ -63,7 +70,7 @@ def site_header(text):
             lines.append("///")
         in_list = bool(item) or in_list and bool(re.match(r" *///  ", line))
         lines.append(line)
-    return "\n".join(lines) + "\n"
+    return quotable("\n".join(lines) + "\n")
 
 
 def main(file):

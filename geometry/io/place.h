@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+/// How files are read.
 namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).

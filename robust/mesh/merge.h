@@ -9,6 +9,8 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 
+/// What is made of meshes as they come, before balls are held against them: welded vertices, polygons of coplanar
+/// faces, objects of scenes.
 namespace touchstone::mesh {
 
 /// A polygon, and the faces of the mesh whose union it is.

@@ -46,7 +46,7 @@ def main(source):
 
     entries = set(re.findall(r"^@\w+\{(\w+),", pathlib.Path("papers/references.bib").read_text(), re.MULTILINE))
     cited = 0
-    code = [file for folder in folders for ending in ("h", "cpp", "py") for file in pathlib.Path(folder).rglob(f"*.{ending}")]
+    code = [file for folder in folders for file in pathlib.Path(folder).rglob("*") if file.suffix in (".h", ".cpp", ".py")]
     for file in [*pages, *code]:
         for key in re.findall(r"\[([a-z]{3,}\d{4}[a-z]?)[],]", file.read_text()):
             cited += 1
@@ -54,9 +54,9 @@ def main(source):
                 faults.append(f"{file}: [{key}] is not in papers/references.bib")
 
     sources = "".join(file.read_text() for file in pathlib.Path("experiments").rglob("*.cpp"))
-    tables = set(re.findall(r"`([\w-]+\.(?:csv|jsonl|txt))`", prose[pathlib.Path("experiments/FORMATS.md")].
-                            partition("## Tables of studies")[2]))
-    faults += [f"experiments/FORMATS.md: nothing writes {name}" for name in sorted(tables) if f'"{name}"' not in sources]
+    formats = pathlib.Path("experiments/FORMATS.md")
+    tables = set(re.findall(r"`([\w-]+\.(?:csv|jsonl|txt))`", prose[formats].partition("## Tables of studies")[2]))
+    faults += [f"{formats}: nothing writes {name}" for name in sorted(tables) if f'"{name}"' not in sources]
 
     print("\n".join(faults) or f"{len(pages)} pages, {links} links, {cited} citations, {len(tables)} tables")
     return 1 if faults or min(links, cited, len(tables)) == 0 else 0

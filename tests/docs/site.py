@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: site.py FOLDER
 
-Every link and picture within the site that Doxygen made leads to a file there, and to a place in it. Exit status 1
-otherwise.
+Every link, menu entry and picture within the site that Doxygen made leads to a file there, and to a place in it; every
+namespace of a header has a page, without which its functions are nowhere. Exit status 1 otherwise.
 """
 
 import html.parser
 import pathlib
+import re
 import sys
 import urllib.parse
 
@@ -14,8 +15,8 @@ import urllib.parse
 class Page(html.parser.HTMLParser):
     def __init__(self, path):
         super().__init__()
-        self.links, self.places = set(), set()
-        self.feed(path.read_text())
+        self.links, self.places, self.text = set(), set(), path.read_text()
+        self.feed(self.text)
 
     def handle_starttag(self, _, attributes):
         for name, value in attributes:
@@ -28,15 +29,22 @@ class Page(html.parser.HTMLParser):
 def main(folder):
     folder = pathlib.Path(folder)
     pages = {path.name: Page(path) for path in folder.glob("*.html")}
+    links_of = {name: page.links for name, page in pages.items()}
+    links_of["menudata.js"] = set(re.findall(r'url:"([^"]+)"', (folder / "menudata.js").read_text()))
     faults, links = [], 0
-    for name, page in pages.items():
-        for link in page.links:
+    for name, found in links_of.items():
+        for link in found:
             file, _, place = link.partition("#")
             links += 1
             if file and not (folder / file).exists():
                 faults.append(f"{name}: {link}: there is no such file")
             elif place and (file or name) in pages and place not in pages[file or name].places:
                 faults.append(f"{name}: {link}: there is no such place")
+    for name, page in pages.items():
+        if "](<a " in page.text:
+            faults.append(f"{name}: a link was not understood")
+        for namespace in re.findall(r"namespace </span>(\w[\w:]*) {", page.text if "_8h_source" in name else ""):
+            faults.append(f"{name}: namespace {namespace} has no comment, and so no page")
     print("\n".join(sorted(faults)) or f"{len(pages)} pages, {links} links")
     return 1 if faults or not links else 0
 
