@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints one hash of the answers of `exact` and `filtered` to many questions, most of them near a boundary, in all four
-// rounding modes. The same for every compiler and every flag, or some answer is not.
+// rounding modes. The same for every compiler, every flag and every thread, or some answer is not.
 
 #include <cfenv>
 #include <cmath>
@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -82,12 +85,16 @@ Loop outline(Random& random) {
 
 constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
-}  // namespace
+struct Question {
+  Loop loop;
+  exact::PreparedPolygon truth;
+  filtered::PreparedPolygon prepared;
+  Ball ball;
+  int mode;
+};
 
-int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 2000;
-  Hash exact_hash, filtered_hash;
-  int asked = 0;
+std::vector<Question> draw(int count) {
+  std::vector<Question> questions;
   for (int i = 0; i < count; ++i) {
     Random random(static_cast<std::uint64_t>(i));
     Loop loop = outline(random);
@@ -95,27 +102,51 @@ int main(int argc, char** argv) {
     for (Eigen::Vector3d& p : loop) p *= scale;
     const Polygon polygon(loop);
     if (exact::validate(polygon)) continue;
-    const exact::PreparedPolygon truth(polygon);
-    const filtered::PreparedPolygon prepared(polygon);
+    exact::PreparedPolygon truth(polygon);
     Ball ball{random.vector() * scale, 0};
     if (random.below(2) == 0) ball.center = (loop[0] + loop[1]) / 2;
     ball.radius = exact::answer(ball, truth).distance;
     if (random.below(2) == 0) ball.radius = std::nextafter(ball.radius, random.below(2) == 0 ? 0.0 : HUGE_VAL);
+    questions.push_back({loop, std::move(truth), filtered::PreparedPolygon(polygon), ball, kModes[i % 4]});
+  }
+  return questions;
+}
 
-    std::fesetround(kModes[i % 4]);
+struct Hashes {
+  Hash exact, filtered;
+};
+
+/// Questions are shared, not their answers.
+Hashes ask(const std::vector<Question>& questions) {
+  Hashes hashes;
+  for (const auto& [loop, truth, prepared, ball, mode] : questions) {
+    std::fesetround(mode);
     const Answer certified = filtered::answer(ball, prepared);
     const bool contact = loop.size() == 3 ? filtered::contact(ball, Triangle{loop[0], loop[1], loop[2]})
                                           : filtered::contact(ball, prepared);
     const Answer exact = exact::answer(ball, truth);
     std::fesetround(FE_TONEAREST);
-    exact_hash.add(exact);
-    exact_hash.add(std::uint64_t{exact.contact()});
-    filtered_hash.add(certified);
-    filtered_hash.add(std::uint64_t{contact});
-    ++asked;
+    hashes.exact.add(exact);
+    hashes.exact.add(std::uint64_t{exact.contact()});
+    hashes.filtered.add(certified);
+    hashes.filtered.add(std::uint64_t{contact});
   }
-  std::printf("%d questions, exact %016llx, filtered %016llx\n", asked,
-              static_cast<unsigned long long>(exact_hash.value()),
-              static_cast<unsigned long long>(filtered_hash.value()));
-  return exact_hash.value() == filtered_hash.value() ? 0 : 1;
+  return hashes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Question> questions = draw(argc > 1 ? std::atoi(argv[1]) : 2000);
+  std::vector<Hashes> hashes(argc > 2 ? static_cast<std::size_t>(std::atoi(argv[2])) : 1);
+  std::vector<std::thread> threads;
+  for (Hashes& own : hashes) threads.emplace_back([&questions, &own] { own = ask(questions); });
+  for (std::thread& thread : threads) thread.join();
+
+  const std::uint64_t exact = hashes[0].exact.value();
+  std::printf("%zu questions, exact %016llx, filtered %016llx\n", questions.size(),
+              static_cast<unsigned long long>(exact), static_cast<unsigned long long>(hashes[0].filtered.value()));
+  for (const Hashes& each : hashes)
+    if (each.exact.value() != exact || each.filtered.value() != exact) return 1;
+  return 0;
 }

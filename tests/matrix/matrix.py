@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The answers of `exact` and `filtered` hash to the same value whatever compiles them.
+"""The answers of `exact` and `filtered` hash to the same value whatever compiles them, and however many threads ask.
 
 Usage: matrix.py SOURCE SCRATCH [QUESTIONS]
 
-Builds geometry, robust and answers.cpp with g++ and clang++, at -O0, -O2 and -O3 -march=native, the last with and
-without contraction to fused multiply-add, and compares what the programs print.
+Builds what answers.cpp needs with g++ and clang++, at -O0, -O2 and -O3 -march=native, the last with and without
+contraction to fused multiply-add, and with g++'s ThreadSanitizer, where four threads ask the same prepared polygons. The
+programs must print the same.
 """
 
 import concurrent.futures
@@ -14,13 +15,15 @@ import shutil
 import subprocess
 import sys
 
-COMPILERS = ["g++", "clang++"]
 FLAGS = [
     ["-O0", "-ffp-contract=off"],
     ["-O2", "-ffp-contract=off"],
     ["-O3", "-march=native", "-ffp-contract=off"],
     ["-O3", "-march=native", "-ffp-contract=fast"],
 ]
+THREADS = ["-O1", "-g", "-fsanitize=thread", "-ffp-contract=off"]
+BUILDS = [(compiler, flags) for compiler in ("g++", "clang++") for flags in FLAGS] + [("g++", THREADS)]
+FOLDERS = ["geometry/shapes", "geometry/contact", "robust/exact", "robust/filtered"]
 COMMON = ["-std=c++20", "-w", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", "-isystem", "/usr/include/eigen3"]
 
 
@@ -39,26 +42,25 @@ def compile_file(compiler, flags, source, file, target):
 def main():
     source, scratch = sys.argv[1:3]
     questions = sys.argv[3] if len(sys.argv) > 3 else "2000"
-    files = [f for f in glob.glob(f"{source}/robust/**/*.cpp", recursive=True) if "/proofs/" not in f]
-    files += glob.glob(f"{source}/geometry/shapes/*.cpp") + glob.glob(f"{source}/geometry/contact/*.cpp")
+    files = [file for folder in FOLDERS for file in sorted(glob.glob(f"{source}/{folder}/*.cpp"))]
     files.append(f"{source}/tests/matrix/answers.cpp")
     answers = {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for compiler in COMPILERS:
+        for number, (compiler, flags) in enumerate(BUILDS):
             if not shutil.which(compiler):
                 sys.exit(f"matrix: {compiler} is not installed")
-            for number, flags in enumerate(FLAGS):
-                folder = f"{scratch}/{compiler}-{number}"
-                os.makedirs(folder, exist_ok=True)
-                targets = [f"{folder}/{i}.o" for i in range(len(files))]
-                objects = list(pool.map(lambda f, t: compile_file(compiler, flags, source, f, t), files, targets))
-                program = f"{folder}/answers"
-                subprocess.run([compiler, *objects, "-lmpfr", "-lgmp", "-o", program], check=True)
-                run = subprocess.run([program, questions], capture_output=True, text=True)
-                print(compiler, *flags, "->", run.stdout.strip(), flush=True)
-                if run.returncode != 0:
-                    sys.exit(f"matrix: exact and filtered differ: {run.stdout}{run.stderr}")
-                answers[run.stdout] = (compiler, flags)
+            folder = f"{scratch}/{number}-{compiler}"
+            os.makedirs(folder, exist_ok=True)
+            targets = [f"{folder}/{i}.o" for i in range(len(files))]
+            objects = list(pool.map(lambda f, t: compile_file(compiler, flags, source, f, t), files, targets))
+            program = f"{folder}/answers"
+            sanitizer = [flag for flag in flags if flag.startswith("-fsanitize")]
+            subprocess.run([compiler, *sanitizer, *objects, "-lmpfr", "-lgmp", "-lpthread", "-o", program], check=True)
+            run = subprocess.run([program, questions, "4" if flags == THREADS else "1"], capture_output=True, text=True)
+            print(compiler, *flags, "->", run.stdout.strip(), flush=True)
+            if run.returncode != 0:
+                sys.exit(f"matrix: exact and filtered differ, or threads: {run.stdout}{run.stderr}")
+            answers[run.stdout] = (compiler, flags)
     if len(answers) != 1:
         sys.exit(f"matrix: {len(answers)} different answers")
     print("one answer")
