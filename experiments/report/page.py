@@ -137,7 +137,7 @@ def size_of(path):
 
 def image(path, alt):
     width, height = size_of(path)
-    return f'<img decoding="async" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+    return f'<img width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
 
 
 def picture(path, alt, caption):

@@ -3,7 +3,7 @@
 from chapters.asked import by_method
 from names import PLACEMENTS
 from page import bar, code, count, counted, percent, picture, rounded, smaller, table, words
-from results import finite, natural, number, share
+from results import finite, natural, number
 
 TITLE = "What being right costs"
 NAMES = {"lattice-frame": "planar", "rotated": "rotated"}
