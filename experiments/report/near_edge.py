@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from names import OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
-from style import STYLES, plt, save
+from style import STYLES, draw, plt, save
 
 
 def place(offset):
@@ -248,13 +248,9 @@ def main():
         sys.exit("usage: near_edge.py FOLDER")
     folder = pathlib.Path(sys.argv[1])
     rates = Rates(folder / "rates.csv")
-    for placement in PLACEMENTS:
-        if rates.thresholds(placement):
-            draw_rates(rates, folder, placement)
-            draw_families(rates, folder, placement)
-    for spot in SPOTS:
-        draw_maps(folder, spot)
-    draw_onset(folder)
+    placements = [placement for placement in PLACEMENTS if rates.thresholds(placement)]
+    draw([*((draw_families, rates, folder, placement) for placement in placements), (draw_onset, folder),
+          *((draw_rates, rates, folder, placement) for placement in placements), *((draw_maps, folder, spot) for spot in SPOTS)])
 
 
 if __name__ == "__main__":

@@ -94,11 +94,9 @@ def upper_limit(trials):
     return 1 - 0.05 ** (1 / trials)
 
 
-def share(failures, trials, digits=2):
-    """A share; where nothing failed, of how many, and the upper 95 % limit."""
-    if failures:
-        return percent(failures / trials, digits)
-    return f"0 of {count(trials)} (< {percent(upper_limit(trials))})"
+def counted(number, plural, singular=None):
+    """1 mesh, 2 meshes; the singular is the plural without its last letter, if it is not given."""
+    return f"{count(number)} {(singular or plural[:-1]) if number == 1 else plural}"
 
 
 def words(parts, last="and"):
@@ -139,7 +137,7 @@ def size_of(path):
 
 def image(path, alt):
     width, height = size_of(path)
-    return f'<img decoding="async" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+    return f'<img width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
 
 
 def picture(path, alt, caption):

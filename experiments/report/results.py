@@ -98,9 +98,14 @@ class Study:
     def __init__(self, folder):
         self.folder = folder
         self.run = read_run(folder / "run.json")
+        self.kept = {}  # what was read; the sentences of a chapter ask for the same again and again
 
     def rows(self, name, **columns):
-        return read_csv(self.folder / name, **columns)
+        """As of `read_csv`; not to be changed."""
+        key = name, *columns.items()
+        if key not in self.kept:
+            self.kept[key] = read_csv(self.folder / name, **columns)
+        return self.kept[key]
 
     @property
     def complete(self):

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 
 from names import AXES, NEARNESSES
-from style import STYLES, plt, save
+from style import STYLES, draw, plt, save
 
 MODES = ("rounding", "flush")
 # Where products underflow, bounds have an absolute part, which a line cannot show.
@@ -181,6 +181,12 @@ def draw_conditions(folder, rows, stage, words):
     save(figure, folder, f"conditions-{stage}")
 
 
+CONDITIONS = {"maxima": "signs in doubles; condition: product of the largest components / |value|",
+              "permanent": "signs in doubles; condition: permanent / |value|",
+              "double-double": "signs in double-doubles; condition: product of the largest components / |value|",
+              "frame": "in the frame of a prepared polygon; condition: size / |value|"}
+
+
 def draw_tightness(folder, rows):
     rows = [row for row in rows if int(row["observations"]) > 0]
     total = [row for row in rows if row["axis"] == "all"]
@@ -254,19 +260,13 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
     styles = Styles(distinct(failures, "method"))
-    for nearness in NEARNESSES:
-        if any(row["nearness"] == nearness for row in failures):
-            draw_failures(folder, failures, nearness, styles)
-    for quantity in ("distance", "point"):
-        draw_errors(folder, errors, quantity, styles)
     conditions = rows_of(folder / "conditions.csv")
-    for stage, words in (("maxima", "signs in doubles; condition: product of the largest components / |value|"),
-                         ("permanent", "signs in doubles; condition: permanent / |value|"),
-                         ("double-double", "signs in double-doubles; condition: product of the largest components / |value|"),
-                         ("frame", "in the frame of a prepared polygon; condition: size / |value|")):
-        draw_conditions(folder, conditions, stage, words)
-    draw_tightness(folder, rows_of(folder / "tightness.csv"))
-    draw_onset(folder, rows_of(folder / "onset.csv"), styles)
+    draw([*((draw_failures, folder, failures, nearness, styles) for nearness in NEARNESSES
+            if any(row["nearness"] == nearness for row in failures)),
+          *((draw_errors, folder, errors, quantity, styles) for quantity in ("distance", "point")),
+          *((draw_conditions, folder, conditions, stage, words) for stage, words in CONDITIONS.items()),
+          (draw_tightness, folder, rows_of(folder / "tightness.csv")),
+          (draw_onset, folder, rows_of(folder / "onset.csv"), styles)])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How all pictures look. Same data, same bytes: nothing here depends on the time or on chance."""
+import multiprocessing
+import os
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -21,3 +24,18 @@ def save(figure, folder, name, kinds=("png", "svg")):
     for kind in kinds:
         figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=UNTOLD[kind])
     plt.close(figure)
+
+
+_jobs = []  # what the processes of `draw` share
+
+
+def _draw(i):
+    function, *arguments = _jobs[i]
+    function(*arguments)
+
+
+def draw(jobs):
+    """Calls each function with its arguments, in as many processes as there are processors; the slow ones should come first."""
+    _jobs[:] = jobs
+    with multiprocessing.get_context("fork").Pool(min(len(os.sched_getaffinity(0)), 8)) as pool:
+        pool.map(_draw, range(len(_jobs)), chunksize=1)

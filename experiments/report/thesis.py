@@ -5,8 +5,6 @@ and PNG, and writes index.html.
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import json
-import multiprocessing
-import os
 import pathlib
 import shutil
 import sys
@@ -14,7 +12,7 @@ import sys
 import thesis_cell as views
 import thesis_method as method
 import thesis_model as model
-from style import STYLES, save
+from style import STYLES, draw, save
 from thesis_page import write_page
 
 BLUE, ORANGE, RED, BLACK = (STYLES[i][0] for i in range(4))
@@ -128,24 +126,14 @@ def pictures(data):
 # What is seen in two figures is drawn once.
 SAME = {"5-23": "5-20", "6-1": "5-17", "6-2": "5-20", "6-7": "5-24", "6-9": "4-1", "6-16": "4-2", "6-19": "5-21"}
 
-drawn, folder = {}, None  # what processes share
-
-
-def draw(stem):
-    save(drawn[stem](), folder, stem)
-
-
 def main(path):
-    global drawn, folder
     folder = pathlib.Path(path)
     data = Data(folder)
     wanted = [entry["picture"] for entry in data.entries if entry["picture"]]
     drawn = pictures(data)
     if missing := sorted(set(wanted) ^ set(drawn) ^ set(SAME)):
         sys.exit(f"thesis.py: entries and pictures differ: {', '.join(missing)}")
-    processes = min(len(os.sched_getaffinity(0)), 8)
-    with multiprocessing.get_context("fork").Pool(processes) as pool:
-        pool.map(draw, drawn, chunksize=1)
+    draw((lambda stem=stem, make=make: save(make(), folder, stem),) for stem, make in drawn.items())
     for stem, original in SAME.items():
         for kind in ("svg", "png"):
             shutil.copyfile(folder / f"{original}.{kind}", folder / f"{stem}.{kind}")

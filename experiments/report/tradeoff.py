@@ -14,7 +14,7 @@ from matplotlib.path import Path as MarkerPath
 
 from names import OWN_TEST, PLACEMENTS, TITLES
 from near_edge import EVEN_STEPS, place, shade_even_steps
-from style import STYLES, plt, save
+from style import STYLES, draw, plt, save
 
 # What their names begin with; a colour a kind of method, a marker a method of it.
 KINDS = [(("thesis",), "#D55E00", "thesis"), (("fast",), "#0072B2", "fast"), (("cgal",), "#009E73", "CGAL"),
@@ -336,15 +336,10 @@ def main():
     front = read(folder / "front.csv")
     errors = read(folder / "errors.csv")
     looks = Looks(row["method"] for row in errors)
-    for measure in MEASURES:
-        rows = [row for row in front if row["measure"] == measure]
-        if not rows:
-            continue
-        draw_pooled([row for row in rows if row["family"] == "all"], folder, measure, looks)
-        draw_families([row for row in rows if row["family"] != "all"], folder, measure, looks)
-    for placement in PLACEMENTS:
-        if any(row["placement"] == placement for row in errors):
-            draw_offsets(errors, folder, placement)
+    by_measure = {measure: rows for measure in MEASURES if (rows := [row for row in front if row["measure"] == measure])}
+    draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure, looks) for measure, rows in by_measure.items()),
+          *((draw_offsets, errors, folder, placement) for placement in PLACEMENTS if any(row["placement"] == placement for row in errors)),
+          *((draw_pooled, [row for row in rows if row["family"] == "all"], folder, measure, looks) for measure, rows in by_measure.items())])
 
 
 if __name__ == "__main__":

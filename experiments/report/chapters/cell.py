@@ -24,7 +24,7 @@ def said_of_methods(study):
         return "No method was asked beside."
     if wrong:
         return f"Wrong answers among {count(questions)}: {words(wrong)}."
-    return (f"None of {len(counts)} methods was wrong about the {count(questions)} questions where boxes meet; so few say little: at most "
+    return (f"Not one of {len(counts)} methods was wrong about the {count(questions)} questions where boxes meet; so few say little: at most "
             f"{percent(upper_limit(questions))} of such questions (95 %).")
 
 

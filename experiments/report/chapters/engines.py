@@ -5,7 +5,7 @@ import re
 from chapters.asked import Asked
 from engines import OVERALL, by_family, overall, rows_by_engine
 from names import ENGINES
-from page import code, count, escaped, power, table, upper_limit, percent, words
+from page import code, count, counted, escaped, power, table, upper_limit, percent, words
 from results import natural
 
 TITLE = "Other engines on the same questions"
@@ -38,7 +38,7 @@ def finding(study):
     cases = max(a.trials for a in asked(study).values())
     text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and at contact: "
     text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
-    return text + (f"; of {words(never)} none (< {percent(upper_limit(cases))})" if never and wrong else "") + "."
+    return text + (f"; of {words(never)} none (&lt; {percent(upper_limit(cases))})" if never and wrong else "") + "."
 
 
 def chapter(study):
@@ -46,7 +46,7 @@ def chapter(study):
     absent = [engine for engine in ENGINES if engine not in rows_by_engine(rows)]
     cases = max(a.trials for a in asked(study).values())
     head, lines = by_family(rows)
-    text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {len(head) - 1} families? The radii are at relative offsets of 2⁻⁸ to
+    text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}? The radii are at relative offsets of 2⁻⁸ to
 2⁻⁵² from contact, or at contact itself. Most engines take triangles, and polygons come to them as those. The cases are the same as those of the
 baseline in <code>tests/regress</code>, which every <code>./check</code> compares with.</p>"""
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still errs.",

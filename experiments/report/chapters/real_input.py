@@ -2,9 +2,10 @@
 """The chapter of `touchstone mesh-contact`: every face of meshes of real machines."""
 from chapters.asked import by_method
 from names import NAMED, of_method
-from page import bar, code, count, escaped, percent, table, words
+from page import bar, code, count, counted, escaped, percent, table, words
 from results import natural
 
+TRUTH = "exact"  # with which all are compared, itself included
 TITLE = "Real input: every face of a robot cell"
 TESTS = {"plane": "plane", "foot": "foot", "edges": "edges", "contact": "final answer"}
 
@@ -38,8 +39,8 @@ def finding(study):
     data, all_asked = Data(study), asked(study)
     faces = sum(data.faces.values())
     failing = [f"{of_method(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong and m in NAMED]
-    never = [code(m) for m, a in all_asked.items() if not a.wrong]
-    text = (f"<b>Real machines.</b> On {count(faces)} triangles of {len(data.faces)} meshes of robot arms and a milling centre, with balls at most two "
+    never = [code(m) for m, a in all_asked.items() if not a.wrong and m != TRUTH]
+    text = (f"<b>Real machines.</b> On {counted(faces, 'triangles')} of {counted(len(data.faces), 'meshes', 'mesh')} of robot arms and a milling centre, with balls at most two "
             f"doubles from a threshold, of {count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
     text += words(failing) if failing else "none of those asked"
     if never:
@@ -68,17 +69,16 @@ def chapter(study):
           count(sum(n for mesh, n in data.faces.items() if mesh.startswith(folder + "/"))),
           *(percent(wrong / trials) if wrong else "0" for wrong, trials in (data.counts(m, mesh=folder + "/") for m in methods))]
          for folder in data.folders], range(1, 3 + len(methods)))
-    missed = sum(row["rejected"] for row in {row["mesh"]: row for row in data.rows}.values())
+    rejected = sum(row["rejected"] for row in {row["mesh"]: row for row in data.rows}.values())
     ordered = sorted((data.counts(m)[0] / data.counts(m)[1], m) for m in methods)
     least = next(((rate, m) for rate, m in ordered if rate), None)
-    text = f"""<p>Do such failures need contrived shapes? Debian's package <code>linuxcnc-uspace</code> ships the meshes of {len(data.folders)}
-machines: robot arms and a milling centre. Each of their {count(faces)} faces is asked about 20 balls: 5 near the face, 5 near an edge and 5 near
+    text = f"""<p>Do such failures need contrived shapes? Debian's package <code>linuxcnc-uspace</code> ships the meshes of {counted(len(data.folders), 'machines')}:
+robot arms and a milling centre. Each of their {count(faces)} faces is asked about 20 balls: 5 near the face, 5 near an edge and 5 near
 a vertex, with the double nearest to the exact distance as the radius, and one and two doubles to either side; and 5 with an ample radius, whose
 centre is moved by single doubles so that its <i>foot</i> (the point of the face's plane straight below it) crosses an edge. The truth is
-{code("exact")}: rational arithmetic on the doubles as they are. {count(missed) if missed else "None"} of the faces {"were" if missed else "was"}
-rejected as no polygon.</p>{by_test}"""
+{code("exact")}: rational arithmetic on the doubles as they are. {counted(rejected, 'faces') if rejected else "Not one"}
+{"were" if rejected > 1 else "was"} rejected as no polygon.</p>{by_test}"""
     if least:
-        text += (f"<p>What follows: the meshes of working machines are no kinder than random polygons. Of those that err at all, "
-                 f"{code(least[1])} errs least, in {percent(least[0])}; the most, {code(ordered[-1][1])}, in {percent(ordered[-1][0])}. "
-                 "The machine hardly matters:</p>")
+        text += (f"<p>Of the methods that err at all, {code(least[1])} errs least, in {percent(least[0])}; {code(ordered[-1][1])} most, in "
+                 f"{percent(ordered[-1][0])}. By machine:</p>")
     return text + by_machine

@@ -2,7 +2,7 @@
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
 from chapters.asked import Asked
 from names import AXES, NEARNESSES
-from page import bar, code, count, escaped, level, percent, picture, power, rounded, smaller, table, words
+from page import bar, code, count, counted, escaped, level, percent, picture, power, rounded, smaller, table, words
 from results import finite, maybe, natural, number, share
 
 TITLE = "Polygons under stress"
@@ -106,7 +106,7 @@ def tightness_picture(study, data):
                    f"Rounding errors of the signs that {code('filtered')} decides by, divided by the bounds that are proved for them. "
                    f"<b>What follows:</b> {'no error' if not exceeded else f'{count(exceeded)} errors'} beyond its bound in "
                    f"{count(sum(row['observations'] for row in observed))} observations; the largest is {rounded(top['max'])} of the bound "
-                   f"({escaped(top['stage'])}: {escaped(top['quantity'])}), so the bounds are not idle. Names: the stage (maxima and permanent: doubles with a "
+                   f"({escaped(top['stage'])}: {escaped(top['quantity'])}). Names: the stage (maxima and permanent: doubles with a "
                    "quick and with a sharper bound; double-double; frame: the plane's own coordinates), then the sign that is decided.")
 
 
@@ -134,7 +134,7 @@ def onset_picture(study, data):
 def chapter(study):
     data = Data(study)
     text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the origin, tiny and huge
-numbers, vertices off the plane, long chains of rotations, other rounding modes; {study.run['samples_asked']} polygons a level, fewer at slow levels. Each is
+numbers, vertices off the plane, long chains of rotations, other rounding modes; {counted(study.run['samples_asked'], 'polygons')} a level, fewer at slow levels. Each is
 asked about balls at three distances from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
     text += failures_picture(study, data, "close") + first_table(data, "close") + failures_picture(study, data, "ample")
     return text + onset_picture(study, data) + tightness_picture(study, data)

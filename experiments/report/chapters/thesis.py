@@ -47,12 +47,12 @@ def finding(study):
             + (f" (not: {differing(data)})." if data.differing else "."))
 
 
-def shown_picture(study, entry):
+def shown_picture(study, data, entry):
     path = smaller(study.folder, entry["picture"]) if entry["picture"] else None
     if path is None:
         return ""
     return picture(path, entry["shows"], f"{escaped(name_of(entry))}, {escaped(entry['caption'])}: {escaped(entry['shows'])} "
-                   f"<b>What follows:</b> {escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}.")
+                   f"{escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}; numbers stated and met: {agreement(data, entry)}.")
 
 
 def chapter(study):
@@ -67,7 +67,7 @@ the foot and calls the foot inside if they reach 0.99 of a full turn. Without si
     text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
-    text += "".join(shown_picture(study, by_id[name]) for name in SHOWN if name in by_id)
+    text += "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)
     for chapter_id, title in CHAPTERS:
         members = [entry for entry in data.entries if chapter_of(entry) == chapter_id]
         if members:

@@ -2,8 +2,8 @@
 """The chapter of `touchstone tradeoff`: run time against error."""
 from chapters.asked import by_method
 from names import PLACEMENTS
-from page import bar, code, count, percent, picture, rounded, smaller, table, words
-from results import finite, natural, number, share
+from page import bar, code, count, counted, percent, picture, rounded, smaller, table, words
+from results import finite, natural, number
 
 TITLE = "What being right costs"
 NAMES = {"lattice-frame": "planar", "rotated": "rotated"}
@@ -75,7 +75,7 @@ def rates_table(data):
         for placement in data.placements:
             row = data.rate(method, placement)
             cells.append("no final answer" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
-                         f"0 <small>(< {percent(row['upper'])})</small>")
+                         f"0 <small>(&lt; {percent(row['upper'])})</small>")
         for balls in ("near", "anywhere"):
             cells += [times(data.ratio(method, placement, balls)) for placement in data.placements]
         rows.append([code(method), *cells])
@@ -112,7 +112,7 @@ def front_picture(study, data, measure):
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run, {study.run['samples_asked']} polygons of each family and
+    text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run, {counted(study.run['samples_asked'], 'polygons')} of each family and
 threshold for the errors, and take turns on the same lists of distinct questions for the times. Times on a machine that does other things
 beside are noise: their quartiles are drawn, and the front says whom they may keep from it.</p>"""
     return text + front_picture(study, data, "not-right") + rates_table(data) + front_picture(study, data, "distance")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What never failed, and how sure that is: from how often each study asked each method."""
-from page import code, count, escaped, percent, table, upper_limit, words
+from page import code, count, counted, escaped, percent, table, upper_limit, words
 
 CERTIFIED, TRUTH = "filtered", "exact"  # what must never fail, and what is right by definition
 
@@ -20,7 +20,7 @@ def sentence(asked):
                 "table below.")
     studies = sum(CERTIFIED in counts for counts in asked.values())
     return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, faces and cases of "
-            f"{studies} {'study' if studies == 1 else 'studies'}. If a share of such were answered wrongly, it would be at most {percent(upper_limit(trials))} (95 % limit). "
+            f"{counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at most {percent(upper_limit(trials))} (95 % limit). "
             "That is what was measured; the bounds behind its answers are also proved by a proof tool, in every test run.")
 
 

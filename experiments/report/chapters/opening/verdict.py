@@ -14,7 +14,7 @@ def headline(asked):
     text = f"Near contact, {count(len(wrong))} of {count(len(methods))} methods gave wrong answers"
     answers = never_failed.sums(asked, never_failed.CERTIFIED)[0]
     if answers and never_failed.CERTIFIED not in wrong:
-        text += f"; {code(never_failed.CERTIFIED)} never did, in {count(answers)}"
+        text += f"; {code(never_failed.CERTIFIED)} gave none in {count(answers)}"
     return text + "."
 
 

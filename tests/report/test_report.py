@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: test_report.py TOUCHSTONE SOURCE SCRATCH
+
+The report is one page that loads nothing, links to what is there, says what was not run, and has its numbers from the data."""
+import csv
+import html.parser
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import tiny
+
+TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+REPORT = SOURCE / "experiments/report/report.py"
+sys.path.insert(0, str(SOURCE / "experiments/report"))
+
+from page import percent, rounded, share_of_size, upper_limit
+from report import CHAPTERS, page
+from results import DataError
+
+VOID = {"meta", "img", "br", "link", "input", "path", "line", "circle", "polygon"}
+
+
+class Page(html.parser.HTMLParser):
+    """What a page holds: ids, links, pictures, what it loads, and its visible text."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.ids, self.links, self.images, self.loaded, self.open, self.shown = [], [], [], [], [], []
+        self.feed(text)
+        self.text = re.sub(r"\s+", " ", "".join(self.shown))
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag not in VOID:
+            self.open.append(tag)
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if tag == "a":
+            self.links.append(attributes.get("href"))
+        if tag == "img":
+            self.images.append(attributes)
+        if tag in ("script", "link", "object", "embed", "source", "video", "audio", "base"):
+            self.loaded.append(tag)
+        self.loaded += [attributes[name] for name in ("src", "srcset", "data", "poster", "background") if
+                        attributes.get(name) and not attributes[name].startswith("data:")]
+
+    def handle_endtag(self, tag):
+        if tag not in VOID:
+            assert self.open and self.open[-1] == tag, f"</{tag}> closes {self.open[-3:]}"
+            self.open.pop()
+
+    def handle_data(self, data):
+        if not {"style", "script", "title"} & set(self.open):
+            self.shown.append(data)
+
+
+def report(results):
+    """The page, or the message of the error."""
+    try:
+        return page(results), ""
+    except DataError as error:
+        return None, str(error)
+
+
+def edited(path, edit):
+    """Rewrites the rows of a CSV file: `edit` changes one in place."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        edit(row)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.original = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH)) / "results"
+        tiny.write(TOUCHSTONE, SOURCE, cls.original)
+        cls.whole, complaint = report(cls.original)
+        assert cls.whole is not None, complaint
+        cls.page = Page(cls.whole)
+        cls.light = cls.original.parent / "light"  # the cell's page is long
+        shutil.copytree(cls.original, cls.light)
+        (cls.light / "cell/cell.html").write_text("<canvas></canvas>")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.original.parent)
+
+    def setUp(self):
+        self.results = self.original.parent / "changed"
+        shutil.copytree(self.light, self.results)
+        self.addCleanup(shutil.rmtree, self.results)
+
+    def changed(self):
+        text, complaint = report(self.results)
+        self.assertIsNotNone(text, complaint)
+        return Page(text)
+
+    def complaint(self):
+        text, complaint = report(self.results)
+        self.assertIsNone(text, "no error")
+        return complaint
+
+    def test_loads_nothing(self):
+        self.assertEqual(self.page.loaded, [])
+        self.assertNotRegex(re.search(r"<style>(.*?)</style>", self.whole, re.S)[1], r"url\(|@import")
+        self.assertIn("default-src &#x27;none&#x27;", self.whole)  # the cell's page, within this one
+
+    def test_is_well_formed(self):
+        self.assertEqual(self.page.open, [])
+        self.assertEqual(len(self.page.ids), len(set(self.page.ids)))
+
+    def test_links_resolve(self):
+        for link in self.page.links:
+            path, _, anchor = link.partition("#")
+            self.assertNotRegex(link, "^[a-z]+:")
+            if not path:
+                self.assertIn(anchor, self.page.ids, link)
+            else:
+                self.assertTrue((self.original / path).exists(), link)
+                if anchor:
+                    self.assertIn(f'id="{anchor}"', (self.original / path).read_text(encoding="utf-8"), link)
+
+    def test_pictures_say_what_they_show(self):
+        wanted = sum(map(len, tiny.PICTURES.values()))
+        self.assertGreater(len(self.page.images), wanted)  # and those of the thesis
+        for image in self.page.images:
+            self.assertGreater(len(image["alt"]), 20)
+            self.assertGreater(int(image["width"]), 0)
+        self.assertEqual(self.whole.count("<figcaption"), self.whole.count("<figure"))
+
+    def test_shows_no_number_that_is_none(self):
+        self.assertNotRegex(self.page.text, r"\b(nan|NaN|None|inf)\b|\{|\}")
+
+    def test_same_data_same_bytes(self):
+        self.assertEqual(report(self.original)[0], self.whole)
+
+    def test_is_written_where_the_data_are(self):
+        def call():
+            return subprocess.run([sys.executable, "-B", str(REPORT), str(self.results)], capture_output=True, text=True)
+
+        self.assertEqual((call().returncode, call().stderr), (0, ""))
+        self.assertEqual((self.results / "report.html").read_text(encoding="utf-8"), report(self.results)[0])
+        (self.results / "soak/soak.csv").unlink()
+        self.assertEqual((call().returncode, call().stderr), (1, f"report.py: {self.results / 'soak/soak.csv'}: No such file or directory\n"))
+
+    def test_says_how_each_study_was_made(self):
+        for name in CHAPTERS:
+            run = json.loads((self.original / name / "run.json").read_text())
+            for word in (run["command"], run["commit"] or "unknown", run["compiler"], run["machine"]):
+                self.assertIn(re.sub(r"\s+", " ", word), self.page.text)
+
+    def test_names_a_study_that_was_not_run_with_its_command(self):
+        for name in CHAPTERS:
+            gone = self.results.parent / "gone"
+            (self.results / name).rename(gone)
+            if name == "thesis":  # what links to its page
+                page = self.changed()
+                self.assertFalse([link for link in page.links if link.startswith("thesis/")])
+            page = self.changed()
+            gone.rename(self.results / name)
+            before, _, behind = page.text.partition("This study was not run.")
+            self.assertTrue(behind, name)
+            self.assertNotIn("This study was not run.", behind)
+            self.assertTrue(re.search(rf"touchstone .*--output changed/{name}\b", behind[:900]), behind[:900])
+            self.assertIn(f"Not run: {CHAPTERS[name].TITLE}.", page.text)
+
+    def test_a_killed_study_is_not_shown(self):
+        (self.results / "soak/run.json").unlink()
+        page = self.changed()
+        self.assertIn("It was begun, and has not come to its end.", page.text)
+        self.assertNotIn("in 200 cases", page.text)
+
+    def test_an_interrupted_study_is_shown_with_a_warning(self):
+        path = self.results / "soak/run.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"interrupted": True, "samples_asked": 1000}))
+        self.assertIn("Interrupted: 200 of 1,000 samples were done", self.changed().text)
+
+    def test_a_study_of_another_commit_is_noticed(self):
+        path = self.results / "soak/run.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"commit": "another+"}))
+        self.assertIn("Not all studies were made by the same commit", self.changed().text)
+
+    def test_missing_data_are_an_error_that_names_the_file(self):
+        for file in ("near-edge/rates.csv", "real-input/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "engines/standing.csv",
+                     "soak/soak.csv", "cell/moves.csv", "cell/cell.html", "thesis/entries.csv", "merge/merge.csv", "bench-scene/queries.csv",
+                     "cell-area/plan.csv"):
+            with self.subTest(file=file):
+                aside = self.results / "aside"
+                (self.results / file).rename(aside)
+                self.assertIn(f"{self.results / file}: No such file", self.complaint())
+                aside.rename(self.results / file)
+
+    def test_malformed_data_are_an_error_that_names_the_line(self):
+        path = self.results / "near-edge/bands.csv"
+        whole = path.read_text()
+        lines = whole.splitlines()
+        for broken, complaint in (
+                ("\n".join([lines[0].replace(",samples,", ",examples,"), *lines[1:]]), "no column samples"),
+                ("\n".join([*lines[:2], lines[2] + ",1", *lines[3:]]), "line 3: 15 cells instead of 14"),
+                ("\n".join([*lines[:2], lines[2].replace(",4,", ",four,", 1), *lines[3:]]), "line 3: samples cannot be 'four'"),
+                ("\n".join([*lines[:2], lines[2].rsplit(",", 8)[0] + ",nan,0,1,0,1,,", *lines[3:]]), "line 3: "),
+                ("", "no column family")):
+            path.write_text(broken)
+            self.assertIn(f"{path}: {complaint}", self.complaint())
+        path.write_text(whole)
+        for file, broken in (("soak/run.json", "{"), ("soak/run.json", "[]"), ("soak/run.json", '{"command": "touchstone soak"}'),
+                             ("cell/cell.html", "<html></html>"), ("near-edge/onset.svg", "<svg>"), ("methods.txt", "fast\n")):
+            aside = (self.results / file).read_text()
+            (self.results / file).write_text(broken)
+            self.assertIn(f"{self.results / file}: ", self.complaint())
+            (self.results / file).write_text(aside)
+
+    def test_no_results_are_an_error(self):
+        shutil.rmtree(self.results)
+        self.assertIn(f"{self.results}: is no folder", self.complaint())
+        self.results.mkdir()
+        self.assertIn(f"{self.results}: holds no study's run.json", self.complaint())
+
+    def test_the_verdict_on_real_input_is_in_the_data(self):
+        path = self.results / "real-input/meshes.csv"
+        trials = sum(int(row["trials"]) for row in rows_of(path) if row["method"] == "fast" and row["test"] == "contact")
+        self.assertIn(f"of {trials:,} final answers were wrong", self.page.text)
+        edited(path, lambda row: row.update(wrong="0") if row["test"] == "contact" and row["method"] == "fast" and row["place"] != "edge" else None)
+        edited(path, lambda row: row.update(wrong="3") if row["test"] == "contact" and row["method"] == "fast" and row["place"] == "edge" else None)
+        self.assertIn(f"careful plain doubles (fast) {percent(3 / trials)}", self.changed().text)
+        edited(path, lambda row: row.update(wrong="0"))
+        self.assertIn("final answers were wrong: none of those asked", self.changed().text)
+
+    def test_the_verdict_on_random_polygons_is_in_the_data(self):
+        edited(self.results / "near-edge/worst.csv", lambda row: row.update(sampled_share="", climbed_share=""))
+        self.assertNotIn("The furthest wrong ones", self.changed().text)
+        edited(self.results / "near-edge/worst.csv", lambda row: row.update(climbed_share="0.001") if row["method"] == "fast" else None)
+        self.assertIn(f"10⁶ sizes away: fast {share_of_size(0.001)} and {share_of_size(0.001)}.", self.changed().text)
+        edited(self.results / "near-edge/rates.csv", lambda row: row.update(failures=row["trials"]) if row["method"] == "fast" else None)
+        self.assertIn("careful plain doubles (fast) 100 %", self.changed().text)
+
+    def test_what_never_failed_is_counted_from_the_data(self):
+        only = self.original.parent / "only"
+        shutil.copytree(self.results / "soak", only / "soak")
+        self.addCleanup(shutil.rmtree, only)
+        answers = sum(int(row["cases"]) for row in rows_of(only / "soak/soak.csv"))
+        sentence = f"filtered, in {answers:,} answers about 200 polygons, faces and cases of 1 study"
+        text = Page(report(only)[0]).text
+        self.assertIn(sentence, text)
+        self.assertIn(f"at most {percent(upper_limit(200))} (95 % limit)", text)
+
+    def test_a_failure_of_what_must_not_fail_is_said_first(self):
+        edited(self.results / "soak/soak.csv", lambda row: row.update(differences="1"))
+        text = self.changed().text
+        self.assertIn("against its guarantee", text)
+        self.assertNotIn("filtered gave none", text)
+        self.assertIn("none: it failed", text)
+
+    def test_times_are_in_the_data(self):
+        def tenfold(row):
+            if row["method"] == "filtered":
+                row["median_ns"] = "1000"
+            if row["method"] == "fast":
+                row["median_ns"] = "10"
+
+        edited(self.results / "tradeoff/timings.csv", tenfold)
+        self.assertIn("filtered took 100 × to 100 × with balls anywhere", self.changed().text)
+
+    def test_engines_that_were_not_built_in_are_named(self):
+        self.assertRegex(self.page.text, r"Not in this build[^.]*\bbullet\b")
+
+
+class Numbers(unittest.TestCase):
+    def test_are_rounded_and_not_cut(self):
+        self.assertEqual([rounded(v) for v in (0, 0.996, 9.96, 8.05, 99.6, 1234, 0.00035)], ["0", "1.0", "10", "8.1", "100", "1,200", "0.00035"])
+
+    def test_a_limit_is_the_share_at_which_no_failure_has_five_per_cent(self):
+        self.assertAlmostEqual((1 - upper_limit(300)) ** 300, 0.05)
+
+    def test_shares_of_the_size_are_rounded_outwards(self):
+        self.assertEqual([share_of_size(s) for s in (0.25, 0.26, 0.9, 1, 3)], ["2⁻²", "2⁻¹", "1", "1", "1"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tiny results of every study, by the program itself, so that the report is tested on the formats that it writes."""
+import concurrent.futures
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+PICTURES = {
+    "near-edge": ["rates-lattice-frame", "rates-rotated", "maps-vertex", "maps-reflex-vertex", "onset"],
+    "stability": ["failures-close", "failures-ample", "onset", "tightness"],
+    "tradeoff": ["front-not-right", "front-distance"],
+    "bench-scene": ["queries-torus"],
+    "cell-area": ["cell-area-plan", "cell-area-heights"],
+}
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBox="0 0 72 36"><path d="M0 0L72 36"/></svg>'
+
+
+def calls(source, mesh):
+    cell = str(source / "experiments/cell/cells/aristo.json")
+    return {
+        "real-input": ["mesh-contact", mesh, "--method", "exact,filtered,fast,cgal-double,thesis"],
+        "near-edge": ["near-edge", "--method", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
+        "stability": ["stability", "--method", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
+        "tradeoff": ["tradeoff", "--method", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
+                     "--repetitions", "1", "--no-pictures"],
+        "engines": ["regress", "--method", "filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
+        "soak": ["soak", "--cases", "200"],
+        "cell": ["cell", "run", cell, "--method", "filtered,fast"],
+        "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
+        "merge": ["merge", mesh, "--compare", "10", "--repetitions", "1"],
+        "bench-scene": ["bench", "--scene", "--most-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"],
+        "thesis": ["thesis", "--quick", "--samples", "100", "--no-pictures"],
+    }
+
+
+def run(program, *arguments):
+    done = subprocess.run([program, *arguments], capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(f"{' '.join(arguments)}: exit status {done.returncode}\n{done.stderr[-900:]}")
+    return done.stdout
+
+
+def write(program, source, results):
+    """A folder for each study, pictures of one line, and the thesis's page."""
+    from thesis_page import write_page
+
+    results.mkdir(parents=True)
+    mesh = results / "tetrahedron.obj"
+    mesh.write_text(MESH)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
+    run(program, "cell", "export", str(source / "experiments/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--method", "filtered")
+    for path in (results / "near-edge").glob("map-*.csv"):
+        path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
+    (results / "methods.txt").write_text(run(program, "methods"))
+    thesis = results / "thesis"
+    with open(thesis / "entries.csv", newline="", encoding="utf-8") as file:
+        entries = list(csv.DictReader(file))
+    with open(thesis / "numbers.csv", newline="", encoding="utf-8") as file:
+        numbers = list(csv.DictReader(file))
+    stems = [(pathlib.Path(folder), stem) for folder, names in PICTURES.items() for stem in names]
+    stems += [(pathlib.Path("thesis"), entry["picture"]) for entry in entries if entry["picture"]]
+    for folder, stem in stems:
+        (results / folder / f"{stem}.svg").write_text(SVG)
+    write_page(thesis, entries, numbers, json.loads((thesis / "run.json").read_text(encoding="utf-8")))
