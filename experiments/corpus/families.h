@@ -9,7 +9,7 @@
 namespace touchstone::corpus {
 
 /// Raised whenever a case is added, changes or leaves.
-inline constexpr int kVersion = 2;
+inline constexpr int kVersion = 3;
 /// No file is larger: it is to be read.
 inline constexpr std::size_t kMostBytes = 300'000;
 
