@@ -157,7 +157,8 @@ class Report(unittest.TestCase):
         self.assertEqual((call().returncode, call().stderr), (0, ""))
         self.assertEqual((self.results / "report.html").read_text(encoding="utf-8"), report(self.results)[0])
         (self.results / "soak/soak.csv").unlink()
-        self.assertEqual((call().returncode, call().stderr), (1, f"report.py: {self.results / 'soak/soak.csv'}: No such file or directory\n"))
+        self.assertEqual((call().returncode, call().stderr), (1, f"report.py: {self.results / 'soak/soak.csv'}: No such file "
+                                                                 "or directory\n"))
 
     def test_says_how_each_study_was_made(self):
         for name in CHAPTERS:
