@@ -227,6 +227,10 @@ class Report(unittest.TestCase):
             self.assertIn(f"{self.results / file}: ", self.complaint())
             (self.results / file).write_text(aside)
 
+    def test_infinite_shares_are_an_error(self):
+        edited(self.results / "near-edge/worst.csv", lambda row: row.update(climbed_share="inf"))
+        self.assertIn("worst.csv: line 2: climbed_share cannot be 'inf'", self.complaint())
+
     def test_no_results_are_an_error(self):
         shutil.rmtree(self.results)
         self.assertIn(f"{self.results}: is no folder", self.complaint())
