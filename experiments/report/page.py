@@ -142,7 +142,8 @@ def image(path, alt):
 
 def picture(path, alt, caption):
     """`alt` is text, `caption` HTML."""
-    return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways where it is wider">'
+    return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways '
+            'where it is wider">'
             f"{image(path, alt)}</div><figcaption>{caption}</figcaption></figure>")
 
 
@@ -160,7 +161,8 @@ def table(caption, head, rows, figures=()):
     body = "".join("<tr>" + "".join(f"<td{right(i)}>{cell}</td>" if i else f'<th scope="row">{cell}</th>'
                                     for i, cell in enumerate(row)) + "</tr>\n" for row in rows)
     return (f'<figure class="table"><figcaption>{caption}</figcaption><div class="scroll" tabindex="0" role="group" '
-            f'aria-label="A table; scrolls sideways where it is wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
+            f'aria-label="A table; scrolls sideways where it is '
+            f'wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
 
 
 def document(title, description, style, body):

@@ -49,13 +49,17 @@ iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-
 def made(study):
     """How a study was run."""
     run = study.run
-    warning = "" if study.complete else (f'<p class="no"><b>Interrupted</b>: {count(run["samples_done"])} of {count(run["samples_asked"])} samples '
+    warning = "" if study.complete else (f'<p class="no"><b>Interrupted</b>: {count(run["samples_done"])} of '
+                                         f'{count(run["samples_asked"])} samples '
                                          "were done; numbers here are of those.</p>")
     missing = f", {count(run['samples_missing'])} not found" if run["samples_missing"] else ""
     return f"""{warning}<div class="made">How this was made: <pre tabindex="0"><code>{escaped(run["command"])}</code></pre>
-Seed {run["seed"]}; {count(run["samples_done"])} of {count(run["samples_asked"])} samples{missing}; {rounded(run["seconds"])} s with
-{run["processes"]} × {run["threads"]} threads; commit {code(run.get("commit") or "unknown")}; {escaped(run["compiler"])}, {code(run["flags"])};
-{escaped(run["processor"])}, {run["cores"]} cores, {escaped(run["machine"])}; {escaped(run["date"])}. Data: <a href="{study.folder.name}/">{study.folder.name}/</a>.</div>"""
+Seed {run["seed"]}; {count(run["samples_done"])} of {count(run["samples_asked"])} samples{missing}; {rounded(run["seconds"])} s
+with
+{run["processes"]} × {run["threads"]} threads; commit {code(run.get("commit") or "unknown")}; {escaped(run["compiler"])},
+{code(run["flags"])};
+{escaped(run["processor"])}, {run["cores"]} cores, {escaped(run["machine"])}; {escaped(run["date"])}. Data:
+<a href="{study.folder.name}/">{study.folder.name}/</a>.</div>"""
 
 
 def absent(name, folder):
@@ -65,7 +69,8 @@ def absent(name, folder):
     begun = (folder / name).exists()
     why = "It was begun, and has not come to its end." if begun else "This study was not run."
     how = "./reproduce" if study.quick else "./reproduce --full"
-    return (f'<div class="absent"><p><b>{why}</b> {code(how)} runs it, or:</p><pre tabindex="0"><code>{escaped(calls)}</code></pre></div>')
+    return (f'<div class="absent"><p><b>{why}</b> {code(how)} runs it, or:</p><pre '
+            f'tabindex="0"><code>{escaped(calls)}</code></pre></div>')
 
 
 def sections(results, found):
@@ -88,7 +93,8 @@ def commits(found):
     commit = distinct("commit")
     dates = sorted(distinct("date"))
     text = (f"Made between {dates[0][:16].replace('T', ' ')} and {dates[-1][:16].replace('T', ' ')} UTC on "
-            f"{words(map(escaped, distinct('processor')))} with {words(map(escaped, distinct('compiler')))}, commit {words(code(c[:12]) for c in commit)}.")
+            f"{words(map(escaped, distinct('processor')))} with {words(map(escaped, distinct('compiler')))}, commit "
+            f"{words(code(c[:12]) for c in commit)}.")
     if len(commit) > 1:
         text += ' <b class="no">Not all studies were made by the same commit: see below each.</b>'
     if any(c.endswith("+") for c in commit):
@@ -100,9 +106,11 @@ def reproducing(results):
     return f"""<section><h2 id="reproducing">The same again</h2>
 <p>On a Debian 12 machine, in a clone of the repository:</p>
 <pre tabindex="0"><code>./reproduce          # the studies with small samples, and this page
-./reproduce --full   # all studies with their full samples: hours</code></pre>
-<p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page comes out the same
-(times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte, with any number
+./reproduce --full   # all studies with their full samples: about an hour</code></pre>
+<p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page
+comes out the same
+(times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte,
+with any number
 of threads and processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page anew.</p>
 <h3>Testing an engine of yours</h3>
 <p>An engine is any program that reads cases, one a line of JSON, and prints what it answers:</p>
@@ -126,8 +134,10 @@ def page(results):
     titles = {name: CHAPTERS[name].TITLE for name in CHAPTERS}
     contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a>{"" if name in found else " (not run)"}</li>' for name, title in titles.items())
     body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
-<p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point numbers, which round; near contact
-the rounding decides. This page measures how often different ways of asking are wrong, how far from contact, and what it costs never to be wrong:
+<p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point
+numbers, which round; near contact
+the rounding decides. This page measures how often different ways of asking are wrong, how far from contact, and what it costs
+never to be wrong:
 by {code("filtered")}, which gives the answer of exact arithmetic.</p>
 <p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
 <main><section class="verdict"><h2 id="verdict">Verdict</h2><p class="headline">{verdict.headline(asked)}</p><ul>
@@ -136,12 +146,15 @@ by {code("filtered")}, which gives the answer of exact arithmetic.</p>
 {not_run}
 {glance.table_of(found)}
 {never_failed.table_of(asked, titles)}
-<nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used here</a></li>{contents}
-<li><a href="#reproducing">The same again; testing an engine of yours</a></li><li><a href="#methods">The methods</a></li></ol></nav>
+<nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used
+here</a></li>{contents}
+<li><a href="#reproducing">The same again; testing an engine of yours</a></li><li><a href="#methods">The
+methods</a></li></ol></nav>
 <section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{terms.TERMS}</section>
 {sections(results, found)}{reproducing(results)}{terms.methods(results)}</main>
 """
-    text = document("Touchstone: the report", "Where ball-polygon contact tests fail, how often, and how sure exact answers are.", STYLE, body)
+    text = document("Touchstone: the report", "Where ball-polygon contact tests fail, how often, and how sure exact answers "
+                                              "are.", STYLE, body)
     return re.sub(r"[ \t]+\n", "\n", text)
 
 

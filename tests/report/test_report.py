@@ -157,7 +157,8 @@ class Report(unittest.TestCase):
         self.assertEqual((call().returncode, call().stderr), (0, ""))
         self.assertEqual((self.results / "report.html").read_text(encoding="utf-8"), report(self.results)[0])
         (self.results / "soak/soak.csv").unlink()
-        self.assertEqual((call().returncode, call().stderr), (1, f"report.py: {self.results / 'soak/soak.csv'}: No such file or directory\n"))
+        self.assertEqual((call().returncode, call().stderr), (1, f"report.py: {self.results / 'soak/soak.csv'}: No such file "
+                                                                 "or directory\n"))
 
     def test_says_how_each_study_was_made(self):
         for name in CHAPTERS:
@@ -225,6 +226,10 @@ class Report(unittest.TestCase):
             (self.results / file).write_text(broken)
             self.assertIn(f"{self.results / file}: ", self.complaint())
             (self.results / file).write_text(aside)
+
+    def test_infinite_shares_are_an_error(self):
+        edited(self.results / "near-edge/worst.csv", lambda row: row.update(climbed_share="inf"))
+        self.assertIn("worst.csv: line 2: climbed_share cannot be 'inf'", self.complaint())
 
     def test_no_results_are_an_error(self):
         shutil.rmtree(self.results)

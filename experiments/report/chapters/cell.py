@@ -24,14 +24,15 @@ def said_of_methods(study):
         return "No method was asked beside."
     if wrong:
         return f"Wrong answers among {count(questions)}: {words(wrong)}."
-    return (f"Not one of {len(counts)} methods was wrong about the {count(questions)} questions where boxes meet; so few say little: at most "
-            f"{percent(upper_limit(questions))} of such questions (95 %).")
+    return (f"Not one of {len(counts)} methods was wrong about the {count(questions)} questions where boxes meet; so few say "
+            f"little: at most {percent(upper_limit(questions))} of such questions (95 %).")
 
 
 def finding(study):
     moves = moves_of(study)
-    return (f"<b>The cell of the thesis</b> runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} stops, every contact decided "
-            f"exactly; the joint's angle at each contact is enclosed between neighbouring doubles. {said_of_methods(study)}")
+    return (f"<b>The cell of the thesis</b> runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} "
+            f"stops, every contact decided exactly; the joint's angle at each contact is enclosed between neighbouring "
+            f"doubles. {said_of_methods(study)}")
 
 
 def iframe(page):
@@ -42,7 +43,8 @@ def iframe(page):
         raise DataError(f"{page}: {error.strerror}") from None
     if "<canvas" not in text:
         raise DataError(f"{page}: is not a page of 'touchstone cell export'")
-    return (f'<iframe class="cell" title="The cell, playing: run, step and turn it" loading="lazy" sandbox="allow-scripts" srcdoc="{escaped(text)}"></iframe>')
+    return (f'<iframe class="cell" title="The cell, playing: run, step and turn it" loading="lazy" sandbox="allow-scripts" '
+            f'srcdoc="{escaped(text)}"></iframe>')
 
 
 def still(study):
@@ -55,13 +57,15 @@ def chapter(study):
     moves = moves_of(study)
     contacts = [row for row in moves if row["until"] == "contact"]
     off = max((abs(row["degrees"] - row["exact_deg"]) for row in contacts), default=0)
-    follows = (f" <b>What follows:</b> stepping by whole degrees, as the thesis does, stops up to {rounded(off)} degrees beyond the exact contact."
+    follows = (f" <b>What follows:</b> stepping by whole degrees, as the thesis does, stops up to {rounded(off)} degrees "
+               "beyond the exact contact."
                if contacts else "")
-    text = f"""<p>The thesis of 2008 lets a robot carry a part between a storage and a milling machine, and stops each joint where a
-<i>virtual sphere</i> at the gripper touches a face. Below is that cell with our numbers: press Run. It plays without any program or network; the sphere turns
-orange where it touches.</p>"""
+    text = """<p>The thesis of 2008 lets a robot carry a part between a storage and a milling machine, and stops each joint
+where a <i>virtual sphere</i> at the gripper touches a face. Below is that cell with our numbers: press Run. It plays without
+any program or network; the sphere turns orange where it touches.</p>"""
     page = study.folder / "cell.html"
-    text += iframe(page) + still(study) + '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
+    text += iframe(page) + still(study)
+    text += '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
     return text + table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],

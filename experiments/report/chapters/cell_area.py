@@ -19,15 +19,16 @@ def finding(study):
 
 
 def chapter(study):
-    text = """<p>The thesis calls the places from which the robot can fetch the part the <i>area of configuration</i>. The whole process is run with the storage at
-every place of a grid.</p>"""
-    for name, about in (("plan", "angles and radii, at the height of the storage"), ("heights", "heights and radii, at its angle")):
+    text = """<p>The thesis calls the places from which the robot can fetch the part the <i>area of configuration</i>. The
+whole process is run with the storage at every place of a grid.</p>"""
+    for name, about in (("plan", "angles and radii, at the height of the storage"),
+                        ("heights", "heights and radii, at its angle")):
         rows = study.rows(f"{name}.csv", angle_deg=finite, radius=finite, height=finite, outcome=str)
         path = smaller(study.folder, f"cell-area-{name}")
         counts = {outcome: sum(row["outcome"] == outcome for row in rows) for outcome in OUTCOMES}
         said = words(f"{OUTCOMES[outcome]}: {count(n)}" for outcome, n in counts.items() if n)
         if path:
             text += picture(path, f"A map of places of the storage: {about}; a marker for each outcome.",
-                            f"Places of the storage: {about}; a colour and a marker for each outcome. <b>What follows:</b> of {count(len(rows))} places, "
-                            f"{said}.")
+                            f"Places of the storage: {about}; a colour and a marker for each outcome. <b>What follows:</b> of "
+                            f"{count(len(rows))} places, {said}.")
     return text

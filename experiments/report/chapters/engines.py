@@ -46,16 +46,18 @@ def chapter(study):
     absent = [engine for engine in ENGINES if engine not in rows_by_engine(rows)]
     cases = max(a.trials for a in asked(study).values())
     head, lines = by_family(rows)
-    text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}? The radii are at relative offsets of 2⁻⁸ to
-2⁻⁵² from contact, or at contact itself. Most engines take triangles, and polygons come to them as those. The cases are the same as those of the
-baseline in <code>tests/regress</code>, which every <code>./check</code> compares with.</p>"""
-    text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still errs.",
+    text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
+The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or at contact itself. Most engines take triangles, and
+polygons come to them as those. The cases are the same as those of the baseline in <code>tests/regress</code>, which every
+<code>./check</code> compares with.</p>"""
+    text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
+                  "errs.",
                   OVERALL[:1] + ["what it is"] + OVERALL[2:],
                   [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows)], (2, 3, 4))
     if absent:
         text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")
-    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset of one (tangency: only where the radius is "
-                        "the double nearest to the distance).", head,
+    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset "
+                        "of one (tangency: only where the radius is the double nearest to the distance).", head,
                         [[code(name), *(shown(cell.replace("at tangency alone", "tangency")) for cell in cells)] for name, *cells in lines],
                         range(1, len(head)))

@@ -40,8 +40,9 @@ def finding(study):
     faces = sum(data.faces.values())
     failing = [f"{of_method(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong and m in NAMED]
     never = [code(m) for m, a in all_asked.items() if not a.wrong and m != TRUTH]
-    text = (f"<b>Real machines.</b> On {counted(faces, 'triangles')} of {counted(len(data.faces), 'meshes', 'mesh')} of robot arms and a milling centre, with balls at most two "
-            f"doubles from a threshold, of {count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
+    text = (f"<b>Real machines.</b> On {counted(faces, 'triangles')} of {counted(len(data.faces), 'meshes', 'mesh')} of robot "
+            f"arms and a milling centre, with balls at most two doubles from a threshold, of "
+            f"{count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
     text += words(failing) if failing else "none of those asked"
     if never:
         text += f"; of {words(never)} not one"
@@ -57,9 +58,9 @@ def chapter(study):
     faces = sum(data.faces.values())
     methods = data.methods
     by_test = table(
-        f"Wrong answers by test, on all {count(faces)} faces. <i>plane</i>: does the ball cross the face's plane? <i>foot</i>: is the point "
-        "of that plane straight below the centre inside the face? <i>edges</i>: the list of edges within the radius. The final answer is "
-        f"contact or none. 0: not one of {count(data.counts(methods[0])[1])}.",
+        f"Wrong answers by test, on all {count(faces)} faces. <i>plane</i>: does the ball cross the face's plane? <i>foot</i>: "
+        "is the point of that plane straight below the centre inside the face? <i>edges</i>: the list of edges within the "
+        f"radius. The final answer is contact or none. 0: not one of {count(data.counts(methods[0])[1])}.",
         ["method", *TESTS.values()],
         [[code(m), *(rate(*data.counts(m, test)) for test in TESTS)] for m in methods], range(1, 5))
     by_machine = table(
@@ -72,13 +73,14 @@ def chapter(study):
     rejected = sum(row["rejected"] for row in {row["mesh"]: row for row in data.rows}.values())
     ordered = sorted((data.counts(m)[0] / data.counts(m)[1], m) for m in methods)
     least = next(((rate, m) for rate, m in ordered if rate), None)
-    text = f"""<p>Do such failures need contrived shapes? Debian's package <code>linuxcnc-uspace</code> ships the meshes of {counted(len(data.folders), 'machines')}:
-robot arms and a milling centre. Each of their {count(faces)} faces is asked about 20 balls: 5 near the face, 5 near an edge and 5 near
-a vertex, with the double nearest to the exact distance as the radius, and one and two doubles to either side; and 5 with an ample radius, whose
-centre is moved by single doubles so that its <i>foot</i> (the point of the face's plane straight below it) crosses an edge. The truth is
-{code("exact")}: rational arithmetic on the doubles as they are. {counted(rejected, 'faces') if rejected else "Not one"}
+    text = f"""<p>Do such failures need contrived shapes? Debian's package <code>linuxcnc-uspace</code> ships the meshes of
+{counted(len(data.folders), 'machines')}: robot arms and a milling centre. Each of their {count(faces)} faces is asked about
+20 balls: 5 near the face, 5 near an edge and 5 near a vertex, with the double nearest to the exact distance as the radius,
+and one and two doubles to either side; and 5 with an ample radius, whose centre is moved by single doubles so that its
+<i>foot</i> (the point of the face's plane straight below it) crosses an edge. The truth is {code("exact")}: rational
+arithmetic on the doubles as they are. {counted(rejected, 'faces') if rejected else "Not one"}
 {"were" if rejected > 1 else "was"} rejected as no polygon.</p>{by_test}"""
     if least:
-        text += (f"<p>Of the methods that err at all, {code(least[1])} errs least, in {percent(least[0])}; {code(ordered[-1][1])} most, in "
-                 f"{percent(ordered[-1][0])}. By machine:</p>")
+        text += (f"<p>Of the methods that err at all, {code(least[1])} errs least, in {percent(least[0])}; "
+                 f"{code(ordered[-1][1])} most, in {percent(ordered[-1][0])}. By machine:</p>")
     return text + by_machine

@@ -33,14 +33,16 @@ def finding(study):
     most = max(data.largest(scene) for scene in data.scenes)
     wrong = [f"{escaped(library)} {percent(data.wrong(library)[0] / data.wrong(library)[1])}" for library in data.libraries
              if library != OURS and data.wrong(library)[0]]
-    return (f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in {count(data.wrong(OURS)[0])} of "
-            f"{count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that differ: {words(wrong)}" if wrong else "") + ".")
+    return (f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in "
+            f"{count(data.wrong(OURS)[0])} of {count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that "
+                                                                                               f"differ: {words(wrong)}" if wrong else "") + ".")
 
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and passes over what cannot
-matter. Each library builds the same scene and is asked about the same balls, in turns, with one thread.</p>"""
+    text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and passes
+over what cannot matter. Each library builds the same scene and is asked about the same balls, in turns, with one
+thread.</p>"""
     for scene in data.scenes:
         size = data.largest(scene)
         rows = [row for row in data.queries if row["scene"] == scene and row["triangles"] == size]
@@ -54,7 +56,8 @@ matter. Each library builds the same scene and is asked about the same balls, in
                 + (f"<br><small>{rounded(own[q]['nanoseconds'] / ours[q])} ×</small>" if library != OURS and q in ours else "")
                 + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
                 for q in questions)])
-        text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, and answers that differ.",
+        text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, "
+                      "and answers that differ.",
                       ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)], body,
                       range(1, len(questions) + 1))
         path = smaller(study.folder, f"queries-{scene}")
@@ -66,8 +69,10 @@ matter. Each library builds the same scene and is asked about the same balls, in
                          (scene, library, "near", "any")}
                 if small in times and size in times and small < size:
                     growth.append(f"{escaped(library)} {rounded(times[size] / times[small])} ×")
-            follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: touches any?” grows by "
-                       f"{words(growth)}." if growth else "")
-            text += picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each library, a panel for each "
-                            "kind of ball and question.", f"Time of a query against the size of the scene “{escaped(scene)}”.{follows}")
+            follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: "
+                       f"touches any?” grows by {words(growth)}." if growth else "")
+            text += picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each "
+                                  "library, a panel for each "
+                            "kind of ball and question.", f"Time of a query against the size of the scene "
+                                                          f"“{escaped(scene)}”.{follows}")
     return text

@@ -24,8 +24,8 @@ def finding(study):
     a = asked(study)["filtered"]
     if a.wrong:
         return f'<b class="no">{count(a.wrong)} answers of {count(a.answers)} differed from the exact ones: see differences.jsonl.</b>'
-    return (f"<b>Adversarial cases.</b> Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} cases: at most "
-            f"{percent(upper_limit(a.trials))} of such cases do (95 %).")
+    return (f"<b>Adversarial cases.</b> Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} "
+            f"cases: at most {percent(upper_limit(a.trials))} of such cases do (95 %).")
 
 
 def chapter(study):
@@ -38,9 +38,9 @@ def chapter(study):
         body.append([escaped(family), count(asked_here), *(bar(sum(row[stage] for row in own) / asked_here,
                                                                percent(sum(row[stage] for row in own) / asked_here)) if asked_here else "0"
                                                            for stage in STAGES), str(sum(row["differences"] for row in own))])
-    return f"""<p>{code('filtered')} answers by stages: plain doubles with a proved bound on their error; where that cannot tell, double-doubles
-(two doubles for one number); where those cannot, integers as long as it takes. The soak asks it about cases made to hurt (exact tangency, needles,
-points, extreme exponents, far from the origin) in three ways (a triangle, a prepared polygon, the whole answer) and holds every answer against
-{code('exact')}.</p>""" + table(
-        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which doubles could not have "
-        "told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))
+    return f"""<p>{code('filtered')} answers by stages: plain doubles with a proved bound on their error; where that cannot
+tell, double-doubles (two doubles for one number); where those cannot, integers as long as it takes. The soak asks it about
+cases made to hurt (exact tangency, needles, points, extreme exponents, far from the origin) in three ways (a triangle, a
+prepared polygon, the whole answer) and holds every answer against {code('exact')}.</p>""" + table(
+        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which "
+        "doubles could not have told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))

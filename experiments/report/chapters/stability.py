@@ -54,8 +54,8 @@ def finding(study):
                 if data.first_failure(axis, "close", "fast")]
     if not failures:
         return f"<b>Under stress</b>, with the radius 2⁻³⁰ of the distance off, {code('fast')} was not seen to fail."
-    return (f"<b>Under stress</b> errors are no longer near contact. With the radius 2⁻³⁰ of the distance off, {code('fast')} was first seen to fail with "
-            f"{words(failures)}.")
+    return (f"<b>Under stress</b> errors are no longer near contact. With the radius 2⁻³⁰ of the distance off, {code('fast')} "
+            f"was first seen to fail with {words(failures)}.")
 
 
 def first_table(data, nearness):
@@ -73,8 +73,9 @@ def first_table(data, nearness):
                 begins = "all levels" if row["first_failure"] == mildest else f"from {level(row['first_failure'])}"
                 cells.append(bar(row["failed_samples"] / row["samples"], f"{begins}, {percent(row['failed_samples'] / row['samples'])}"))
         rows.append([f"{escaped(title(axis))} <small>({escaped(AXES[axis][1])})</small>", *cells])
-    return table(f"{NEARNESSES[nearness].capitalize()}: the level from which a method was seen to give wrong final answers, and the share of all levels' "
-                 "polygons on which it did. all levels: already at the mildest; none: not on one polygon.",
+    return table(f"{NEARNESSES[nearness].capitalize()}: the level from which a method was seen to give wrong final answers, "
+                 "and the share of all levels' polygons on which it did. all levels: already at the mildest; none: not on one "
+                 "polygon.",
                  ["what is made worse", *(code(m) for m in data.methods)], rows, range(1, len(data.methods) + 1))
 
 
@@ -88,10 +89,12 @@ def failures_picture(study, data, nearness):
         own = [row for row in rows if row["method"] == method]
         failed, samples = sum(row["failed_samples"] for row in own), sum(row["samples"] for row in own)
         said.append(f"{code(method)} {percent(failed / samples) if failed else 'none'}")
-    return picture(path, f"Curves of the share of polygons with a wrong final answer against the level of stress, a panel for each of "
+    return picture(path, f"Curves of the share of polygons with a wrong final answer against the level of stress, a panel for "
+                         "each of "
                    f"{len(data.axes)} stresses; {NEARNESSES[nearness]}.",
-                   f"{NEARNESSES[nearness].capitalize()}: polygons with a wrong final answer; bars are 95 % limits. <b>What follows:</b> of all "
-                   f"polygons here (chains against the motion meant aside, where rounding moves the polygon itself), failed: {words(said)}.")
+                   f"{NEARNESSES[nearness].capitalize()}: polygons with a wrong final answer; bars are 95 % limits. <b>What "
+                   f"follows:</b> of all polygons here (chains against the motion meant aside, where rounding moves the "
+                   f"polygon itself), failed: {words(said)}.")
 
 
 def tightness_picture(study, data):
@@ -101,13 +104,15 @@ def tightness_picture(study, data):
         return ""
     exceeded = sum(row["exceeded"] for row in observed)
     top = max(observed, key=lambda row: row["max"])
-    return picture(path, "Observed rounding errors divided by their proved bounds: median, 99 % and largest of each sign; and the largest by stress, "
+    return picture(path, "Observed rounding errors divided by their proved bounds: median, 99 % and largest of each sign; and "
+                         "the largest by stress, "
                    "as a map.",
-                   f"Rounding errors of the signs that {code('filtered')} decides by, divided by the bounds that are proved for them. "
-                   f"<b>What follows:</b> {'no error' if not exceeded else f'{count(exceeded)} errors'} beyond its bound in "
-                   f"{count(sum(row['observations'] for row in observed))} observations; the largest is {rounded(top['max'])} of the bound "
-                   f"({escaped(top['stage'])}: {escaped(top['quantity'])}). Names: the stage (maxima and permanent: doubles with a "
-                   "quick and with a sharper bound; double-double; frame: the plane's own coordinates), then the sign that is decided.")
+                   f"Rounding errors of the signs that {code('filtered')} decides by, divided by the bounds that are proved "
+                   f"for them. <b>What follows:</b> {'no error' if not exceeded else f'{count(exceeded)} errors'} beyond its "
+                   f"bound in {count(sum(row['observations'] for row in observed))} observations; the largest is "
+                   f"{rounded(top['max'])} of the bound ({escaped(top['stage'])}: {escaped(top['quantity'])}). Names: the "
+                   "stage (maxima and permanent: doubles with a quick and with a sharper bound; double-double; frame: the "
+                   "plane's own coordinates), then the sign that is decided.")
 
 
 def onset_picture(study, data):
@@ -125,16 +130,18 @@ def onset_picture(study, data):
         place = "at the origin" if distance == 0 else f"{level(f'{distance:.0e}'.replace('e+0', 'e'))} sizes away"
         parts.append(f"{place}, wrong answers of {words(seen)}")
     triangles = max(row["triangles"] for row in data.onset)
-    return picture(path, "Curves of the share of triangles with a wrong contact against the offset of the radius, for triangles at the origin and a "
+    return picture(path, "Curves of the share of triangles with a wrong contact against the offset of the radius, for "
+                         "triangles at the origin and a "
                    "million sizes away.",
-                   f"A ball above a triangle's face, the radius off by 2⁻ᵏ of the distance to either side: where wrong answers begin. "
-                   f"<b>What follows:</b> {'; '.join(parts)}; of {count(triangles)} triangles at each offset.")
+                   f"A ball above a triangle's face, the radius off by 2⁻ᵏ of the distance to either side: where wrong answers "
+                   f"begin. <b>What follows:</b> {'; '.join(parts)}; of {count(triangles)} triangles at each offset.")
 
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the origin, tiny and huge
-numbers, vertices off the plane, long chains of rotations, other rounding modes; {counted(study.run['samples_asked'], 'polygons')} a level, fewer at slow levels. Each is
-asked about balls at three distances from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
+    text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the
+origin, tiny and huge numbers, vertices off the plane, long chains of rotations, other rounding modes;
+{counted(study.run['samples_asked'], 'polygons')} a level, fewer at slow levels. Each is asked about balls at three distances
+from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
     text += failures_picture(study, data, "close") + first_table(data, "close") + failures_picture(study, data, "ample")
     return text + onset_picture(study, data) + tightness_picture(study, data)

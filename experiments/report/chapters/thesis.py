@@ -36,7 +36,8 @@ def asked(study):
 
 
 def differing(data):
-    return words(f"{escaped(row['id'])}, {escaped(row['what'])}: {number(row['ours'])} {escaped(row['unit'])}, stated {number(row['stated'])}"
+    return words(f"{escaped(row['id'])}, {escaped(row['what'])}: {number(row['ours'])} {escaped(row['unit'])}, stated "
+                 f"{number(row['stated'])}"
                  for row in data.differing)
 
 
@@ -52,15 +53,17 @@ def shown_picture(study, data, entry):
     if path is None:
         return ""
     return picture(path, entry["shows"], f"{escaped(name_of(entry))}, {escaped(entry['caption'])}: {escaped(entry['shows'])} "
-                   f"{escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}; numbers stated and met: {agreement(data, entry)}.")
+                   f"{escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}; numbers stated and met: "
+                   f"{agreement(data, entry)}.")
 
 
 def chapter(study):
     data = Data(study)
     worst = max((row for row in data.areas if row["share"] is not None), key=lambda row: row["share"], default=None)
-    text = f"""<p>H. Arshad, <cite>A Collision Detection Algorithm for Virtual Robot-Centered Flexible Manufacturing Cell</cite>, PhD thesis,
-Universiti Putra Malaysia, 2008, decides contact as this project's {code('thesis')} does: it adds the angles at which the polygon's edges are seen from
-the foot and calls the foot inside if they reach 0.99 of a full turn. Without signs, that is wrong for non-convex outlines"""
+    text = f"""<p>H. Arshad, <cite>A Collision Detection Algorithm for Virtual Robot-Centered Flexible Manufacturing
+Cell</cite>, PhD thesis, Universiti Putra Malaysia, 2008, decides contact as this project's {code('thesis')} does: it adds
+the angles at which the polygon's edges are seen from the foot and calls the foot inside if they reach 0.99 of a full turn.
+Without signs, that is wrong for non-convex outlines"""
     if worst:
         text += f": for the outline “{escaped(worst['outline'])}” the area wrongly called inside is {percent(worst['share'], 3)} of the outline's own"
     text += ". Every figure and table of the thesis that has a number gets that number; "

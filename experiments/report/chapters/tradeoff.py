@@ -81,14 +81,16 @@ def rates_table(data):
         rows.append([code(method), *cells])
     heads = [f"not right, {NAMES[p]}" for p in data.placements]
     heads += [f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements]
-    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit after Hoeffding, of some "
-                 f"{range_of(row['samples'] for row in data.front)} polygons), and the time of a question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
+    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit "
+                 f"after Hoeffding, of some {range_of(row['samples'] for row in data.front)} polygons), and the time of a "
+                 "question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
 
 
 MEASURES = {
     "not-right": ("Wrong or undecided answers within 8 doubles of contact, against the time of a question",
                   "share of answers that are not right"),
-    "distance": ("Error of the distance, against the time of a whole answer", "error of the distance, in units of its last place"),
+    "distance": ("Error of the distance, against the time of a whole answer", "error of the distance, in units of its last "
+                                                                              "place"),
 }
 
 
@@ -104,15 +106,18 @@ def front_picture(study, data, measure):
         parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'none for certain'}"
                      + (f", perhaps {len(perhaps)} others, which the noise of times leaves open" if perhaps else ""))
     about, axis = MEASURES[measure]
-    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds a question, a point for each of "
+    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds a question, a "
+                         "point for each of "
                    f"{len({row['method'] for row in rows})} methods; those that no other beats in both are ringed.",
-                   f"{about}; a colour for each kind of method, a marker for each of its kind. Lower is more often right, further left is faster; a "
-                   f"method is on the front if whoever is no less right is slower. <b>What follows:</b> {'; '.join(parts)}.")
+                   f"{about}; a colour for each kind of method, a marker for each of its kind. Lower is more often right, "
+                   f"further left is faster; a method is on the front if whoever is no less right is slower. <b>What "
+                   f"follows:</b> {'; '.join(parts)}.")
 
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run, {counted(study.run['samples_asked'], 'polygons')} of each family and
-threshold for the errors, and take turns on the same lists of distinct questions for the times. Times on a machine that does other things
-beside are noise: their quartiles are drawn, and the front says whom they may keep from it.</p>"""
+    text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run,
+{counted(study.run['samples_asked'], 'polygons')} of each family and threshold for the errors, and take turns on the same
+lists of distinct questions for the times. Times on a machine that does other things beside are noise: their quartiles are
+drawn, and the front says whom they may keep from it.</p>"""
     return text + front_picture(study, data, "not-right") + rates_table(data) + front_picture(study, data, "distance")

@@ -30,6 +30,7 @@ def table_of(found):
         for balls, where in (("anywhere", "anywhere"), ("near", "near contact")):
             columns.append((f"time, balls {where}", lambda m, b=balls: "" if cost.ratio(m, "rotated", b) is None else tradeoff.times(cost.ratio(m, "rotated", b))))
     return "<section><h2>All methods at a glance</h2>" + table(
-        f"Shares of wrong answers (the longer the bar, the more); furthest wrong answer as a share of the polygon's size; time as a multiple of that of {code('fast')}. "
+        f"Shares of wrong answers (the longer the bar, the more); furthest wrong answer as a share of the polygon's size; time "
+        f"as a multiple of that of {code('fast')}. "
         'What each is: <a href="#methods">the methods</a>. Empty: not asked in that study.',
         ["method", *(head for head, _ in columns)], [[code(m), *(cell(m) for _, cell in columns)] for m in methods], range(1, len(columns) + 1)) + "</section>"

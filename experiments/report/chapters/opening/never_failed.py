@@ -16,12 +16,14 @@ def sentence(asked):
     if not answers:
         return f"<b>What never failed</b>: {code(CERTIFIED)} was not asked in any study that was run."
     if wrong:
-        return (f'<b class="no">{code(CERTIFIED)} was wrong in {count(wrong)} of {count(answers)} answers</b>, against its guarantee: see the '
+        return (f'<b class="no">{code(CERTIFIED)} was wrong in {count(wrong)} of {count(answers)} answers</b>, against its '
+                'guarantee: see the '
                 "table below.")
     studies = sum(CERTIFIED in counts for counts in asked.values())
-    return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, faces and cases of "
-            f"{counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at most {percent(upper_limit(trials))} (95 % limit). "
-            "That is what was measured; the bounds behind its answers are also proved by a proof tool, in every test run.")
+    return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, faces "
+            f"and cases of {counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at "
+            f"most {percent(upper_limit(trials))} (95 % limit). That is what was measured; the bounds behind its answers are "
+            "also proved by a proof tool, in every test run.")
 
 
 def others(asked):
@@ -37,14 +39,17 @@ def table_of(asked, titles):
     for name, counts in asked.items():
         if CERTIFIED in counts:
             a = counts[CERTIFIED]
-            rows.append([f'<a href="#{name}">{escaped(titles[name])}</a>', count(a.answers), f"{count(a.trials)} {escaped(a.trial)}", count(a.wrong),
+            rows.append([f'<a href="#{name}">{escaped(titles[name])}</a>', count(a.answers), f"{count(a.trials)} "
+                                                                                             f"{escaped(a.trial)}", count(a.wrong),
                          "none: it failed" if a.wrong else percent(upper_limit(a.trials))])
     if not rows:
         return ""
     right, unsure = others(asked)
     also = f" Nor were wrong, wherever they were asked: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
-    return f"<section><h2>What never failed, and how sure that is</h2>" + table(
-        f"{code(CERTIFIED)} in every study that asked it. Answers about the same polygon depend on each other, so the limit counts polygons (or faces, "
-        f"cases): if more than this share of such were answered wrongly, at least one would have been seen, with 95 % confidence.",
+    return "<section><h2>What never failed, and how sure that is</h2>" + table(
+        f"{code(CERTIFIED)} in every study that asked it. Answers about the same polygon depend on each other, so the limit "
+        f"counts polygons (or faces, cases): if more than this share of such were answered wrongly, at least one would have "
+        "been seen, with 95 % "
+        "confidence.",
         ["study", "answers", "of so many", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"

@@ -6,23 +6,26 @@ from results import DataError
 TERMS = """
 <dl>
 <dt>Ball, polygon, contact</dt>
-<dd>A closed ball with a centre and a radius; a flat, closed polygon in space, which may be non-convex and have holes. They are in contact if they share a
-point; exactly touching is contact. The numbers given are taken as exact.</dd>
+<dd>A closed ball with a centre and a radius; a flat, closed polygon in space, which may be non-convex and have holes. They
+are in contact if they share a point; exactly touching is contact. The numbers given are taken as exact.</dd>
 <dt>Double, one double away</dt>
-<dd>A 64-bit floating-point number. Between neighbouring doubles there is nothing that a program could be given, so “one double away” is the smallest
-change there is. A float has 32 bits.</dd>
+<dd>A 64-bit floating-point number. Between neighbouring doubles there is nothing that a program could be given, so “one
+double away” is the smallest change there is. A float has 32 bits.</dd>
 <dt>Threshold, offset</dt>
-<dd>The value at which the true answer changes: of the radius, the exact distance; of a coordinate of the centre, where the foot crosses an edge. Offsets
-from it are counted in doubles, or given as shares: 2⁻³⁰ is about one billionth of the distance or of the polygon's size.</dd>
+<dd>The value at which the true answer changes: of the radius, the exact distance; of a coordinate of the centre, where the
+foot crosses an edge. Offsets from it are counted in doubles, or given as shares: 2⁻³⁰ is about one billionth of the distance
+or of the polygon's size.</dd>
 <dt>Foot; the three tests</dt>
-<dd>The foot is the point of the polygon's plane straight below the centre. Contact is decided by three tests: does the ball cross the plane
-(<i>plane</i>), is the foot inside the polygon (<i>foot</i>), which edges are within the radius (<i>edges</i>).</dd>
+<dd>The foot is the point of the polygon's plane straight below the centre. Contact is decided by three tests: does the ball
+cross the plane (<i>plane</i>), is the foot inside the polygon (<i>foot</i>), which edges are within the radius
+(<i>edges</i>).</dd>
 <dt>Planar (lattice) and rotated polygons</dt>
-<dd>Vertices on an integer lattice lie exactly in one plane. Rotated ones are rounded to doubles, so they do so only nearly; the polygon is then their
-projection onto one exact plane.</dd>
+<dd>Vertices on an integer lattice lie exactly in one plane. Rotated ones are rounded to doubles, so they do so only nearly;
+the polygon is then their projection onto one exact plane.</dd>
 <dt>95 % limit</dt>
-<dd>After so many independent trials, the true share lies within the limits with 95 % confidence (Clopper and Pearson; Hoeffding where said). Where
-nothing failed, the upper limit is one-sided: 1 − 0.05<sup>1/n</sup> after n trials. In pictures, limits are two-sided.</dd>
+<dd>After so many independent trials, the true share lies within the limits with 95 % confidence (Clopper and Pearson;
+Hoeffding where said). Where nothing failed, the upper limit is one-sided: 1 − 0.05<sup>1/n</sup> after n trials. In
+pictures, limits are two-sided.</dd>
 </dl>
 """
 
@@ -31,7 +34,8 @@ def methods(results):
     """From `touchstone methods`, which ./reproduce keeps."""
     path = results / "methods.txt"
     if not path.exists():
-        return ('<section><h2 id="methods">The methods</h2><p>Their list was not kept; <code>touchstone methods</code> prints it.</p></section>')
+        return ('<section><h2 id="methods">The methods</h2><p>Their list was not kept; <code>touchstone methods</code> prints '
+                'it.</p></section>')
     entries = []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         name, _, about = line.partition(" ")
