@@ -267,6 +267,13 @@ class Report(unittest.TestCase):
         self.assertIn(sentence, text)
         self.assertIn(f"at most {percent(upper_limit(200))} (95 % limit)", text)
 
+    def test_what_is_compared_with_itself_is_not_counted(self):
+        cases = sum(int(row["cases"]) for row in rows_of(self.results / "engines/standing.csv") if row["method"] == "filtered")
+        row = f"Other engines on the same questions{cases:,}10 polygons0"
+        self.assertIn(row, self.page.text)
+        edited(self.results / "engines/standing.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
+        self.assertNotIn(row, self.changed().text)
+
     def test_a_failure_of_what_must_not_fail_is_said_first(self):
         edited(self.results / "soak/soak.csv", lambda row: row.update(differences="1"))
         text = self.changed().text
