@@ -21,7 +21,7 @@ sys.path.insert(0, str(SOURCE / "experiments/report"))
 
 from page import percent, rounded, share_of_size, upper_limit
 from report import CHAPTERS, page
-from results import DataError
+from results import DataError, study_in
 
 VOID = {"meta", "img", "br", "link", "input", "path", "line", "circle", "polygon"}
 
@@ -266,6 +266,12 @@ class Report(unittest.TestCase):
         text = Page(report(only)[0]).text
         self.assertIn(sentence, text)
         self.assertIn(f"at most {percent(upper_limit(200))} (95 % limit)", text)
+
+    def test_polygons_that_are_asked_about_twice_count_once(self):
+        for study in ("near-edge", "tradeoff"):
+            bands = rows_of(self.results / study / "bands.csv")
+            polygons = {row["placement"]: int(row["samples"]) for row in bands if (row["family"], row["method"]) == ("u", "filtered")}
+            self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, sum(polygons.values()))
 
     def test_what_is_compared_with_itself_is_not_counted(self):
         cases = sum(int(row["cases"]) for row in rows_of(self.results / "engines/standing.csv") if row["method"] == "filtered")
