@@ -27,8 +27,8 @@ def cases_of(rows):
 
 
 def asked(study):
-    """Balls of a family share polygons, at least those of one place and number. `filtered` is what the study compares with, and asks
-    exact about where another differs: it was tested only if the method exact was asked too."""
+    """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
+    differs: so it was tested only if the method exact was asked too."""
     rows = rows_of(study)
     polygons = len(families_of(rows)) * study.run["samples_done"]
     methods = dict.fromkeys(row["method"] for row in rows)
