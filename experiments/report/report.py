@@ -40,7 +40,8 @@ iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-
 .paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
 @media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); } }
 @media (max-width: 40rem) { .picture img { max-width: none; } svg.scheme { min-width: 36rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
-@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } .table { break-inside: auto; } table { font-size: 8pt; }
+@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } .table { break-inside: auto; }
+  .table figcaption { break-after: avoid; } table { font-size: 8pt; }
   th[scope=row] { min-width: 0; } td.figure, th.figure { padding-left: .3rem; } .bar { min-width: 0; }
   .picture .scroll { margin-inline: 0; } .picture img { max-width: 100%; max-height: 17cm; width: auto; } }
 """

@@ -21,7 +21,7 @@ sys.path.insert(0, str(SOURCE / "experiments/report"))
 
 from page import percent, rounded, share_of_size, upper_limit
 from report import CHAPTERS, page
-from results import DataError
+from results import DataError, study_in
 
 VOID = {"meta", "img", "br", "link", "input", "path", "line", "circle", "polygon"}
 
@@ -259,11 +259,26 @@ class Report(unittest.TestCase):
         only = self.original.parent / "only"
         shutil.copytree(self.results / "soak", only / "soak")
         self.addCleanup(shutil.rmtree, only)
-        answers = sum(int(row["cases"]) for row in rows_of(only / "soak/soak.csv"))
+        rows = rows_of(only / "soak/soak.csv")
+        answers = sum(int(row["cases"]) for row in rows if row["family"] == "all")
+        self.assertEqual(answers, sum(int(row["cases"]) for row in rows if row["family"] != "all"))
         sentence = f"filtered, in {answers:,} answers about 200 polygons, faces and cases of 1 study"
         text = Page(report(only)[0]).text
         self.assertIn(sentence, text)
         self.assertIn(f"at most {percent(upper_limit(200))} (95 % limit)", text)
+
+    def test_polygons_that_are_asked_about_twice_count_once(self):
+        for study in ("near-edge", "tradeoff"):
+            bands = rows_of(self.results / study / "bands.csv")
+            polygons = {row["placement"]: int(row["samples"]) for row in bands if (row["family"], row["method"]) == ("u", "filtered")}
+            self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, sum(polygons.values()))
+
+    def test_what_is_compared_with_itself_is_not_counted(self):
+        cases = sum(int(row["cases"]) for row in rows_of(self.results / "engines/standing.csv") if row["method"] == "filtered")
+        row = f"Other engines on the same questions{cases:,}10 polygons0"
+        self.assertIn(row, self.page.text)
+        edited(self.results / "engines/standing.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
+        self.assertNotIn(row, self.changed().text)
 
     def test_a_failure_of_what_must_not_fail_is_said_first(self):
         edited(self.results / "soak/soak.csv", lambda row: row.update(differences="1"))

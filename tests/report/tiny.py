@@ -26,7 +26,7 @@ def calls(source, mesh):
         "stability": ["stability", "--method", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
         "tradeoff": ["tradeoff", "--method", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                      "--repetitions", "1", "--no-pictures"],
-        "engines": ["regress", "--method", "filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
+        "engines": ["regress", "--method", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
         "soak": ["soak", "--cases", "200"],
         "cell": ["cell", "run", cell, "--method", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
