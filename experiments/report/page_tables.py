@@ -9,12 +9,13 @@ Compares each with the one between its page's markers (exit status 1 if one diff
 import collections
 import csv
 import functools
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from engines import OVERALL, by_family, overall
+from engines import OVERALL, by_family, families_of, overall
 from names import ENGINES
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
@@ -70,13 +71,17 @@ def absent_engines(touchstone):
 
 @functools.cache
 def standing(touchstone):
-    """The rows of standing.csv."""
+    """The rows of standing.csv, and how many polygons they are about. What is compared with is filtered, which must be exact."""
     with tempfile.TemporaryDirectory() as folder:
-        present = [engine for engine in ENGINES if engine not in absent_engines(touchstone)]
+        present = ["exact", *(engine for engine in ENGINES if engine not in absent_engines(touchstone))]
         subprocess.run([touchstone, "regress", "--method", ",".join(present), "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "standing.csv"), newline="") as rows:
-            return list(csv.DictReader(rows))
+            found = list(csv.DictReader(rows))
+        samples = json.loads(pathlib.Path(folder, "run.json").read_text())["samples_done"]
+    if any(row["method"] == "exact" and row["wrong"] != "0" for row in found):
+        raise SystemExit("touchstone regress: filtered differs from exact")
+    return found, samples * len(families_of(found))
 
 
 def markdown(head, lines):
@@ -85,11 +90,11 @@ def markdown(head, lines):
 
 
 def engines_table(touchstone):
-    return markdown(OVERALL, overall(standing(touchstone))).replace("|  |", "| |")
+    return markdown(OVERALL, overall(*standing(touchstone))).replace("|  |", "| |")
 
 
 def engines_by_family_table(touchstone):
-    return markdown(*by_family(standing(touchstone)))
+    return markdown(*by_family(standing(touchstone)[0]))
 
 
 TABLES = [  # page, name in its markers, what makes it

@@ -11,12 +11,12 @@ import re
 import sys
 
 import studies
-from chapters import cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
+from chapters import bench, cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
 from chapters.opening import glance, never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, rounded, words
 from results import DataError, study_in
 
-CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "engines": engines, "soak": soak,
+CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "engines": engines, "soak": soak,
             "bench-scene": scenes, "merge": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
 
 STYLE = """

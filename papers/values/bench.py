@@ -1,34 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
-import json
-import re
-
-from results import DataError
+from contests import contests, polygons
 from values.latex import count, percent, table, times
 
 TRIANGLES = {  # family: in words
     "random-triangles": "random triangles", "half-near": r"half of them at $2^{-50}$",
     "lattice-tangent": "exactly tangent, on lattices", "slivers": r"slivers of aspect $10^{-8}$",
     "far": r"$10^6$ sizes from the origin", "extreme": "extreme exponents"}
-
-
-def contests(study):
-    """By (family, name): the contestants by name."""
-    path = study.folder / "bench.json"
-    try:
-        return {(contest["family"], contest["name"]): {c["name"]: c for c in contest["contestants"]}
-                for contest in json.loads(path.read_text())["contests"]}
-    except (OSError, ValueError, KeyError) as error:
-        raise DataError(f"{path}: {error}") from None
-
-
-def polygons(all_contests):
-    """Vertices, and the contestants over all outlines together, by size."""
-    found = {}
-    for (family, name), contestants in all_contests.items():
-        if (size := re.fullmatch(r"polygons-(\d+)", family)) and name == "all outlines":
-            found[int(size[1])] = contestants
-    return dict(sorted(found.items()))
 
 
 def values(study):

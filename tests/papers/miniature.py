@@ -55,8 +55,8 @@ FILES = {
         "standing.csv": table("method family wrong cases first_offset_exponent", ("filtered", ["star", "u"], 0, 8, ""),
                               ("fast", ["star", "u"], 1, 8, 28), ("cgal-epeck-distance", ["star", "u"], 0, 8, ""),
                               ("fcl", ["star", "u"], 2, 8, 8))},
-    "soak": {"soak.csv": table("family cases double permanent double-double fixed-integer unlimited differences",
-                               (["general", "point"], 8, 3, 2, 1, 1, 1, 0))},
+    "soak": {"soak.csv": table("family double permanent double-double fixed-integer unlimited differences",
+                               (["general", "all"], 3, 2, 1, 1, 1, 0))},
     "real-input": {
         "meshes.csv": table("mesh faces rejected method place test trials wrong",
                             ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),

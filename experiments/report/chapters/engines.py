@@ -26,11 +26,15 @@ def cases_of(rows):
     return sum(int(row["cases"]) for row in rows if row["method"] == rows[0]["method"])
 
 
+def polygons_of(study, rows):
+    return len(families_of(rows)) * study.run["samples_done"]
+
+
 def asked(study):
     """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
     differs: so it was tested only if the method exact was asked too."""
     rows = rows_of(study)
-    polygons = len(families_of(rows)) * study.run["samples_done"]
+    polygons = polygons_of(study, rows)
     methods = dict.fromkeys(row["method"] for row in rows)
     counts = {method: sum(int(row["wrong"]) for row in rows if row["method"] == method) for method in methods}
     return {method: Asked(cases_of(rows), wrong, polygons, "polygons") for method, wrong in counts.items()
@@ -38,11 +42,12 @@ def asked(study):
 
 
 def finding(study):
-    lines = overall(rows_of(study))
+    rows = rows_of(study)
+    lines = overall(rows, polygons_of(study, rows))
     others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
     wrong = [f"{code(name)} {share}" for name, _, share, _, _ in others if not share.startswith("0 of")]
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
-    cases = cases_of(rows_of(study))
+    cases = cases_of(rows)
     text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and at contact: "
     text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
     return text + (f"; of {words(never)} none" if never and wrong else "") + "."
@@ -51,7 +56,7 @@ def finding(study):
 def chapter(study):
     rows = rows_of(study)
     absent = [engine for engine in ENGINES if engine not in rows_by_engine(rows)]
-    cases = cases_of(rows_of(study))
+    cases = cases_of(rows)
     head, lines = by_family(rows)
     text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
 The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or at contact itself. Most engines take triangles, and
@@ -60,7 +65,7 @@ polygons come to them as those. The cases are the same as those of the baseline 
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
                   "errs.",
                   OVERALL[:1] + ["what it is"] + OVERALL[2:],
-                  [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows)], (2, 3, 4))
+                  [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows, polygons_of(study, rows))], (2, 3, 4))
     if absent:
         text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The chapter of `touchstone bench`: times of the certified path beside those of plain doubles and CGAL's kernels."""
+from contests import TRIANGLES, contests, polygons
+from page import code, count, escaped, percent, rounded, table, words
+
+TITLE = "Certainty, timed"
+OTHERS = ("EPICK", "EPECK")
+
+
+def asked(study):
+    return {}
+
+
+def ratio_of(contestants, name="filtered"):
+    return contestants[name]["ratio"]["median"]
+
+
+def finding(study):
+    every = contests(study)
+    sizes = polygons(every)
+    most = max(sizes)
+    return (f"<b>Time.</b> Contact of a ball and a triangle took {code('filtered')} {rounded(ratio_of(every['random-triangles', '']), 3)} × the time "
+            f"of {code('fast')} with balls anywhere and {rounded(ratio_of(every['half-near', '']), 3)} × with half of them at "
+            f"2<sup>−50</sup> from contact; of a small ball and a prepared polygon of {count(most)} vertices "
+            f"{rounded(ratio_of(sizes[most]), 2)} ×.")
+
+
+def line(about, contestants):
+    ours, fast = contestants["filtered"], contestants["fast"]
+    ratio, goal, wrong = ours["ratio"], ours.get("goal"), fast.get("wrong")
+    aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
+    return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
+            f"{rounded(ratio['median'], 3)} ×<br><small>{rounded(ratio['lower_quartile'], 3)} to {rounded(ratio['upper_quartile'], 3)}</small>", aim,
+            *(f"{rounded(ratio_of(contestants, other))} ×" if other in contestants and "ratio" in contestants[other] else "" for other in OTHERS),
+            "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
+
+
+def chapter(study):
+    every = contests(study)
+    rows = [line(escaped(about), every[family, ""]) for family, about in TRIANGLES.items()]
+    rows += [line(f"polygons of {count(vertices)} vertices", contestants) for vertices, contestants in polygons(every).items()]
+    queries = every["random-triangles", ""]["filtered"]
+    head = ["questions", "fast, ns", "filtered, ns", "filtered / fast", "goal", *(f"{other} / filtered" for other in OTHERS), "fast is wrong"]
+    return f"""<p>Contact, yes or no, asked of {code('fast')}, {code('filtered')} and two of CGAL's kernels in turns, in one run on one
+core: {count(queries['asked'])} distinct questions of a kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
+are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
+asked about triangles where their questions are the same.</p>""" + table(
+        "Nanoseconds a question, and ratios within the same run: median, and quartiles below it.", head, rows, range(1, len(head)))

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `touchstone bench` measured: bench.json, contestants by name."""
+import json
+import re
+
+from results import DataError
+
+TRIANGLES = {  # family of balls and triangles: in words
+    "random-triangles": "random triangles, balls anywhere", "half-near": "half of the balls at 2⁻⁵⁰ from contact",
+    "lattice-tangent": "exactly tangent, on lattices", "slivers": "slivers of aspect 10⁻⁸",
+    "far": "10⁶ sizes from the origin", "extreme": "extreme exponents"}
+
+
+def contests(study):
+    """By (family, name): the contestants by name, each as bench.json has it."""
+    path = study.folder / "bench.json"
+    try:
+        found = {(contest["family"], contest["name"]): {c["name"]: c for c in contest["contestants"]}
+                 for contest in json.loads(path.read_text(encoding="utf-8"))["contests"]}
+    except OSError as error:
+        raise DataError(f"{path}: {error.strerror}") from None
+    except (ValueError, KeyError, TypeError) as error:
+        raise DataError(f"{path}: {type(error).__name__}: {error}") from None
+    if missing := [family for family in TRIANGLES if (family, "") not in found]:
+        raise DataError(f"{path}: no contest {', '.join(missing)}")
+    return found
+
+
+def polygons(all_contests):
+    """By vertices: the contestants over all outlines together."""
+    found = {}
+    for (family, name), contestants in all_contests.items():
+        if (size := re.fullmatch(r"polygons-(\d+)", family)) and name == "all outlines":
+            found[int(size[1])] = contestants
+    return dict(sorted(found.items()))
