@@ -69,7 +69,7 @@ def absent(name, folder):
     calls = "\n".join(studies.shown(call, f"{folder.name}/{name}") for call in study.full)
     begun = (folder / name).exists()
     why = "It was begun, and has not come to its end." if begun else "This study was not run."
-    how = "./reproduce" if study.quick else "./reproduce --full"
+    how = "./reproduce" if study.quick else "./reproduce --paper" if study.paper else "./reproduce --full"
     return (f'<div class="absent"><p><b>{why}</b> {code(how)} runs it, or:</p><pre '
             f'tabindex="0"><code>{escaped(calls)}</code></pre></div>')
 

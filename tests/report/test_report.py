@@ -178,7 +178,7 @@ class Report(unittest.TestCase):
             before, _, behind = page.text.partition("This study was not run.")
             self.assertTrue(behind, name)
             self.assertNotIn("This study was not run.", behind)
-            self.assertTrue(re.search(rf"touchstone .*--output changed/{name}\b", behind[:900]), behind[:900])
+            self.assertTrue(re.search(rf"touchstone .*--(?:output|json) changed/{name}\b", behind[:900]), behind[:900])
             self.assertIn(f"Not run: {CHAPTERS[name].TITLE}.", page.text)
 
     def test_a_killed_study_is_not_shown(self):
@@ -200,12 +200,20 @@ class Report(unittest.TestCase):
     def test_missing_data_are_an_error_that_names_the_file(self):
         for file in ("near-edge/rates.csv", "real-input/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "engines/standing.csv",
                      "soak/soak.csv", "cell/moves.csv", "cell/cell.html", "thesis/entries.csv", "merge/merge.csv", "bench-scene/queries.csv",
-                     "cell-area/plan.csv"):
+                     "bench/bench.json", "cell-area/plan.csv"):
             with self.subTest(file=file):
                 aside = self.results / "aside"
                 (self.results / file).rename(aside)
                 self.assertIn(f"{self.results / file}: No such file", self.complaint())
                 aside.rename(self.results / file)
+
+    def test_times_are_those_of_the_bench(self):
+        path = self.results / "bench/bench.json"
+        self.assertIn("took filtered 1.50 × the time of fast", self.changed().text)
+        path.write_text(path.read_text().replace('"ratio": {"median": 1.5', '"ratio": {"median": 2.25'))
+        self.assertIn("took filtered 2.25 × the time of fast", self.changed().text)
+        path.write_text('{"contests": []}')
+        self.assertIn(f"{path}: no contest random-triangles", self.complaint())
 
     def test_malformed_data_are_an_error_that_names_the_line(self):
         path = self.results / "near-edge/bands.csv"

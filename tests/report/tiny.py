@@ -7,6 +7,10 @@ import pathlib
 import subprocess
 import sys
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "papers"))
+
+from miniature import BENCH
+
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
     "near-edge": ["rates-lattice-frame", "rates-rotated", "maps-vertex", "maps-reflex-vertex", "onset"],
@@ -65,4 +69,9 @@ def write(program, source, results):
     stems += [(pathlib.Path("thesis"), entry["picture"]) for entry in entries if entry["picture"]]
     for folder, stem in stems:
         (results / folder / f"{stem}.svg").write_text(SVG)
+    # The bench itself prepares polygons of 100,000 vertices, which takes minutes.
+    (results / "bench").mkdir()
+    (results / "bench/bench.json").write_text(json.dumps(BENCH))
+    run_record = json.loads((results / "soak/run.json").read_text(encoding="utf-8"))
+    (results / "bench/run.json").write_text(json.dumps(run_record | {"command": "touchstone bench"}))
     write_page(thesis, entries, numbers, json.loads((thesis / "run.json").read_text(encoding="utf-8")))
