@@ -42,7 +42,7 @@ def times(ratio):
     """A ratio, to three digits and at most three places."""
     if ratio >= 100:
         return count(round(ratio))
-    return f"{ratio:.2f}" if ratio >= 0.1 else f"{ratio:.2g}"
+    return f"{ratio:.1f}" if ratio >= 10 else f"{ratio:.2f}" if ratio >= 0.1 else f"{ratio:.2g}"
 
 
 def escaped(text):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors of the computed distance, in units in the last place."""
-from results import maybe, natural, number
-from values.latex import count, decimal, percent
+"""Times and wrong answers near contact, and errors of the computed distance in units in the last place."""
+from results import finite, maybe, natural, number
+from values.latex import count, decimal, percent, times
 
 
 def values(study):
@@ -17,6 +17,14 @@ def values(study):
         yield f"distance-asked/{method}", count(asked)
         yield f"distance-right/{method}", "all" if right == asked else percent(right / asked)
         yield f"distance-worst/{method}", decimal(worst)
+    near = {row["method"]: row for row in study.rows("front.csv", measure=str, family=str, placement=str, method=str, nanoseconds=finite,
+                                                     error=number)
+            if (row["measure"], row["family"], row["placement"]) == ("not-right", "all", "rotated")}
+    if near["filtered"]["error"]:
+        raise ValueError("filtered is wrong")
+    for method, row in near.items():
+        yield f"time/{method}", times(row["nanoseconds"] / near["fast"]["nanoseconds"])
+        yield f"wrong/{method}", percent(row["error"]) if row["error"] else "none"
 
 
 def tables(study):
