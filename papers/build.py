@@ -31,6 +31,9 @@ STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of
     "bench": (bench, "bench"), "engines": (engines, "engines"), "soak": (soak, "soak"), "real-input": (real_input, "real"),
     "bench-scene": (scenes, "scenes"), "thesis": (thesis, "thesis")}
 
+# By figures, and not row by row.
+ALSO_READ = {"bench": {"bench.json"}, "near-edge": {f"map-reflex-vertex-foot-{distance}.csv" for distance in (0, 1000)}}
+
 
 class Recording:
     """A study that remembers which of its files were read."""
@@ -84,8 +87,8 @@ def data_table(studies, digests):
     rows = []
     for name, study in studies.items():
         command = escaped(command_of(study.run)).replace("--", "-{}-").replace(",", r",\allowbreak{}")
-        rows.append([rf"\raggedright\ttfamily {command}", decimal(study.run["seconds"]), rf"\texttt{{{digests[name][:8]}}}"])
-    return table(r"p{.72\textwidth}rr", ["command", "seconds", "data"], rows)
+        rows.append([name, rf"\raggedright\ttfamily {command}", decimal(study.run["seconds"]), rf"\texttt{{{digests[name][:8]}}}"])
+    return table(r"lp{.6\textwidth}rr", ["folder", "command", "seconds", "data"], rows)
 
 
 def write_inputs(results, output):
@@ -95,6 +98,7 @@ def write_inputs(results, output):
     values |= {f"corpus/{key}": value for key, value in corpus.values()}
     tables = {}
     for name, (module, prefix) in STUDIES.items():
+        studies[name].files |= ALSO_READ.get(name, set())
         try:
             values |= {f"{prefix}/{key}": value for key, value in module.values(studies[name])}
             tables |= dict(module.tables(studies[name]))

@@ -33,8 +33,8 @@ def values(study):
     yield "cases", count(entries[0][2])
     yield "polygons", count(polygons)
     yield "limit", percent(never(polygons))
-    yield "never-wrong-count", {1: "one", 0: "none"}.get(len(never_wrong), str(len(never_wrong)))
-    yield "never-wrong", ", ".join(rf"\method{{{escaped(engine)}}}" for engine in never_wrong)
+    yield "never-wrong-count", str(len(never_wrong))
+    yield "never-wrong", ", ".join(rf"\method{{{escaped(engine)}}}" for engine in never_wrong) or "none"
 
 
 def tables(study):

@@ -7,12 +7,15 @@ STAGES = ["double", "permanent", "double-double", "fixed-integer", "unlimited"]
 
 
 def values(study):
-    rows = [row for row in study.rows("soak.csv", family=str, differences=natural, **{stage: natural for stage in STAGES})
+    rows = [row for row in study.rows("soak.csv", family=str, way=str, cases=natural, differences=natural, **{stage: natural for stage in STAGES})
             if row["family"] != "all"]
     cases, differences = study.run["samples_done"], sum(row["differences"] for row in rows)
     if differences:
         raise ValueError(f"{differences} answers of filtered differ from those of exact")
     decisions = sum(row[stage] for row in rows for stage in STAGES)
+    whole = sum(row["cases"] for row in rows if row["way"] == "answer")
+    yield "whole", count(whole)
+    yield "whole-limit", decimal(never(whole))
     yield "families", str(len({row["family"] for row in rows}))
     yield "cases", count(cases)
     yield "differences", str(differences)

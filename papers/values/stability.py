@@ -58,6 +58,8 @@ def values(study):
         raise ValueError("filtered failed")
     one_double = [row for row in filtered if (row["nearness"], row["test"]) == ("one-double", "contact")]
     yield "axes", str(len({row["axis"] for row in filtered}))
+    for name, axis in (("vertices", "vertices"), ("rotations", "chain-input")):
+        yield f"most-{name}", count(max((int(float(row["level"])) for row in filtered if row["axis"] == axis), default=0))
     yield "levels", str(len({(row["axis"], row["level"]) for row in filtered}))
     samples = sum(row["samples"] for row in one_double)
     yield "filtered-samples", count(samples)

@@ -35,6 +35,7 @@ FILES = {
                                                            ([0, 1], [0, 1], "i", "=", "-", "=", "+")) for distance in (0, 1000)}},
     "stability": {
         "failures.csv": table(AXES + " level failed_samples samples", ("aspect", "one-double", "contact", ["fast", "filtered"], "1", 0, 4),
+                              ("vertices", "one-double", "contact", "filtered", ["1e1", "1e3"], 0, 2),
                               ("chain-motion", "one-double", "contact", "filtered", "1", 4, 4)),
         "first-failure.csv": table(AXES + " first_failure", ("aspect", "close", "contact", "fast", "1e4")),
         "onset.csv": table("origin_distance method offset_exponent failed_triangles wrong_answers answers rate lower upper",
@@ -56,8 +57,8 @@ FILES = {
         "standing.csv": table("method family wrong cases first_offset_exponent", ("filtered", ["star", "u"], 0, 8, ""),
                               ("fast", ["star", "u"], 1, 8, 28), ("cgal-epeck-distance", ["star", "u"], 0, 8, ""),
                               ("fcl", ["star", "u"], 2, 8, 8))},
-    "soak": {"soak.csv": table("family double permanent double-double fixed-integer unlimited differences",
-                               (["general", "all"], 3, 2, 1, 1, 1, 0))},
+    "soak": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",
+                               (["general", "all"], ["triangle", "answer"], 4, 3, 2, 1, 1, 1, 0))},
     "real-input": {
         "meshes.csv": table("mesh faces rejected method place test trials wrong",
                             ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),
@@ -69,7 +70,7 @@ FILES = {
                              ("torus", 1000, ["anywhere", "touching"], "any", "Embree 3", 200, 3, 8)),
         "builds.csv": table("triangles library bytes_a_triangle", (1000, ["Scene", "Embree 3"], 91))},
     "thesis": {
-        "entries.csv": table("id status", ("4.1", "reproduced"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
+        "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
         "moves.csv": table("joint degrees", ("elbow", -3), ("base", -149), ("base", 66)),
         "areas.csv": table("outline points share lower upper", (["U3x3", "square"], 100, 0.86, 0.8, 0.9)),
         "touching.csv": table("balls missed", (8, 7))},

@@ -59,8 +59,8 @@ def what_the_text_asks_for_is_made(root, results, output):
 def data_make_the_numbers(root, results, output, scratch):
     values = (output / "values.tex").read_text()
     for line in (r"\defineval{near-edge/face/fast}{25\,\%}", r"\defineval{near-edge/foot-edge/thesis}{50\,\%}",
-                 r"\defineval{engines/never-wrong-count}{one}", r"\defineval{soak/cases}{4}", r"\defineval{soak/limit}{0.53}", r"\defineval{soak/unlimited-share}{12\,\%}", r"\defineval{engines/polygons}{8}",
-                 r"\defineval{stability/first/1e6/fast}{$2^{-51}$}", r"\defineval{stability/filtered-samples}{4}",
+                 r"\defineval{engines/never-wrong-count}{1}", r"\defineval{engines/never-wrong}{\method{cgal-epeck-distance}}", r"\defineval{thesis/entries}{3}", r"\defineval{stability/most-vertices}{1{,}000}", r"\defineval{soak/cases}{4}", r"\defineval{soak/limit}{0.53}", r"\defineval{soak/unlimited-share}{12\,\%}", r"\defineval{engines/polygons}{8}",
+                 r"\defineval{stability/first/1e6/fast}{$2^{-51}$}", r"\defineval{stability/filtered-samples}{8}",
                  r"\defineval{bench/half-near/filtered/ratio}{1.50}", r"\defineval{real/face/fast}{12\,\%}",
                  r"\defineval{thesis/base-turns}{149\textdegree{} and 66\textdegree{}}", r"\defineval{tradeoff/distance-right/filtered}{all}"):
         expect(line in values, f"not there: {line}")
@@ -69,7 +69,7 @@ def data_make_the_numbers(root, results, output, scratch):
     expect(files_below(output) == files_below(again), "the same data make other bytes")
     edit(results / "engines/standing.csv", "cgal-epeck-distance,u,0,8,", "cgal-epeck-distance,u,1,8,52")
     build(root, results, again, "--no-latex")
-    expect(r"\defineval{engines/never-wrong-count}{none}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
+    expect(r"\defineval{engines/never-wrong-count}{0}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
 
 
 def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
@@ -109,7 +109,7 @@ def what_is_stale_is_told(root, results, output, scratch):
     stale = build(copy, results, output, "--check")
     expect(stale.returncode == 1 and "older than the text" in stale.stderr, stale.stderr)
     edit(copy / "papers/sections/limits.tex", "Bounds", "Limits")
-    edit(results / "soak/soak.csv", "general,3", "general,4")
+    edit(results / "soak/soak.csv", "triangle,4,3", "triangle,4,4")
     stale = build(copy, results, output, "--check")
     expect(stale.returncode == 1 and "older than the data of soak" in stale.stderr, stale.stderr)
     unbuilt = build(copy, results, scratch / "unbuilt", "--check")
