@@ -46,4 +46,16 @@ struct Engine {
 /// The fastest engine that this machine can run. All give the same answers.
 [[nodiscard]] const Engine& engine();
 
+/// The closest point of one engine.
+template <class Counts>
+[[nodiscard]] ClosestPoint closest(const Questions<Counts>& ask, const Eigen::Vector3d& center,
+                                   const Triangle& triangle, Counts& counts) {
+  const Ball point_ball{center, 0};
+  const TriangleQuestion asked = question(point_ball, triangle);
+  const Feature feature = ask.triangle_nearest(asked, counts);
+  double point[3];
+  ask.triangle_point(asked, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(asked, feature, counts)};
+}
+
 }  // namespace touchstone::filtered

@@ -11,9 +11,9 @@
 #include "experiments/workloads/doubles.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
+#include "robust/filtered/engine.h"
 #include "tests/contact/environment.h"
 #include "tests/corpus/stored.h"
-#include "tests/filtered/closest_by_engine.h"
 
 namespace touchstone {
 namespace {
@@ -109,6 +109,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
     const Answer& expected = *stored.answer;
     const bool touches = expected.contact();
     filtered::StageCounts counts;
+    filtered::NoCounts none;
     ASSERT_EQ(filtered_path.contact(ball, *triangle), touches) << stored;
     ASSERT_EQ(filtered_path.contact(ball, *triangle, counts), touches) << stored;
     ASSERT_EQ(filtered_path.plain_contact(ball, *triangle), touches) << stored;
@@ -120,7 +121,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    ASSERT_EQ(filtered::closest_by(filtered::baseline_engine().plain, ball.center, *triangle), closest) << stored;
+    ASSERT_EQ(filtered::closest(filtered::baseline_engine().plain, ball.center, *triangle, none), closest) << stored;
   }
 }
 

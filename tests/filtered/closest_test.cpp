@@ -10,7 +10,6 @@
 #include "robust/exact/validate.h"
 #include "robust/filtered/engine.h"
 #include "tests/contact/printing.h"
-#include "tests/filtered/closest_by_engine.h"
 #include "tests/filtered/hard_cases.h"
 
 namespace touchstone::filtered_tests {
@@ -26,10 +25,10 @@ ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {
 void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
   const ClosestPoint truth = exact_closest(center, triangle);
   filtered::StageCounts counts;
+  filtered::NoCounts none;
   RC_ASSERT(filtered::closest(center, triangle) == truth);
   RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
-  RC_ASSERT(filtered::closest_by(filtered::baseline_engine().plain, center, triangle) == truth);
-  RC_ASSERT(filtered::closest_by(filtered::engine().counted, center, triangle) == truth);
+  RC_ASSERT(filtered::closest(filtered::baseline_engine().plain, center, triangle, none) == truth);
 }
 
 RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
