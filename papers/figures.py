@@ -2,10 +2,9 @@
 """The figures of the paper, in its type and measures, drawn with what draws those of the studies."""
 import csv
 
-import near_edge
-import stability
-import tradeoff
-from style import plt, save
+from names import DISTANCES, TITLES
+from pictures import near_edge, stability, tradeoff
+from pictures.style import plt, save
 
 WIDTH = 6.1  # inches of text
 plt.rcParams.update({"pdf.fonttype": 42})
@@ -31,7 +30,7 @@ def draw_near_edge(study, output):
     figure, grid = plt.subplots(1, len(thresholds), figsize=(WIDTH, 2.5), sharey=True, layout="constrained")
     for axes, threshold in zip(grid, thresholds):
         rates.draw(axes, "all", "rotated", threshold, "contact")
-        axes.set_title(near_edge.TITLES[threshold])
+        axes.set_title(TITLES[threshold])
         axes.set_xlabel("offset of the radius, in doubles")
         axes.set_xticks([near_edge.place(k) for k in (-2**32, -2**16, 0, 2**16, 2**32)],
                         ["$-2^{32}$", "$-2^{16}$", "0", "$2^{16}$", "$2^{32}$"])
@@ -50,7 +49,7 @@ def draw_map(study, output):
         axes.set_yticks([])
         for spine in axes.spines.values():
             spine.set(visible=True, color="#888888", linewidth=0.5)
-        axes.set_title(f"{method},\n{dict(near_edge.DISTANCES)[distance]}")
+        axes.set_title(f"{method},\n{DISTANCES[distance]}")
     save(figure, output, "map", ("pdf",))
 
 

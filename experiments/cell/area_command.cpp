@@ -112,7 +112,7 @@ int run(const AreaOptions& options) {
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
   std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_area.py", folder);
+  if (!options.no_pictures) run::draw_pictures("cell_area", folder);
   return 0;
 }
 

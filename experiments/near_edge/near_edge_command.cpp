@@ -204,7 +204,7 @@ class Run {
                  options_.output, result_.samples, settings_.samples);
       return run::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("near_edge.py", folder_);
+    if (!options_.no_pictures) run::draw_pictures("near_edge", folder_);
     return differing > 0 ? 1 : 0;
   }
 

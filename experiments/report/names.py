@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the names in the data are called in pictures and on pages."""
 
-# near-edge and tradeoff: what is crossed, the test that crosses it, where polygons are.
+# near-edge and tradeoff: what is crossed, the test that crosses it, where polygons are, and how far away.
 THRESHOLDS = ["face", "edge", "vertex", "tangent", "foot-edge", "foot-vertex"]
 OWN_TEST = {"face": "plane", "edge": "edges", "vertex": "edges", "tangent": "plane", "foot-edge": "foot",
             "foot-vertex": "foot"}
@@ -9,6 +9,7 @@ TITLES = {"face": "radius at a face", "edge": "radius at an edge", "vertex": "ra
           "tangent": "radius exactly tangent", "foot-edge": "foot crosses an edge", "foot-vertex": "foot passes a vertex"}
 PLACEMENTS = {"lattice-frame": "exactly planar polygons on an integer lattice",
               "rotated": "rotated polygons, vertices rounded to doubles"}
+DISTANCES = {0: "at the origin", 1000: "10³ sizes away", 1000000: "10⁶ sizes away"}
 
 # What stability makes worse: the title of each axis, and what its levels are.
 AXES = {"aspect": ("slivers", "length / width"),

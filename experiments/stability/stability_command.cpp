@@ -125,7 +125,7 @@ class Run {
                  options_.output, summary.samples(), settings_.samples);
       return run::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("stability.py", folder_);
+    if (!options_.no_pictures) run::draw_pictures("stability", folder_);
     return 0;
   }
 

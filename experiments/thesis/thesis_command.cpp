@@ -73,7 +73,7 @@ int run_thesis(const Options& options) {
   fmt::print("{}", table(entries));
   std::fflush(stdout);
   if (!options.no_pictures) {
-    run::draw_pictures("thesis.py", folder);
+    run::draw_pictures("thesis", folder);
     fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
   }
   return 0;

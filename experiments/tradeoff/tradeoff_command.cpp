@@ -24,8 +24,6 @@ namespace {
 
 using namespace tradeoff;
 
-constexpr const char* kScript = "tradeoff.py";
-
 struct Options {
   std::vector<std::string> methods{"all"};
   std::vector<std::string> families{"all"};
@@ -63,7 +61,7 @@ int redraw(const Options& options) {
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
       throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  run::draw_pictures(kScript, folder);
+  run::draw_pictures("tradeoff", folder);
   return 0;
 }
 
@@ -162,7 +160,7 @@ class Run {
     if (processes_.count() > 1)
       fmt::print("Times are measured in one process only: --resume without mpirun adds them and the pictures.\n");
     else if (!options_.no_pictures)
-      run::draw_pictures(kScript, folder_);
+      run::draw_pictures("tradeoff", folder_);
     return 0;
   }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
-from contests import contests, polygons
+from readings.bench import contests, polygons
 from values.latex import count, percent, table, times
 
 TRIANGLES = {  # family: in words

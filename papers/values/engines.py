@@ -1,36 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
-from engines import families_of, rows_by_engine
+from engines import Standing, rows_by_engine
 from names import ENGINES
-from results import maybe, natural
+from readings.engines import polygons_of, rows_of
 from values.latex import count, escaped, never, percent, table
 
 OWN = ("filtered", "fast", "thesis")
 
 
-def rows_of(study):
-    return study.rows("standing.csv", method=str, family=str, wrong=natural, cases=natural,
-                      first_offset_exponent=maybe(natural))
-
-
-def of_engines(study):
-    """(engine, wrong, cases, exponent of the coarsest wrong offset or None, families with a wrong answer)."""
-    for engine, rows in rows_by_engine(rows_of(study)).items():
-        exponents = [row["first_offset_exponent"] for row in rows if row["first_offset_exponent"] is not None]
-        yield (engine, sum(row["wrong"] for row in rows), sum(row["cases"] for row in rows), min(exponents, default=None),
-               sum(row["wrong"] > 0 for row in rows))
+def standings(study):
+    return {engine: Standing.of(rows) for engine, rows in rows_by_engine(rows_of(study)).items()}
 
 
 def values(study):
-    entries = list(of_engines(study))
-    others = [entry for entry in entries if entry[0] not in OWN]
+    others = {engine: standing for engine, standing in standings(study).items() if engine not in OWN}
     rows = rows_of(study)
-    polygons = len(families_of(rows)) * study.run["samples_done"]
     if any(row["wrong"] for row in rows if row["method"] in ("exact", "filtered")):
         raise ValueError("exact, filtered and the truth of regress differ")
-    never_wrong = [engine for engine, wrong, *_ in others if wrong == 0]
+    polygons = polygons_of(study, rows)
+    never_wrong = [engine for engine, standing in others.items() if not standing.wrong]
     yield "count", str(len(others))
-    yield "cases", count(entries[0][2])
+    yield "cases", count(max(standing.cases for standing in others.values()))
     yield "polygons", count(polygons)
     yield "limit", percent(never(polygons))
     yield "never-wrong-count", str(len(never_wrong))
@@ -38,9 +28,6 @@ def values(study):
 
 
 def tables(study):
-    rows = []
-    for engine, wrong, cases, exponent, failed in of_engines(study):
-        first = f"$2^{{-{exponent}}}$" if exponent is not None else "at tangency alone" if wrong else "none"
-        share = percent(wrong / cases) if wrong else "none"
-        rows.append([rf"\method{{{engine}}}", escaped(ENGINES[engine]), share, first])
+    rows = [[rf"\method{{{engine}}}", escaped(ENGINES[engine]), percent(s.wrong / s.cases) if s.wrong else "none",
+             s.first_offset(lambda exponent: f"$2^{{-{exponent}}}$")] for engine, s in standings(study).items()]
     yield "engines", table("llrr", ["engine", "", "wrong", "coarsest offset"], rows)

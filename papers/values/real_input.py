@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faces of real meshes, with balls at single doubles from contact."""
-from results import natural
+from readings.real_input import Data
 from values.latex import count, percent
-
-METHODS = ["fast", "thesis"]
 
 
 def values(study):
-    rows = study.rows("meshes.csv", mesh=str, faces=natural, rejected=natural, method=str, place=str, test=str,
-                      trials=natural, wrong=natural)
-    if any(row["wrong"] for row in rows if row["method"] == "filtered"):
+    data = Data(study)
+    certified = [row for row in data.rows if row["method"] == "filtered"]
+    if any(row["wrong"] for row in certified):
         raise ValueError("filtered differs from exact")
-    contact = [row for row in rows if row["test"] == "contact"]
-    yield "meshes", str(len({row["mesh"] for row in rows}))
-    yield "faces", count(sum({row["mesh"]: row["faces"] - row["rejected"] for row in rows}.values()))
-    yield "answers", count(sum(row["trials"] for row in rows if row["method"] == "filtered"))
+    yield "meshes", str(len(data.faces))
+    yield "faces", count(sum(data.faces.values()))
+    yield "answers", count(sum(row["trials"] for row in certified))
     for place in ("face", "edge", "vertex"):
-        for method in METHODS:
-            here = [row for row in contact if (row["place"], row["method"]) == (place, method)]
-            yield f"{place}/{method}", percent(sum(row["wrong"] for row in here) / sum(row["trials"] for row in here))
+        for method in ("fast", "thesis"):
+            wrong, trials = data.counts(method, place=place)
+            yield f"{place}/{method}", percent(wrong / trials)
 
 
 def tables(study):

@@ -1,27 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Queries against the largest scene."""
-from results import finite, natural
+from readings.scenes import OURS, Data
 from values.latex import count, escaped, table
 
 
-def largest(study):
-    rows = study.rows("queries.csv", scene=str, triangles=natural, balls=str, question=str, library=str, nanoseconds=finite,
-                      wrong=natural, checked=natural)
-    most = max(row["triangles"] for row in rows)
-    return most, [row for row in rows if row["triangles"] == most]
+def largest(data):
+    """The scene of most triangles, the first of equals, and how many it has."""
+    scene = max(data.scenes, key=data.largest)
+    return scene, data.largest(scene)
 
 
 def values(study):
-    most, rows = largest(study)
-    if any(row["wrong"] for row in rows if row["library"] == "Scene"):
-        raise ValueError("Scene is wrong")
-    yield "triangles", count(most)
+    data = Data(study)
+    if data.wrong(OURS)[0]:
+        raise ValueError(f"{OURS} is wrong")
+    yield "triangles", count(largest(data)[1])
 
 
 def tables(study):
-    most, rows = largest(study)
-    memory = {row["library"]: row["bytes_a_triangle"] for row in
-              study.rows("builds.csv", triangles=natural, library=str, bytes_a_triangle=finite) if row["triangles"] == most}
+    data = Data(study)
+    scene, triangles = largest(data)
+    of_scene = lambda rows: [row for row in rows if (row["scene"], row["triangles"]) == (scene, triangles)]
+    memory = {row["library"]: row["bytes_a_triangle"] for row in of_scene(data.builds)}
+    rows = of_scene(data.queries)
     lines = []
     for library, size in memory.items():
         here = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}

@@ -3,12 +3,12 @@
 import pathlib
 import re
 
-from results import finite, maybe, natural, share
-from values.latex import decimal, never, percent, count, table
+from readings.stability import STAND_IN, Data, asked
+from results import natural
+from values.latex import count, decimal, never, percent, table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FAR = 1000000
-MOTIONS_MEANT = ("chain-motion", "pose-motion")  # held against the motion meant, which no method is given
 SIGNS = [  # of tightness.csv: expression, maxima, constant of bounds.h
     ("vertex", r"$w\cdot w-r^2$", "$m_w^2$", "kVertex"),
     ("along", r"$w\cdot e$", "$m_wm_e$", "kAlong"),
@@ -30,11 +30,10 @@ def constants():
     return {name: float(value) for name, value in re.findall(r"constexpr double (k\w+) = ([\d.]+);", text)}
 
 
-def onset(study):
+def onset(data):
     """(distance, method): (first offset with a wrong answer, share of wrong answers at 2^-36)."""
     found = {}
-    for row in study.rows("onset.csv", origin_distance=finite, method=str, offset_exponent=int, failed_triangles=natural,
-                          wrong_answers=natural, answers=natural):
+    for row in data.onset:
         entry = found.setdefault((int(row["origin_distance"]), row["method"]), [None, None])
         if row["failed_triangles"]:
             entry[0] = max(entry[0] or row["offset_exponent"], row["offset_exponent"])
@@ -43,45 +42,39 @@ def onset(study):
     return found
 
 
-def tightest(study):
+def tightest(data):
     """The largest observed share of its bound, by stage and quantity."""
-    return {(row["stage"], row["quantity"]): row["max"]
-            for row in study.rows("tightness.csv", stage=str, quantity=str, axis=str, max=finite, exceeded=natural)
-            if row["axis"] == "all"}
+    return {(row["stage"], row["quantity"]): row["max"] for row in data.tightness}
 
 
 def values(study):
-    failures = study.rows("failures.csv", axis=str, level=str, nearness=str, test=str, method=str, failed_samples=natural,
-                          samples=natural)
-    filtered = [row for row in failures if row["method"] == "filtered" and row["axis"] not in MOTIONS_MEANT]
-    if any(row["failed_samples"] for row in filtered):
+    data = Data(study)
+    certified = [row for row in data.rows if row["method"] == "filtered" and not row["axis"].endswith(STAND_IN)]
+    if any(row["failed_samples"] for row in certified):
         raise ValueError("filtered failed")
-    one_double = [row for row in filtered if (row["nearness"], row["test"]) == ("one-double", "contact")]
-    yield "axes", str(len({row["axis"] for row in filtered}))
+    yield "axes", str(len({row["axis"] for row in certified}))
     for name, axis in (("vertices", "vertices"), ("rotations", "chain-input")):
-        yield f"most-{name}", count(max((int(float(row["level"])) for row in filtered if row["axis"] == axis), default=0))
-    yield "levels", str(len({(row["axis"], row["level"]) for row in filtered}))
-    samples = sum(row["samples"] for row in one_double)
-    yield "filtered-samples", count(samples)
-    yield "filtered-limit", percent(never(samples))
-    for row in study.rows("first-failure.csv", axis=str, nearness=str, test=str, method=str, first_failure=str):
-        if (row["axis"], row["nearness"], row["test"]) == ("aspect", "close", "contact") and row["first_failure"]:
-            yield f"aspect-close/{row['method']}", decimal(float(row["first_failure"]), 1)
-    for (distance, method), (first, wrong) in onset(study).items():
+        yield f"most-{name}", count(max((int(float(row["level"])) for row in certified if row["axis"] == axis), default=0))
+    yield "levels", str(len({(row["axis"], row["level"]) for row in certified}))
+    polygons = asked(study)["filtered"].trials
+    yield "filtered-samples", count(polygons)
+    yield "filtered-limit", percent(never(polygons))
+    yield "aspect-close/fast", decimal(float(data.first_failure("aspect", "close", "fast")), 1)
+    for (distance, method), (first, wrong) in onset(data).items():
         where = "1e6" if distance == FAR else str(distance)
         if first is not None:
             yield f"first/{where}/{method}", f"$2^{{{first}}}$"
         if distance == FAR:
             yield f"wrong36/{method}", percent(wrong)
     for stage in ("maxima", "permanent"):
-        yield f"tightest-{stage}", percent(max(value for (its, _), value in tightest(study).items() if its == stage))
+        yield f"tightest-{stage}", percent(max(value for (its, _), value in tightest(data).items() if its == stage))
     for row in study.rows("contraction.csv", sign=str, family=str, trials=natural, fused_wrong=natural):
         if (row["sign"], row["family"]) == ("orientation", "exactly zero"):
             yield "contraction-zero", percent(row["fused_wrong"] / row["trials"])
 
 
 def tables(study):
-    seen, proved = tightest(study), constants()
+    seen, proved = tightest(Data(study)), constants()
     row = lambda stage, name, words, maxima, constant: [words, maxima, f"{proved[constant]:.4f}", percent(seen[stage, name])]
     yield "bounds", table("llrr", ["sign of", "maxima", "constant", "observed"],
                           [*(row("maxima", *sign) for sign in SIGNS), None, *(row("frame", *entry) for entry in FRAME)])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times and wrong answers near contact, and errors of the computed distance in units in the last place."""
-from results import finite, maybe, natural, number
+from readings.tradeoff import Data
+from results import maybe, natural, number
 from values.latex import count, decimal, percent, times
 
 
@@ -17,9 +18,8 @@ def values(study):
         yield f"distance-asked/{method}", count(asked)
         yield f"distance-right/{method}", "all" if right == asked else percent(right / asked)
         yield f"distance-worst/{method}", decimal(worst)
-    near = {row["method"]: row for row in study.rows("front.csv", measure=str, family=str, placement=str, method=str, nanoseconds=finite,
-                                                     error=number)
-            if (row["measure"], row["family"], row["placement"]) == ("not-right", "all", "rotated")}
+    data = Data(study)
+    near = {method: row for method in data.methods if (row := data.rate(method, "rotated"))}
     if near["filtered"]["error"]:
         raise ValueError("filtered is wrong")
     for method, row in near.items():

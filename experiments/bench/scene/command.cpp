@@ -113,7 +113,7 @@ int measure_scenes(const SceneOptions& options) {
   fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.settings.repetitions, options.settings.seed, seconds, options.output);
   std::fflush(stdout);
-  if (!stop && !options.no_pictures) run::draw_pictures("bench_scene.py", options.output);
+  if (!stop && !options.no_pictures) run::draw_pictures("bench_scene", options.output);
   return exit_status(options, results, stop);
 }
 

@@ -51,7 +51,7 @@ int run_missed(const Options& options) {
   run::write_run_record(folder, record);
   fmt::print("{}", kinematics::missed_table(study));
   std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_missed.py", folder);
+  if (!options.no_pictures) run::draw_pictures("cell_missed", folder);
   if (study.samples < options.samples) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", folder.string(), study.samples,
                options.samples);

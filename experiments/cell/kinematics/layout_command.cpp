@@ -46,7 +46,7 @@ int run_layout(const Options& options) {
   run::write_run_record(folder, record);
   fmt::print("{}", kinematics::layout_table(*study));
   std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_layout.py", folder);
+  if (!options.no_pictures) run::draw_pictures("cell_layout", folder);
   return 0;
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench`: times of the certified path beside those of plain doubles and CGAL's kernels."""
-from contests import TRIANGLES, contests, polygons
 from page import code, count, escaped, percent, rounded, table, words
+from readings.bench import TRIANGLES, contests, polygons
 
 TITLE = "Certainty, timed"
 OTHERS = ("EPICK", "EPECK")

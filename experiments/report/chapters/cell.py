@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone cell`: the thesis's manufacturing cell, playing."""
-from chapters.asked import Asked
 from page import code, count, escaped, percent, picture, rounded, smaller, table, upper_limit, words
+from readings.asked import Asked
 from results import DataError, finite, natural
 
 TITLE = "The manufacturing cell, playing"

@@ -2,43 +2,17 @@
 """The chapter of `touchstone regress`: engines of others on the same cases."""
 import re
 
-from chapters.asked import Asked
-from engines import OVERALL, by_family, families_of, overall, rows_by_engine
+from engines import OVERALL, by_family, overall, rows_by_engine
 from names import ENGINES
 from page import code, count, counted, escaped, power, table, words
-from results import natural
+from readings.engines import asked, cases_of, polygons_of, rows_of
 
 TITLE = "Other engines on the same questions"
-
-
-def rows_of(study):
-    rows = study.rows("standing.csv", method=str, family=str, wrong=natural, cases=natural, first_offset_exponent=str)
-    return [dict(row, wrong=str(row["wrong"]), cases=str(row["cases"])) for row in rows]
 
 
 def shown(text):
     """2^-28 as 2⁻²⁸."""
     return re.sub(r"2\^(-\d+)", lambda match: power("2", match[1]), escaped(text))
-
-
-def cases_of(rows):
-    """Of each method, in all families."""
-    return sum(int(row["cases"]) for row in rows if row["method"] == rows[0]["method"])
-
-
-def polygons_of(study, rows):
-    return len(families_of(rows)) * study.run["samples_done"]
-
-
-def asked(study):
-    """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
-    differs: so it was tested only if the method exact was asked too."""
-    rows = rows_of(study)
-    polygons = polygons_of(study, rows)
-    methods = dict.fromkeys(row["method"] for row in rows)
-    counts = {method: sum(int(row["wrong"]) for row in rows if row["method"] == method) for method in methods}
-    return {method: Asked(cases_of(rows), wrong, polygons, "polygons") for method, wrong in counts.items()
-            if method != "filtered" or "exact" in methods}
 
 
 def finding(study):

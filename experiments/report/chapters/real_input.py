@@ -1,38 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone mesh-contact`: every face of meshes of real machines."""
-from chapters.asked import by_method
 from names import NAMED, of_method
 from page import bar, code, count, counted, escaped, percent, table, words
-from results import natural
+from readings.real_input import Data, asked
 
 TRUTH = "exact"  # with which all are compared, itself included
 TITLE = "Real input: every face of a robot cell"
 TESTS = {"plane": "plane", "foot": "foot", "edges": "edges", "contact": "final answer"}
-
-
-class Data:
-    def __init__(self, study):
-        self.rows = study.rows("meshes.csv", mesh=str, faces=natural, rejected=natural, method=str, place=str, test=str,
-                               trials=natural, wrong=natural)
-        self.faces = {row["mesh"]: row["faces"] - row["rejected"] for row in self.rows}
-        self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
-
-    def counts(self, method, test="contact", mesh=""):
-        """Wrong answers and all, in the meshes whose name begins so."""
-        rows = [row for row in self.rows if row["method"] == method and row["test"] == test and row["mesh"].startswith(mesh)]
-        return sum(row["wrong"] for row in rows), sum(row["trials"] for row in rows)
-
-    @property
-    def folders(self):
-        return list(dict.fromkeys(mesh.split("/")[0] for mesh in self.faces))
-
-
-def asked(study):
-    """The final answers."""
-    data = Data(study)
-    faces = sum(data.faces.values())
-    return by_method([dict(row, answers=row["trials"]) for row in data.rows if row["test"] == "contact"],
-                     dict.fromkeys(data.methods, faces), "faces")
 
 
 def finding(study):

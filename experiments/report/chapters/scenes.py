@@ -2,28 +2,9 @@
 """The chapter of `touchstone bench --scene`: whole scenes, beside other libraries."""
 from names import BALLS, QUESTIONS
 from page import code, count, escaped, percent, picture, rounded, smaller, table, words
-from results import finite, natural
+from readings.scenes import OURS, Data
 
 TITLE = "Whole scenes"
-OURS = "Scene"
-
-
-class Data:
-    def __init__(self, study):
-        self.queries = study.rows("queries.csv", scene=str, triangles=natural, balls=str, question=str, library=str, nanoseconds=finite,
-                                  wrong=natural, checked=natural)
-        self.builds = study.rows("builds.csv", scene=str, triangles=natural, library=str, seconds=finite, bytes_a_triangle=finite)
-        self.libraries = list(dict.fromkeys(row["library"] for row in self.queries))
-        self.scenes = list(dict.fromkeys(row["scene"] for row in self.queries))
-
-    def largest(self, scene):
-        return max(row["triangles"] for row in self.queries if row["scene"] == scene)
-
-    def wrong(self, library):
-        rows = [row for row in self.queries if row["library"] == library]
-        return sum(row["wrong"] for row in rows), sum(row["checked"] for row in rows)
-
-
 def asked(study):
     return {}
 

@@ -1,23 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone soak`: filtered against exact on adversarial cases."""
-from chapters.asked import Asked
 from page import bar, code, count, escaped, percent, table, upper_limit
-from results import natural
+from readings.soak import asked, rows_of
 
 TITLE = "The certified path under attack"
 STAGES = {"double": "doubles", "permanent": "sharper doubles", "double-double": "double-doubles", "fixed-integer": "short integers",
           "unlimited": "unlimited integers"}
-
-
-def rows_of(study):
-    return study.rows("soak.csv", family=str, way=str, cases=natural, differences=natural, **dict.fromkeys(STAGES, natural))
-
-
-def asked(study):
-    """Ways of asking are compared with exact one by one; a case counts once."""
-    rows = [row for row in rows_of(study) if row["family"] != "all"]
-    answers, wrong = sum(row["cases"] for row in rows), sum(row["differences"] for row in rows)
-    return {"filtered": Asked(answers, wrong, study.run["samples_done"], "cases")}
 
 
 def finding(study):

@@ -1,44 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
-from chapters.asked import Asked
 from names import AXES, NEARNESSES
 from page import bar, code, count, counted, escaped, level, percent, picture, power, rounded, smaller, table, words
-from results import finite, maybe, natural, number, share
+from readings.stability import STAND_IN, Data, asked
 
 TITLE = "Polygons under stress"
-STAND_IN = "-motion"  # axes on which filtered and exact stand for the motion of doubles, and err as that does
-
-
-class Data:
-    def __init__(self, study):
-        rows = study.rows("failures.csv", axis=str, level=str, nearness=str, test=str, method=str, failed_samples=natural, samples=natural,
-                          wrong_answers=natural, answers=natural)
-        self.rows = [row for row in rows if row["test"] == "contact"]
-        self.first = [row for row in study.rows("first-failure.csv", axis=str, nearness=str, test=str, method=str, first_failure=str,
-                                                failed_samples=natural, samples=natural) if row["test"] == "contact"]
-        self.tightness = [row for row in study.rows("tightness.csv", stage=str, quantity=str, axis=str, observations=natural,
-                                                    exceeded=natural, max=maybe(number)) if row["axis"] == "all"]
-        self.onset = study.rows("onset.csv", origin_distance=finite, method=str, offset_exponent=int, failed_triangles=natural,
-                                triangles=natural, rate=share)
-        self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
-        self.axes = [axis for axis in AXES if any(row["axis"] == axis for row in self.rows)]
-
-    def first_failure(self, axis, nearness, method):
-        """The level, "" where none failed; None where it was not asked."""
-        return next((row["first_failure"] for row in self.first
-                     if (row["axis"], row["nearness"], row["method"]) == (axis, nearness, method)), None)
-
-
-def asked(study):
-    data = Data(study)
-    counts = {}
-    for method in data.methods:
-        rows = [row for row in data.rows if row["method"] == method and not row["axis"].endswith(STAND_IN)]
-        polygons = sum(row["samples"] for row in rows if row["nearness"] == rows[0]["nearness"])
-        counts[method] = Asked(sum(row["answers"] for row in rows), sum(row["wrong_answers"] for row in rows), polygons, "polygons")
-    return counts
-
-
 def title(axis):
     return AXES[axis][0].replace("\n", " ")
 

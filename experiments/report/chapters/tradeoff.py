@@ -1,51 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone tradeoff`: run time against error."""
-from chapters.asked import by_method
 from names import PLACEMENTS
 from page import bar, code, count, counted, percent, picture, rounded, smaller, table, words
-from results import finite, natural, number
+from readings.tradeoff import Data, asked
 
 TITLE = "What being right costs"
 NAMES = {"lattice-frame": "planar", "rotated": "rotated"}
-
-
-class Data:
-    def __init__(self, study):
-        self.front = [row for row in study.rows("front.csv", measure=str, family=str, placement=str, method=str, nanoseconds=finite,
-                                                error=number, lower=number, upper=number, samples=natural, front=str)
-                      if row["family"] == "all"]
-        self.bands = [row for row in study.rows("bands.csv", family=str, placement=str, threshold=str, test=str, method=str, samples=natural,
-                                                wrong=natural, unsure=natural, answers=natural)
-                      if row["family"] == "all" and row["test"] == "contact"]
-        self.timings = study.rows("timings.csv", family=str, placement=str, balls=str, question=str, method=str, median_ns=finite)
-        self.placements = [p for p in PLACEMENTS if any(row["placement"] == p for row in self.front)]
-        self.methods = list(dict.fromkeys(row["method"] for row in self.front))
-
-    def rate(self, method, placement):
-        """The row of not-right answers; None where the method gives no final answer."""
-        return next((row for row in self.front if (row["measure"], row["method"], row["placement"]) == ("not-right", method, placement)), None)
-
-    def nanoseconds(self, method, placement, balls):
-        """The mean over families of the medians of a question about contact; None where it was not timed."""
-        times = [row["median_ns"] for row in self.timings if
-                 (row["method"], row["placement"], row["balls"], row["question"]) == (method, placement, balls, "contact")]
-        return sum(times) / len(times) if times else None
-
-    def ratio(self, method, placement, balls):
-        """To fast."""
-        own, fast = (self.nanoseconds(m, placement, balls) for m in (method, "fast"))
-        return own / fast if own and fast else None
-
-
-def asked(study):
-    """Final answers. Thresholds share polygons: the sample of a number has the same one."""
-    data = Data(study)
-    most = {}
-    for row in data.bands:
-        key = row["method"], row["placement"]
-        most[key] = max(most.get(key, 0), row["samples"])
-    trials = {method: sum(most.get((method, placement), 0) for placement in data.placements) for method, _ in most}
-    return by_method(data.bands, trials, "polygons")
 
 
 def range_of(numbers):

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All methods at a glance: how often wrong, how far from contact, how slow."""
-from chapters import near_edge, real_input, tradeoff
+from chapters.tradeoff import times
+from names import DISTANCES
 from page import bar, code, count, percent, share_of_size, table
+from readings import near_edge, real_input, tradeoff
 
 
 def near_cell(row):
@@ -24,11 +26,11 @@ def table_of(found):
         columns.append(("wrong on random polygons, within 8 doubles", lambda m: near_cell(cost.rate(m, "rotated"))))
     if edge and edge.distances:
         for distance in (edge.distances[0], edge.distances[-1]):
-            columns.append((f"furthest wrong answer, polygon {near_edge.DISTANCES[distance]}", lambda m, d=distance: "" if m not in edge.methods else
+            columns.append((f"furthest wrong answer, polygon {DISTANCES[distance]}", lambda m, d=distance: "" if m not in edge.methods else
                             share_of_size(edge.furthest(m, d, near_edge.CONTACT)) if edge.furthest(m, d, near_edge.CONTACT) else "none found"))
     if cost and "rotated" in cost.placements:
         for balls, where in (("anywhere", "anywhere"), ("near", "near contact")):
-            columns.append((f"time, balls {where}", lambda m, b=balls: "" if cost.ratio(m, "rotated", b) is None else tradeoff.times(cost.ratio(m, "rotated", b))))
+            columns.append((f"time, balls {where}", lambda m, b=balls: "" if cost.ratio(m, "rotated", b) is None else times(cost.ratio(m, "rotated", b))))
     return "<section><h2>All methods at a glance</h2>" + table(
         f"Shares of wrong answers (the longer the bar, the more); furthest wrong answer as a share of the polygon's size; time "
         f"as a multiple of that of {code('fast')}. "

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone tradeoff`: tradeoff.py FOLDER draws the fronts and rates of the CSV files there.
+"""Pictures of `touchstone tradeoff`: fronts and rates.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
-import pathlib
-import sys
 
 import numpy as np
 from matplotlib.legend_handler import HandlerTuple
@@ -13,8 +11,8 @@ from matplotlib.lines import Line2D
 from matplotlib.path import Path as MarkerPath
 
 from names import OWN_TEST, PLACEMENTS, TITLES
-from near_edge import EVEN_STEPS, place, shade_even_steps
-from style import STYLES, draw, plt, save
+from pictures.near_edge import EVEN_STEPS, place, shade_even_steps
+from pictures.style import STYLES, draw, plt, save
 
 # What their names begin with; a colour a kind of method, a marker a method of it.
 KINDS = [(("thesis",), "#D55E00", "thesis"), (("fast",), "#0072B2", "fast"), (("cgal",), "#009E73", "CGAL"),
@@ -329,10 +327,7 @@ def draw_offsets(rows, folder, placement):
     save(figure, folder, f"offsets-{placement}")
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: tradeoff.py FOLDER")
-    folder = pathlib.Path(sys.argv[1])
+def main(folder):
     front = read(folder / "front.csv")
     errors = read(folder / "errors.csv")
     looks = Looks(row["method"] for row in errors)
@@ -340,7 +335,3 @@ def main():
     draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure, looks) for measure, rows in by_measure.items()),
           *((draw_offsets, errors, folder, placement) for placement in PLACEMENTS if any(row["placement"] == placement for row in errors)),
           *((draw_pooled, [row for row in rows if row["family"] == "all"], folder, measure, looks) for measure, rows in by_measure.items())])
-
-
-if __name__ == "__main__":
-    main()

@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import FancyBboxPatch
 
-from shaded import Camera, Solid, draw
-from style import STYLES, plt
-from thesis_cell import COLORS, plan, turned
+from pictures.shaded import Camera, Solid, draw
+from pictures.style import STYLES, plt
+from pictures.thesis_cell import COLORS, plan, turned
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 PART_COLORS = ("#f0c878", SKY, "#cfa0b8")

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 
-from shaded import Camera, Solid, draw
-from style import STYLES, plt
+from pictures.shaded import Camera, Solid, draw
+from pictures.style import STYLES, plt
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 COLORS = {"link": "#f0c878", "gripper": RED, "storage": SKY, "machine": "#b9c4b9", "material": PURPLE}

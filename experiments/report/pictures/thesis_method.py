@@ -7,7 +7,7 @@ import math
 import numpy as np
 from matplotlib.patches import FancyBboxPatch, Polygon
 
-from style import STYLES, plt
+from pictures.style import STYLES, plt
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 HITS = ("inside: collision", "edge: collision")

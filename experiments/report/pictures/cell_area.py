@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone cell area`: cell_area.py FOLDER draws where the storage may stand, in plan and by height, from
-the CSV files there.
+"""Pictures of `touchstone cell area`: where the storage may stand, in plan and by height.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
-import pathlib
-import sys
 
-from style import STYLES, plt, save
+from pictures.style import STYLES, plt, save
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
 OUTCOMES = {"completed": ("the whole process runs", GREEN, "o", 14),
@@ -72,11 +69,7 @@ def heights(folder, stations):
     save(figure, folder, "cell-area-heights")
 
 
-def main():
-    folder = pathlib.Path(sys.argv[1])
+def main(folder):
     stations = {row["station"]: row for row in read(folder / "stations.csv")}
     plan(folder, stations)
     heights(folder, stations)
-
-
-main()

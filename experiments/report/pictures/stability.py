@@ -1,16 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone stability`: stability.py FOLDER draws the failures, errors and bounds of the CSV files there.
+"""Pictures of `touchstone stability`: failures, errors and bounds.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
-import pathlib
-import sys
 
 import numpy as np
 
 from names import AXES, NEARNESSES
-from style import STYLES, draw, plt, save
+from pictures.style import STYLES, draw, plt, save
 
 MODES = ("rounding", "flush")
 # Where products underflow, bounds have an absolute part, which a line cannot show.
@@ -254,10 +252,7 @@ def draw_onset(folder, rows, styles):
     save(figure, folder, "onset")
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: stability.py FOLDER")
-    folder = pathlib.Path(sys.argv[1])
+def main(folder):
     failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
     styles = Styles(distinct(failures, "method"))
     conditions = rows_of(folder / "conditions.csv")
@@ -267,7 +262,3 @@ def main():
           *((draw_conditions, folder, conditions, stage, words) for stage, words in CONDITIONS.items()),
           (draw_tightness, folder, rows_of(folder / "tightness.csv")),
           (draw_onset, folder, rows_of(folder / "onset.csv"), styles)])
-
-
-if __name__ == "__main__":
-    main()

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone cell layout`: cell_layout.py FOLDER draws the family of layouts and the one that is chosen,
-from the CSV files there.
+"""Pictures of `touchstone cell layout`: the family of layouts and the one that is chosen.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
-import pathlib
-import sys
 
 import numpy as np
 
-from style import STYLES, plt, save
+from pictures.style import STYLES, plt, save
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
 CASES = {"1": (BLUE, "case 1: storage at +1°"), "2": (ORANGE, "case 2: storage at −33°")}
@@ -208,7 +205,6 @@ def tolerances(axes, choices):
 
 
 def main(folder):
-    folder = pathlib.Path(folder)
     choices = read(folder / "choice.csv")
     choice = {row["name"]: number(row, "value") if row["unit"] else row["value"] for row in choices}
     family(folder, choice)
@@ -223,7 +219,3 @@ def main(folder):
     figure.suptitle("The chosen layout: both case studies come out as captioned. Lengths of the arm: a public table; "
                     "all else here is chosen", fontsize=10)
     save(figure, folder, "cell-layout")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone bench --scene`: bench_scene.py FOLDER draws queries.csv and builds.csv there.
+"""Pictures of `touchstone bench --scene`, of queries.csv and builds.csv.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
-import pathlib
-import sys
 
 from names import BALLS, QUESTIONS
-from style import STYLES, plt, save
+from pictures.style import STYLES, plt, save
 
 # The ticks that are drawn as numbers.
 BYTES = [20, 50, 100, 200, 500, 1000]
@@ -88,15 +86,10 @@ def draw_builds(rows, libraries, folder):
     save(figure, folder, "builds")
 
 
-def main():
-    folder = pathlib.Path(sys.argv[1])
+def main(folder):
     queries, builds = read(folder / "queries.csv"), read(folder / "builds.csv")
     libraries = distinct(builds, "library")
     for scene in distinct(queries, "scene"):
         draw_queries([row for row in queries if row["scene"] == scene], libraries, scene, folder)
     if builds:
         draw_builds(builds, libraries, folder)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone near-edge`: near_edge.py FOLDER draws the rates and maps of the CSV files there.
+"""Pictures of `touchstone near-edge`: rates and maps.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import math
-import pathlib
-import sys
 
 import matplotlib.colors
 import numpy as np
 from matplotlib.patches import Patch
 
-from names import OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
-from style import STYLES, draw, plt, save
+from names import DISTANCES, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
+from pictures.style import STYLES, draw, plt, save
 
 
 def place(offset):
@@ -145,12 +143,11 @@ SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
          "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
          "reflex-vertex": ("the reflex vertex of an L", "the centre straight above it (foot); above the notch, where both edges are\n"
                            "equally near (final answer: a reflex vertex is nearest only to what is straight above or below)")}
-DISTANCES = [(0, "at the origin"), (1000, "$10^3$ sizes away"), (1000000, "$10^6$ sizes away")]
 TESTS = {"foot": "foot", "contact": "final answer"}
 
 
 def draw_maps(folder, spot):
-    columns = [(test, distance, words) for test in TESTS for distance, words in DISTANCES
+    columns = [(test, distance, words) for test in TESTS for distance, words in DISTANCES.items()
                if (folder / f"map-{spot}-{test}-{distance}.csv").exists()]
     if not columns:
         return
@@ -213,7 +210,7 @@ def draw_onset(folder):
     figure, grid = plt.subplots(len(thresholds), len(DISTANCES), figsize=(10.5, 1.75 * len(thresholds) + 1.3), sharex=True,
                                 sharey=True, squeeze=False, layout="constrained")
     for row, threshold in enumerate(thresholds):
-        for column, (distance, words) in enumerate(DISTANCES):
+        for column, (distance, words) in enumerate(DISTANCES.items()):
             axes = grid[row][column]
             for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
                 here = {"threshold": threshold, "origin_distance": str(distance), "method": method}
@@ -243,15 +240,8 @@ def draw_onset(folder):
     save(figure, folder, "onset")
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: near_edge.py FOLDER")
-    folder = pathlib.Path(sys.argv[1])
+def main(folder):
     rates = Rates(folder / "rates.csv")
     placements = [placement for placement in PLACEMENTS if rates.thresholds(placement)]
     draw([*((draw_families, rates, folder, placement) for placement in placements), (draw_onset, folder),
           *((draw_rates, rates, folder, placement) for placement in placements), *((draw_maps, folder, spot) for spot in SPOTS)])
-
-
-if __name__ == "__main__":
-    main()

@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Picture of `touchstone cell missed`: cell_missed.py FOLDER draws missed.csv.
+"""Picture of `touchstone cell missed`, of missed.csv.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
-import pathlib
-import sys
 
-from style import STYLES, plt, save
+from pictures.style import STYLES, plt, save
 
 
 def main(folder):
-    folder = pathlib.Path(folder)
     with open(folder / "missed.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
@@ -34,7 +31,3 @@ def main(folder):
     axes.set_title("A sphere carried through a thin sheet: first contacts, certified,\n"
                    "that a joint moving by steps passes over (bars: 95 %)")
     save(figure, folder, "cell-missed")
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

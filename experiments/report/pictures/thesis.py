@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures and page of `touchstone thesis`: thesis.py FOLDER draws every figure that has one from the files there, as SVG
-and PNG, and writes index.html.
+"""Pictures and page of `touchstone thesis`: every figure that has one, as SVG and PNG, and index.html.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import json
-import pathlib
 import shutil
 import sys
 
-import thesis_cell as views
-import thesis_method as method
-import thesis_model as model
-from style import STYLES, draw, save
+from pictures import thesis_cell as views
+from pictures import thesis_method as method
+from pictures import thesis_model as model
+from pictures.style import STYLES, draw, save
 from thesis_page import write_page
 
 BLUE, ORANGE, RED, BLACK = (STYLES[i][0] for i in range(4))
@@ -126,8 +124,7 @@ def pictures(data):
 # What is seen in two figures is drawn once.
 SAME = {"5-23": "5-20", "6-1": "5-17", "6-2": "5-20", "6-7": "5-24", "6-9": "4-1", "6-16": "4-2", "6-19": "5-21"}
 
-def main(path):
-    folder = pathlib.Path(path)
+def main(folder):
     data = Data(folder)
     wanted = [entry["picture"] for entry in data.entries if entry["picture"]]
     drawn = pictures(data)
@@ -138,7 +135,3 @@ def main(path):
         for kind in ("svg", "png"):
             shutil.copyfile(folder / f"{original}.{kind}", folder / f"{stem}.{kind}")
     write_page(folder, data.entries, data.numbers, json.loads((folder / "run.json").read_text(encoding="utf-8")))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
