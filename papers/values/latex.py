@@ -38,6 +38,12 @@ def never(trials):
     return 1 - 0.05 ** (1 / trials)
 
 
+def mean_limit(samples):
+    """How far the mean of so many independent numbers between 0 and 1 is from what it estimates, at most, at 95 % confidence
+    (two-sided, Hoeffding)."""
+    return math.sqrt(math.log(2 / 0.05) / (2 * samples))
+
+
 def times(ratio):
     """A ratio, to three digits and at most three places."""
     if ratio >= 100:

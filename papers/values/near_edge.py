@@ -2,10 +2,11 @@
 """Wrong answers double by double, and the furthest wrong ones."""
 from names import TITLES
 from readings.near_edge import CONTACT, Data
-from values.latex import count, percent, power, table
+from values.latex import count, mean_limit, percent, power, table
 
 METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 ROWS = ["face", "edge", "vertex", "foot-edge", "foot-vertex"]
+SIDES = 3  # answers of a sample: at the threshold, and one double to either side
 FAR = 1000000
 
 
@@ -22,6 +23,7 @@ def values(study):
     yield "families", str(data.families)
     trials = min(data.within_one_double(method, threshold)[1] for threshold in ROWS for method in METHODS)
     yield "trials", count(trials)
+    yield "limit", percent(mean_limit(trials // SIDES))
     yield "searched", count(min(row["samples"] for row in data.worst))
     yield "least/fast", percent(min(shares[threshold, "fast"] for threshold in ROWS))
     yield "most/fast", percent(max(shares[threshold, "fast"] for threshold in ROWS))
