@@ -54,7 +54,7 @@ STUDIES = [
     Study("merge", "coplanar faces as polygons", full=[["merge", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
           full=[["bench", "--json", f"{OUTPUT}/bench.json"]],
-          paper=[["bench", "--repetitions", "3", "--json", f"{OUTPUT}/bench.json"]]),
+          paper=[["bench", "--repetitions", "7", "--json", f"{OUTPUT}/bench.json"]]),
     Study("bench-scene", "whole scenes beside five libraries",
           full=[["bench", "--scene", "--meshes", "cache/meshes", "--output", OUTPUT]],
           paper=[["bench", "--scene", "--most-faces", "100000", "--repetitions", "3", "--output", OUTPUT]]),
