@@ -35,7 +35,7 @@ def draw_near_edge(study, output):
         axes.set_xticks([near_edge.place(k) for k in (-2**32, -2**16, 0, 2**16, 2**32)],
                         ["$-2^{32}$", "$-2^{16}$", "0", "$2^{16}$", "$2^{32}$"])
     grid[0].set_ylabel("wrong answers, %")
-    above(figure, grid[0], 4)
+    above(figure, grid[0], 5)
     save(figure, output, "near-edge", ("pdf",))
 
 
@@ -88,32 +88,12 @@ def draw_front(study, output):
     tradeoff.set_limits(axes, rows)
     spots = tradeoff.draw_front(axes, rows, looks, 4.5, True)
     tradeoff.set_limits(axes, rows)
-    name_all(axes, spots, looks)
+    figure.canvas.draw()
+    if nameless := tradeoff.name_spots(axes, spots, spots, looks, 6):
+        raise ValueError(f"the picture of the front has no room for {', '.join(spot.method for spot in nameless)}")
     axes.set_xlabel("nanoseconds a question")
     axes.set_ylabel("answers not right within\n8 doubles of contact")
     save(figure, output, "front", ("pdf",))
-
-
-def name_all(axes, spots, looks):
-    """A name beside each spot: on the side, and as far up or down, where it meets neither a spot nor another name."""
-    axes.figure.canvas.draw()
-    to_pixels, scale, frame = axes.transData.transform, axes.figure.dpi / 72, axes.get_window_extent()
-    taken = [(x - 3 * scale, y - 3 * scale, x + 3 * scale, y + 3 * scale) for x, y in (to_pixels((s.x, s.y)) for s in spots)]
-    for spot in sorted(spots, key=lambda s: (s.front == "off", s.x)):
-        x, y = to_pixels((spot.x, spot.y))
-        length, height = 3.9 * scale * len(spot.method), 7 * scale
-        boxes = [(x + dx, y + dy * height - height / 2, x + dx + length, y + dy * height + height / 2)
-                 for reach in range(12) for dy in {reach / 2, -reach / 2} for dx in (6 * scale, -6 * scale - length)]
-        free = [box for box in boxes if frame.x0 < box[0] and box[2] < frame.x1 and frame.y0 < box[1] and box[3] < frame.y1
-                and all(box[2] <= t[0] or t[2] <= box[0] or box[3] <= t[1] or t[3] <= box[1] for t in taken)]
-        if not free:
-            raise ValueError(f"the picture of the front has no room for the name of {spot.method}")
-        box = free[0]
-        taken.append(box)
-        far = abs((box[1] + box[3]) / 2 - y) > height
-        axes.annotate(spot.method, (spot.x, spot.y), xytext=((box[0] - x) / scale, ((box[1] + box[3]) / 2 - y) / scale),
-                      textcoords="offset points", va="center", fontsize=6, color=looks.looks[spot.method][0],
-                      arrowprops={"arrowstyle": "-", "linewidth": 0.3, "color": "#999999", "shrinkA": 0, "shrinkB": 2} if far else None)
 
 
 FIGURES = {"near-edge": (draw_near_edge, draw_map), "stability": (draw_onset,), "tradeoff": (draw_front,)}

@@ -2,7 +2,7 @@
 """Wrong answers double by double, and the furthest wrong ones."""
 from names import TITLES
 from readings.near_edge import CONTACT, Data
-from values.latex import count, mean_limit, percent, power, table
+from values.latex import count, decimal, mean_limit, percent, power, table
 
 METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 ROWS = ["face", "edge", "vertex", "foot-edge", "foot-vertex"]
@@ -23,7 +23,7 @@ def values(study):
     yield "families", str(data.families)
     trials = min(data.within_one_double(method, threshold)[1] for threshold in ROWS for method in METHODS)
     yield "trials", count(trials)
-    yield "limit", percent(mean_limit(trials // SIDES))
+    yield "limit", decimal(100 * mean_limit(trials // SIDES))
     yield "searched", count(min(row["samples"] for row in data.worst))
     yield "least/fast", percent(min(shares[threshold, "fast"] for threshold in ROWS))
     yield "most/fast", percent(max(shares[threshold, "fast"] for threshold in ROWS))

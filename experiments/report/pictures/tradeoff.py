@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.legend_handler import HandlerTuple
 from matplotlib.lines import Line2D
 from matplotlib.path import Path as MarkerPath
+from matplotlib.textpath import TextPath
 
 from names import OWN_TEST, PLACEMENTS, TITLES
 from pictures.near_edge import EVEN_STEPS, place, shade_even_steps
@@ -149,35 +150,56 @@ def draw_front(axes, rows, looks, size, whiskers):
     return spots
 
 
-def name_front(axes, spots, looks):
-    """The names of those on the front, and of those perhaps on it that have room for theirs, beside them."""
-    to_pixels, dpi = axes.transData.transform, axes.figure.dpi
-    width, height = 4.6 * dpi / 72, 10 * dpi / 72  # of a letter of 8 points
-    taken = [(x - 7, y - 7, x + 7, y + 7) for x, y in (to_pixels((s.x, s.y)) for s in spots)]
-    front = sorted((s for s in spots if s.front != "off" or s.not_finite > 0), key=lambda s: (s.front != "on", s.x))
-    for s in spots:  # the quartiles
-        (x0, y0), (x1, _) = to_pixels((s.quartiles[0], s.y)), to_pixels((s.quartiles[1], s.y))
-        taken.append((x0, y0 - 1, x1, y0 + 1))
-    frame = axes.get_window_extent()
-    corners = [to_pixels(corner) for corner in staircase(spots, lambda s: s.x)]
-    for (x0, y0), (x1, y1) in zip(corners, corners[1:]):
-        taken += [(x0, y0 - 1, x1, y0 + 1), (x1 - 1, min(y0, y1), x1 + 1, max(y0, y1))]
+def obstacles(axes, spots):
+    """Boxes, in pixels, that names must not cover: marks, their lines, and the front by medians."""
+    to_pixels, scale = axes.transData.transform, axes.figure.dpi / 72
 
-    def free(box):
-        return (frame.x0 < box[0] and box[2] < frame.x1 and frame.y0 < box[1] and box[3] < frame.y1 and
-                all(box[2] <= t[0] or t[2] <= box[0] or box[3] <= t[1] or t[3] <= box[1] for t in taken))
+    def line(begin, end, width=1):
+        (x0, y0), (x1, y1) = to_pixels(begin), to_pixels(end)
+        return min(x0, x1) - width, min(y0, y1) - width, max(x0, x1) + width, max(y0, y1) + width
 
-    for spot in front:
-        x, y = to_pixels((spot.x, spot.y))
-        length = width * len(spot.name)
-        boxes = [(x + dx, y + dy * height / 2, x + dx + length, y + (dy / 2 + 1) * height)
-                 for dy in (-1, 0, -2, 1, -3, 2, -4, 3, -5, 4, -6, 5) for dx in (12, -12 - length, -length / 2)]
-        box = next(filter(free, boxes), boxes[0] if spot.front == "on" else None)
-        if box is None:
+    marks = [line((s.x, s.y), (s.x, s.y), (4 if s.front == "off" else 6) * scale) for s in spots]
+    lines = [line((s.quartiles[0], s.y), (s.quartiles[1], s.y)) for s in spots]
+    lines += [line((s.x, s.whisker[0]), (s.x, s.whisker[1])) for s in spots if s.whisker]
+    corners = staircase(spots, lambda s: s.x)
+    for (x0, y0), (x1, y1) in zip(corners, [*corners[1:], (axes.get_xlim()[1], corners[-1][1])]):
+        lines += [line((x0, y0), (x1, y0)), line((x1, y0), (x1, y1))]
+    return marks + lines
+
+
+def apart(box, other):
+    return box[2] <= other[0] or other[2] <= box[0] or box[3] <= other[1] or other[3] <= box[1]
+
+
+def crosses(begin, end, boxes):
+    """Whether the line between two points meets a box, to a twentieth of its length."""
+    points = [tuple(b + k / 20 * (e - b) for b, e in zip(begin, end)) for k in range(21)]
+    return any(not apart((*point, *point), box) for point in points for box in boxes)
+
+
+def name_spots(axes, spots, named, looks, size):
+    """A name in letters of so many points beside each of some of the spots: on a side, and as far up or down, where it covers
+    nothing; the line to the spot crosses no earlier name if that can be. Returns those that have no room for theirs. The figure
+    has been drawn."""
+    scale, frame, taken, without_room = axes.figure.dpi / 72, axes.get_window_extent().padded(-3), obstacles(axes, spots), []
+    names = []
+    for spot in sorted(named, key=lambda s: (s.front != "on", s.front == "off", s.x)):
+        x, y = axes.transData.transform((spot.x, spot.y))
+        length, height = TextPath((0, 0), spot.name, size=size).get_extents().width * scale, 1.2 * size * scale
+        boxes = [(x + dx, y + dy * height - height / 2, x + dx + length, y + dy * height + height / 2)
+                 for reach in range(13) for dx in (8 * scale, -8 * scale - length, -length / 2) for dy in (reach / 2, -reach / 2)]
+        free = [box for box in boxes if frame.x0 < box[0] and box[2] < frame.x1 and frame.y0 < box[1] and box[3] < frame.y1
+                and all(apart(box, other) for other in taken + names)]
+        if not free:
+            without_room.append(spot)
             continue
-        taken.append(box)
-        axes.annotate(spot.name, (spot.x, spot.y), xytext=((box[0] - x) * 72 / dpi, ((box[1] + box[3]) / 2 - y) * 72 / dpi),
-                      textcoords="offset points", va="center", fontsize=8, color=looks.looks[spot.method][0])
+        box = next((box for box in free if not crosses(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), (x, y), names)), free[0])
+        names.append(box)
+        middle = (box[1] + box[3]) / 2
+        to_spot = {"arrowstyle": "-", "linewidth": 0.4, "color": "#999999", "shrinkA": 0, "shrinkB": 3} if abs(middle - y) > height else None
+        axes.annotate(spot.name, (spot.x, spot.y), xytext=((box[0] - x) / scale, (middle - y) / scale), textcoords="offset points",
+                      va="center", fontsize=size, color=looks.looks[spot.method][0], arrowprops=to_spot)
+    return without_room
 
 
 def range_of(numbers):
@@ -257,10 +279,10 @@ def draw_pooled(rows, folder, measure, looks):
     grid[0][0].set_ylabel(MEASURES[measure][0])
     figure.suptitle("Run time against error: all families of polygons together", x=0.01, ha="left")
     figure.text(0.01, 0.015, explanation(measure, rows, True), fontsize=8)
-    legend(figure, looks, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5)
+    legend(figure, looks, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5, labelspacing=0.35)
     figure.canvas.draw()
     for axes, spots in drawn:
-        name_front(axes, spots, looks)
+        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], looks, 8)
     save(figure, folder, f"front-{measure}")
 
 
