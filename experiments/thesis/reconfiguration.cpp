@@ -21,14 +21,12 @@ Outcome outcome_of(const Rehearsal& rehearsal) {
     const auto contact = std::ranges::find(rehearsal.moves, Until::Contact, &Move::until);
     return contact->joint == kBase ? Outcome::FromSide : Outcome::FromAbove;
   }
-  constexpr std::array<std::pair<std::string_view, Outcome>, 3> kReasons{
-      {{"out of reach", Outcome::OutOfReach},
-       {"beyond its limits", Outcome::JointLimit},
-       {"the sphere touches the", Outcome::InTheWay}}};
-  const std::string_view all = rehearsal.failure;
-  const std::string_view last = all.substr(std::min(all.size(), all.find("; from the side")));
-  for (const auto& [words, outcome] : kReasons)
-    if (last.find(words) != std::string_view::npos) return outcome;
+  switch (*rehearsal.hindrance) {
+    case Hindrance::OutOfReach: return Outcome::OutOfReach;
+    case Hindrance::JointLimit: return Outcome::JointLimit;
+    case Hindrance::InTheWay: return Outcome::InTheWay;
+    case Hindrance::NoContact: break;
+  }
   return Outcome::Nothing;
 }
 

@@ -13,9 +13,10 @@
 namespace touchstone::kinematics {
 namespace {
 
-/// Why a rehearsal cannot go on.
+/// Why a way cannot go on.
 struct Failed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  Failed(Hindrance by, const std::string& words) : std::runtime_error(words), hindrance(by) {}
+  Hindrance hindrance;
 };
 
 enum class Way { SideWithoutShoulder, Above, Side };
@@ -34,25 +35,26 @@ class Performance {
     for (Polygon& face : material_at_machine(layout)) obstacles_.polygons.push_back(std::move(face));
   }
 
-  /// Until the material is gripped and clear of the storage.
-  void pick(Way way) {
+  /// Until the material is gripped and clear of the storage. False: the shoulder would have to move, and must not.
+  [[nodiscard]] bool pick(Way way) {
     if (way == Way::Above) {
       come_down_at(storage_, rise_over_edge());
       grip();
       lift();
-      return;
+      return true;
     }
     const double beside = layout_.sphere_radius - layout_.gap;
     const auto commands = arm_.inverse(
         {std::sqrt(storage_.radius * storage_.radius + beside * beside), storage_.height + layout_.side / 2});
-    if (!commands) throw Failed("the side of the material is out of reach");
+    if (!commands) throw Failed(Hindrance::OutOfReach, "the side of the material is out of reach");
     if (std::abs(commands->shoulder) >= 0.5) {
-      if (way == Way::SideWithoutShoulder) throw Failed("the shoulder would have to move");
+      if (way == Way::SideWithoutShoulder) return false;
       move_as_planned(kShoulder, commands->shoulder);
     }
     move_as_planned(kElbow, commands->elbow);
     record(up_to_contact(kBase, static_cast<int>(std::lround(storage_.azimuth - commanded(kBase))), true));
     grip();
+    return true;
   }
   void place() { come_down_at(layout_.machine(), layout_.sphere_radius); }
 
@@ -72,7 +74,7 @@ class Performance {
     try {
       return chain_.arc(angles_, joint, degrees, sphere_center(layout_));
     } catch (const std::out_of_range& beyond) {
-      throw Failed(fmt::format("{} {:+}: {}", name_of(joint), degrees, beyond.what()));
+      throw Failed(Hindrance::JointLimit, fmt::format("{} {:+}: {}", name_of(joint), degrees, beyond.what()));
     }
   }
 
@@ -82,8 +84,8 @@ class Performance {
 
   void require_free(AristoJoint joint, int degrees) const {
     if (const auto contact = first_contact(arc(joint, degrees), layout_.sphere_radius, obstacles_))
-      throw Failed(fmt::format("{} {:+}: the sphere touches {} after {:.2f} degrees", name_of(joint), degrees,
-                               touched(*contact), contact->high));
+      throw Failed(Hindrance::InTheWay, fmt::format("{} {:+}: the sphere touches {} after {:.2f} degrees",
+                                                    name_of(joint), degrees, touched(*contact), contact->high));
   }
 
   void record(const Move& move) {
@@ -102,13 +104,15 @@ class Performance {
   [[nodiscard]] Move up_to_contact(AristoJoint joint, int most, bool in_storage) const {
     const Arc way = arc(joint, most);
     const auto contact = first_contact(way, layout_.sphere_radius, obstacles_);
-    if (!contact) throw Failed(fmt::format("{} {:+}: the sphere touches nothing", name_of(joint), most));
+    if (!contact)
+      throw Failed(Hindrance::NoContact, fmt::format("{} {:+}: the sphere touches nothing", name_of(joint), most));
     if ((contact->face < faces_of_storage_) != in_storage)
-      throw Failed(fmt::format("{} {:+}: the sphere touches {}", name_of(joint), most, touched(*contact)));
+      throw Failed(Hindrance::InTheWay,
+                   fmt::format("{} {:+}: the sphere touches {}", name_of(joint), most, touched(*contact)));
     const auto stop = stepped_contact(way, layout_.sphere_radius, 1, obstacles_);
     if (!stop || stop->degrees != std::ceil(contact->high))
-      throw Failed(fmt::format("{} {:+}: steps of 1 degree pass over the contact at {:.2f}", name_of(joint), most,
-                               contact->high));
+      throw Failed(Hindrance::NoContact, fmt::format("{} {:+}: steps of 1 degree pass over the contact at {:.2f}",
+                                                     name_of(joint), most, contact->high));
     const int degrees = static_cast<int>(stop->stop) * (most < 0 ? -1 : 1);
     const double left = stop->degrees - contact->low;
     return {joint, Until::Contact, degrees, std::copysign(contact->low, most), contact, std::min(left, 1 - left)};
@@ -118,7 +122,7 @@ class Performance {
   void come_down_at(const Station& station, double rise) {
     const bool in_storage = faces_of_storage_ > 0;
     const auto commands = arm_.inverse({station.radius, station.height + layout_.side + rise});
-    if (!commands) throw Failed("the upper face of the material is out of reach");
+    if (!commands) throw Failed(Hindrance::OutOfReach, "the upper face of the material is out of reach");
     move_as_planned(kElbow, commands->elbow);
     const int turn = static_cast<int>(std::lround(station.azimuth - commanded(kBase)));
     require_free(kBase, turn);
@@ -139,7 +143,7 @@ class Performance {
     const auto clear = [&](double up) { return arm_.reach({shoulder - up, elbow}).up >= from + layout_.clearance; };
     int degrees = 0;
     while (!clear(degrees))
-      if (++degrees > 90) throw Failed("shoulder: no lift clears the storage");
+      if (++degrees > 90) throw Failed(Hindrance::NoContact, "shoulder: no lift clears the storage");
     double low = std::max(0, degrees - 1), high = degrees;
     for (int i = 0; i < 60; ++i) (clear((low + high) / 2) ? high : low) = (low + high) / 2;
     require_free(kShoulder, -degrees);
@@ -179,19 +183,20 @@ int Rehearsal::net(AristoJoint joint) const {
 }
 
 Rehearsal rehearse(const Layout& layout, const Station& storage) {
-  std::string failures;
+  Rehearsal none;
   for (const Way way : {Way::SideWithoutShoulder, Way::Above, Way::Side}) {
     Performance performance(layout, storage);
     try {
-      performance.pick(way);
+      if (!performance.pick(way)) continue;
       performance.place();
       return std::move(performance.rehearsal);
     } catch (const Failed& failed) {
-      if (way == Way::Above) failures = fmt::format("from above: {}", failed.what());
-      if (way == Way::Side) failures += fmt::format("; from the side: {}", failed.what());
+      if (way == Way::Above) none.failure = fmt::format("from above: {}", failed.what());
+      if (way == Way::Side) none.failure += fmt::format("; from the side: {}", failed.what());
+      none.hindrance = failed.hindrance;
     }
   }
-  return {{}, failures};
+  return none;
 }
 
 std::string difference(const Rehearsal& rehearsal, const Captions& captions) {

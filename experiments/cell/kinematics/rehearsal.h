@@ -29,12 +29,21 @@ struct Move {
   double margin;  ///< degrees that `exact` may change by before `degrees` does; 1 where nothing is rounded
 };
 
+/// What a way came to nothing by.
+enum class Hindrance {
+  OutOfReach,  ///< the material, of the arm
+  JointLimit,
+  InTheWay,   ///< the sphere touches what it should not
+  NoContact,  ///< the sphere touches nothing where it should, or steps pass over it, or nothing lifts it clear
+};
+
 /// From home to the storage, to the machine: what the thesis's case studies show.
 struct Rehearsal {
   std::vector<Move> moves;
-  std::string failure;  ///< why neither way came out, naming the moves; then there are no moves
+  std::string failure;                 ///< why neither way came out, naming the moves; then there are no moves
+  std::optional<Hindrance> hindrance;  ///< then: of the last way that was tried
 
-  [[nodiscard]] bool complete() const { return failure.empty(); }
+  [[nodiscard]] bool complete() const { return !hindrance; }
   /// What a joint was moved by until the sphere first touched the material; and by all moves; in sum.
   [[nodiscard]] int to_storage(AristoJoint joint) const;
   [[nodiscard]] int net(AristoJoint joint) const;
