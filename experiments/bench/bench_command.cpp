@@ -16,6 +16,7 @@
 #include "experiments/bench/scene/command.h"
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -217,10 +218,7 @@ void add_bench(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
-  command->add_option("--family", options->families, "Families of queries, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  run::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
   command
       ->add_option("--samples", options->settings.samples, "Distinct queries; fewer than 100000 may be learnt by heart")
       ->check(run::whole_number(1), "COUNT")
@@ -228,9 +226,7 @@ void add_bench(CLI::App& app, int& status) {
   command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  command->add_option("--seed", options->settings.seed, "Any number; the same gives the same queries")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  run::add_seed(*command, options->settings.seed, "Any number; the same gives the same queries");
   command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
       ->capture_default_str();
   command->add_option("--count", options->count,

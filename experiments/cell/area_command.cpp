@@ -2,14 +2,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "experiments/cell/cell_commands.h"
@@ -17,6 +15,7 @@
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -30,7 +29,7 @@ struct AreaOptions {
   std::string file, meshes, output = "results/cell-area";
   std::vector<std::string> changes;
   double angle_step = 5, length_step = 25, overhang = 8;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   bool no_pictures = false;
 };
 
@@ -140,10 +139,10 @@ void add_area(CLI::App& cell, int& status) {
   command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+  run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -12,7 +12,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "experiments/commands.h"
@@ -23,8 +22,8 @@
 #include "experiments/corpus/shrink.h"
 #include "experiments/judge/input_lines.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/run_record.h"
-#include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
@@ -34,7 +33,7 @@ std::filesystem::path corpus_folder() { return run::source_folder() / "tests/cor
 
 struct MakeOptions {
   std::string folder = corpus_folder().string();
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
 };
 
 int make(const MakeOptions& options) {
@@ -131,9 +130,7 @@ void add_corpus(CLI::App& app, int& status) {
   auto* making = command->add_subcommand("make", "Write every file of the corpus, with its page");
   auto make_options = std::make_shared<MakeOptions>();
   making->add_option("FOLDER", make_options->folder, "Where to")->capture_default_str();
-  making->add_option("--threads", make_options->threads, "They do not change the files")
-      ->check(CLI::Range(1U, 1024U))
-      ->capture_default_str();
+  run::add_threads(*making, make_options->threads, "They do not change the files");
   making->callback([make_options, &status] { status = make(*make_options); });
 
   auto* checking = command->add_subcommand("check", "Derive every answer anew, with two exact number types");

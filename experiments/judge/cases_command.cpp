@@ -10,6 +10,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/judge/verdict.h"
+#include "experiments/run/options.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/workloads/workload.h"
 
@@ -105,13 +106,11 @@ void add_cases(CLI::App& app) {
   command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
   command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  command->add_option("--seed", options->seed, "Seed")->check(run::whole_number(0))->capture_default_str();
+  run::add_seed(*command, options->seed);
   command->add_option("--first", options->first, "Number of the first sample")->check(run::whole_number(0));
   command->add_option("--count", options->count, "Cases to print")->check(run::whole_number(0))->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
-  command->add_option("--failing", options->failing, "Only cases on which one of these methods errs")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  run::add_names(*command, "--failing", options->failing, "Only cases on which one of these methods errs");
   command->callback([options] { print(*options); });
 }
 

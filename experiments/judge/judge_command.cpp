@@ -9,6 +9,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/judge/judge.h"
+#include "experiments/run/options.h"
 
 namespace touchstone::commands {
 namespace {
@@ -36,9 +37,7 @@ void add_judge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
-  command->add_option("--method", options->methods, "Method names, separated by commas, or all (default: exact)")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all (default: exact)");
   command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
       ->check(check_utf8, "COMMAND");
   command

@@ -11,6 +11,7 @@
 #include "experiments/merging/output.h"
 #include "experiments/merging/study.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -120,9 +121,7 @@ void add_merge(CLI::App& app, int& status) {
   command->add_option("--repetitions", settings.repetitions, "Of every timing")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--seed", settings.seed, "Any number; the same gives the same bytes, times apart")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  run::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
   command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, and say what");
   command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });

@@ -5,11 +5,11 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> families{"all"};
   std::uint64_t samples = 1000;  // about 35 s on two cores
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   Shape shape;
   std::string truth = "exact";
   std::uint64_t search = 100;  // about 20 s
@@ -224,23 +224,13 @@ void add_near_edge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
-  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_option("--families", options->families, "Families of polygons, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold")
       ->check(run::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "Of each process; they do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_seed(*command, options->seed);
+  run::add_threads(*command, options->threads, "Of each process; they do not change the results");
   command->add_option("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows")
       ->check(run::whole_number(3, 1U << 17))
       ->capture_default_str();
@@ -262,9 +252,9 @@ void add_near_edge(CLI::App& app, int& status) {
                    "distance from the origin")
       ->check(run::whole_number(0, kMostSamples))
       ->capture_default_str();
-  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
+  run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
     status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
   });

@@ -5,13 +5,13 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "experiments/commands.h"
 #include "experiments/real_input/named_meshes.h"
 #include "experiments/real_input/output.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -26,7 +26,7 @@ using namespace real_input;
 struct Options {
   std::vector<std::string> files;
   std::vector<std::string> methods{"all"};
-  Settings settings{.threads = std::max(1U, std::thread::hardware_concurrency())};
+  Settings settings{.threads = run::all_threads()};
   bool skip_bad = false;
   std::string output = "results/mesh-contact";
 };
@@ -109,18 +109,11 @@ void add_mesh_contact(CLI::App& app, int& status) {
       app.add_subcommand("mesh-contact", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
   command->add_option("MESH", options->files, "Mesh files")->required();
-  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_option("--seed", options->settings.seed, "Any number; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_seed(*command, options->settings.seed);
   command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")
       ->check(run::whole_number(1));
-  command->add_option("--threads", options->settings.threads, "They do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_threads(*command, options->settings.threads);
   command->add_flag("--skip-bad", options->skip_bad,
                     "Leave out what is wrong in a file, and say what; rejected faces are no error then");
   command->add_option("--output", options->output, "The folder for the tables and the failing cases")

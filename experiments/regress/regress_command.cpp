@@ -8,13 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "experiments/commands.h"
 #include "experiments/judge/verdict.h"
 #include "experiments/regress/baseline.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -30,7 +30,7 @@ struct Options {
   std::string baseline, write, output;
   std::vector<std::string> methods{"all"};
   Settings settings;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
 };
 
 std::string command_line(const Options& options) {
@@ -175,13 +175,11 @@ void add_regress(CLI::App& app, int& status) {
   command->add_option("--method", options->methods, "Methods; `all` for every one of this build")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--seed", options->settings.seed, "Seed")->capture_default_str();
+  run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Threads; they do not change the results")
-      ->check(CLI::Range(1U, 1024U))
-      ->capture_default_str();
+  run::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
                       "Folder for standing.csv, worse.jsonl (cases that have become wrong, for `judge`) and run.json");
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });

@@ -12,12 +12,12 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "experiments/commands.h"
 #include "experiments/real_input/named_meshes.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -36,7 +36,7 @@ struct SceneOptions {
   std::vector<std::string> files, objects, units;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   bool any = false, all = false, nearest = false, counts = false, skip_bad = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
@@ -293,9 +293,7 @@ void add_scene(CLI::App& app, int& status) {
   source->add_option("--random", options->random, "So many random balls, half of them near a face")
       ->check(run::whole_number(1));
   source->require_option(1);
-  command->add_option("--seed", options->seed, "Of --random; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  run::add_seed(*command, options->seed, "Of --random; the same gives the same bytes");
   auto* question = command->add_option_group("question");
   question->add_flag("--any", options->any, "Does the ball touch any face?");
   question->add_flag("--all", options->all, "Which faces does it touch? (default)");
@@ -306,24 +304,17 @@ void add_scene(CLI::App& app, int& status) {
                    "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
                    "against filtered")
       ->capture_default_str();
-  command->add_option("--objects", options->objects, "Ask about these only: names, separated by commas")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command
-      ->add_option("--unit", options->units,
-                   "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all "
-                   "are the same it changes no number; a mesh in another unit than the scene is scaled, each "
-                   "coordinate rounded once to the nearest double")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  run::add_names(*command, "--objects", options->objects, "Ask about these only: names, separated by commas");
+  run::add_names(*command, "--unit", options->units,
+                 "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
+                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
+                 "rounded once to the nearest double");
   command->add_option("--scene-unit", options->scene_unit,
                       "The unit of balls and answers (default: that of the first mesh)");
   command->add_flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
   command->add_flag("--skip-bad", options->skip_bad,
                     "Leave out what is wrong in a file and faces that are no polygons, and say what");
-  command->add_option("--threads", options->threads, "They do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
                       "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
                       "standard output, the table to standard error)");

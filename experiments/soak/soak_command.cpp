@@ -7,10 +7,10 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -27,7 +27,7 @@ using namespace soak;
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  Settings settings{.threads = std::max(1U, std::thread::hardware_concurrency())};
+  Settings settings{.threads = run::all_threads()};
   std::string output = "results/soak";
   bool resume = false;
 };
@@ -126,18 +126,14 @@ void add_soak(CLI::App& app, int& status) {
   command->add_option("--cases", settings.cases, "How many cases")
       ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
-  command->add_option("--seed", settings.seed, "Any number; case i depends on it and on i alone")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
+  run::add_seed(*command, settings.seed, "Any number; case i depends on it and on i alone");
   command->add_option("--from", settings.from, "The index of the first case")
       ->check(run::whole_number(0))
       ->capture_default_str();
-  command->add_option("--threads", settings.threads, "Of each process; they do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_threads(*command, settings.threads, "Of each process; they do not change the results");
   command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
       ->capture_default_str();
-  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
+  run::add_resume(*command, options->resume);
   command->callback([options, &status] { status = run_soak(*options); });
 }
 

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "experiments/commands.h"
 #include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -31,7 +31,7 @@ struct Options {
   std::vector<std::string> axes{"all"};
   std::uint64_t samples = 400;
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   std::string output = "results/stability";
   bool resume = false;
   bool no_pictures = false;
@@ -163,26 +163,16 @@ void add_stability(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
   auto options = std::make_shared<Options>();
-  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_option("--axes", options->axes, "What is made worse, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_names(*command, "--axes", options->axes, "What is made worse, separated by commas, or all");
   command->add_option("--samples", options->samples, "Polygons at each level of each axis; fewer at slow levels")
       ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "Of each process; they do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
+  run::add_seed(*command, options->seed);
+  run::add_threads(*command, options->threads, "Of each process; they do not change the results");
+  run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
     status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
   });

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -28,7 +28,7 @@ using namespace thesis_figures;
 struct Options {
   std::optional<std::uint64_t> samples;
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   std::string output = "results/thesis";
   bool quick = false, no_pictures = false;
 
@@ -92,14 +92,10 @@ void add_thesis(CLI::App& app, int& status) {
       ->add_option("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)")
       ->check(run::whole_number(100));
   command->add_flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
-  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "They do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_seed(*command, options->seed);
+  run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for all files")->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_thesis(*options); }); });
 }
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -29,7 +29,7 @@ struct Options {
   std::vector<std::string> families{"all"};
   std::uint64_t samples = 200;  // with the times about a minute and a half on two cores
   std::uint64_t seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   std::size_t queries = 2000;
   unsigned repetitions = 7;
   std::string output = "results/tradeoff";
@@ -183,34 +183,23 @@ void add_tradeoff(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("tradeoff", "Hold the run time of methods against their errors; draw the best");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
-  command->add_option("--method", options->methods, "Method names, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_option("--families", options->families, "Families of polygons, separated by commas, or all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold: for the errors")
       ->check(run::whole_number(1), "COUNT")
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Any number; the same gives the same questions")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command
-      ->add_option("--threads", options->threads,
-                   "Of each process, for the errors; they do not change them. Times: always one")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_seed(*command, options->seed, "Any number; the same gives the same questions");
+  run::add_threads(*command, options->threads,
+                   "Of each process, for the errors; they do not change them. Times: always one");
   command->add_option("--queries", options->queries, "Distinct balls in each timed list")
       ->check(run::whole_number(1, 1'000'000), "COUNT")
       ->capture_default_str();
   command->add_option("--repetitions", options->repetitions, "How often each method takes its turn on a list")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  command->add_flag("--resume", options->resume, "Go on where the run in that folder was stopped or killed");
+  run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the tables only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
   command->callback([options, &status] {
     status = options->redraw

@@ -2,15 +2,14 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/first_contact/missed_study.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -23,7 +22,7 @@ namespace {
 
 struct Options {
   std::uint64_t samples = 2000, seed = 1;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = run::all_threads();
   std::string output = "results/cell-missed";
   bool no_pictures = false;
 };
@@ -69,15 +68,11 @@ void add_missed(CLI::App& cell, int& status) {
       "Random moves of one joint of the arm through thin sheets: how often a joint that moves by steps, and looks for\n"
       "contact after each, passes over the first contact, for spheres and steps of several sizes.");
   command->add_option("--samples", options->samples, "Moves")->check(run::whole_number(1))->capture_default_str();
-  command->add_option("--seed", options->seed, "Any number; the same gives the same bytes")
-      ->check(run::whole_number(0))
-      ->capture_default_str();
-  command->add_option("--threads", options->threads, "They do not change the results")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  run::add_seed(*command, options->seed);
+  run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for missed.csv, run.json and the picture")
       ->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_missed(*options); }); });
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/kinematics/layout_output.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/options.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -60,7 +61,7 @@ void add_layout(CLI::App& cell, int& status) {
       "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
-  command->add_flag("--no-pictures", options->no_pictures, "Write the data only");
+  run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_layout(*options); }); });
 }
 
