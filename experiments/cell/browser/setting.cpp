@@ -5,6 +5,7 @@
 
 #include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/reach.h"
+#include "experiments/cell/model/read_cell.h"
 #include "experiments/judge/strict_json.h"
 
 namespace touchstone::cell::browser {
@@ -15,14 +16,6 @@ double within(const CellEntry& entry, double least, double most) {
   if (number < least || number > most)
     entry.bad(fmt::format("must be from {:g} to {:g}, is {:g}", least, most, number));
   return number;
-}
-
-std::size_t slot_named(const Cell& cell, const CellEntry& entry) {
-  const std::string name = entry.text();
-  const auto& slots = cell.storage.slots;
-  for (std::size_t i = 0; i < slots.size(); ++i)
-    if (slots[i].name == name) return i;
-  entry.bad(fmt::format("there is no slot \"{}\"", name));
 }
 
 Setting read(const CellEntry& whole, const Cell& cell) {
@@ -38,7 +31,7 @@ Setting read(const CellEntry& whole, const Cell& cell) {
     }
     if (const auto height = storage->find("height")) setting.height = within(*height, 0, most);
   }
-  if (const auto slot = whole.find("slot")) setting.slot = slot_named(cell, *slot);
+  if (const auto slot = whole.find("slot")) setting.slot = slot_named(cell.storage, *slot);
   if (const auto step = whole.find("step")) setting.step = within(*step, kLeastStep, kMostStep);
   return setting;
 }

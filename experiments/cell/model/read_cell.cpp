@@ -151,13 +151,6 @@ Station read_station(const CellEntry& entry, const SolidContext& context) {
   return station;
 }
 
-std::size_t slot_named(const Station& station, const CellEntry& entry) {
-  const std::string name = entry.text();
-  for (std::size_t i = 0; i < station.slots.size(); ++i)
-    if (station.slots[i].name == name) return i;
-  entry.bad(fmt::format("there is no slot \"{}\"", name));
-}
-
 /// The paths of all values, and those of numbers.
 struct Paths {
   std::set<std::string> all, numbers;
@@ -202,6 +195,13 @@ scenes::Unit read_unit(const CellEntry& entry) {
 }
 
 }  // namespace
+
+std::size_t slot_named(const Station& station, const CellEntry& entry) {
+  const std::string name = entry.text();
+  for (std::size_t i = 0; i < station.slots.size(); ++i)
+    if (station.slots[i].name == name) return i;
+  entry.bad(fmt::format("there is no slot \"{}\"", name));
+}
 
 Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,
                const std::vector<std::string>& changes) {

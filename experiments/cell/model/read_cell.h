@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,5 +38,8 @@ namespace touchstone::cell {
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});
+
+/// The index of the slot that an entry names. Throws BadCell where the station has none of that name.
+[[nodiscard]] std::size_t slot_named(const Station& station, const CellEntry& entry);
 
 }  // namespace touchstone::cell
