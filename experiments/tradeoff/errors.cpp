@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "experiments/tradeoff/units.h"
 #include "robust/exact/exact.h"
@@ -138,6 +140,18 @@ MethodErrors& MethodErrors::operator+=(const MethodErrors& other) {
 MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t method) const {
   MethodErrors sum = nothing();
   for (const std::size_t stratum : strata) sum += at[stratum][method];
+  return sum;
+}
+
+std::uint64_t Errors::polygons(const std::vector<std::size_t>& strata, std::size_t method) const {
+  std::map<std::pair<workloads::Family, workloads::Placement>, std::uint64_t> most;
+  for (const std::size_t stratum : strata) {
+    const auto& [family, placement, threshold] = near_edge::all_strata()[stratum];
+    std::uint64_t& polygons = most[{family, placement}];
+    polygons = std::max(polygons, at[stratum][method].samples);
+  }
+  std::uint64_t sum = 0;
+  for (const auto& [place, polygons] : most) sum += polygons;
   return sum;
 }
 

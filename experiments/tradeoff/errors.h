@@ -82,6 +82,8 @@ struct Errors {
 
   /// One method in several strata together.
   [[nodiscard]] MethodErrors sum(const std::vector<std::size_t>& strata, std::size_t method) const;
+  /// The polygons behind such a sum, which limits are of: the thresholds of a family in a placement share theirs.
+  [[nodiscard]] std::uint64_t polygons(const std::vector<std::size_t>& strata, std::size_t method) const;
   Errors& operator+=(const Errors& other);
 };
 

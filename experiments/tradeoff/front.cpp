@@ -39,13 +39,13 @@ std::optional<Nanoseconds> nanoseconds(std::size_t method, Question question, st
   return Nanoseconds{sum.lower / lists, sum.median / lists, sum.upper / lists};
 }
 
-std::optional<Standing> standing(Measure measure, const MethodErrors& errors) {
+std::optional<Standing> standing(Measure measure, const MethodErrors& errors, std::uint64_t polygons) {
   if (measure == Measure::NotRight) {
     const Tally tally = errors.near_threshold();
     if (tally.trials == 0) return std::nullopt;
     const auto trials = static_cast<double>(tally.trials);
     const double share = static_cast<double>(tally.not_right()) / trials;
-    const auto limits = statistics::bounded_mean(share, errors.samples);
+    const auto limits = statistics::bounded_mean(share, polygons);
     return Standing{.method = 0,
                     .nanoseconds = {},
                     .error = share,
@@ -53,7 +53,7 @@ std::optional<Standing> standing(Measure measure, const MethodErrors& errors) {
                     .upper = limits.upper,
                     .finite_error = share,
                     .not_finite = static_cast<double>(tally.overflowed) / trials,
-                    .samples = errors.samples};
+                    .samples = polygons};
   }
   const UlpErrors& ulps =
       errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
@@ -66,7 +66,7 @@ std::optional<Standing> standing(Measure measure, const MethodErrors& errors) {
                   .upper = ulps.quantile_of_finite(1),
                   .finite_error = ulps.quantile_of_finite(0.99),
                   .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
-                  .samples = known};
+                  .samples = polygons};
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ std::vector<Standing> standings(Measure measure, std::optional<workloads::Family
   const std::size_t methods = errors.at.front().size();
   std::vector<Standing> list;
   for (std::size_t m = 0; m < methods; ++m) {
-    auto found = standing(measure, errors.sum(strata, m));
+    auto found = standing(measure, errors.sum(strata, m), errors.polygons(strata, m));
     const auto time = nanoseconds(m, question, family, placement, timings);
     if (!found || !time) continue;
     found->method = m;

@@ -44,7 +44,7 @@ struct Standing {
   double lower, upper;    ///< 95 % limits of a share; median and worst of units in the last place, of finite answers
   double finite_error;    ///< the 99 % quantile among finite answers; of a share, the error itself
   double not_finite;      ///< the share of answers that are not finite; of a share, that of wrong ones for that reason
-  std::uint64_t samples;  ///< independent ones behind the error
+  std::uint64_t samples;  ///< polygons behind the error
   Front front = Front::Off;
 };
 

@@ -66,13 +66,14 @@ std::string times_and_shares(const Settings& settings, const Errors& errors, con
   text +=
       row("nanoseconds", "near", "anywhere", "near", "anywhere", "asked", "%", "limits", "flow %", "know %", "offsets");
   for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-    const MethodErrors sum = errors.sum(strata_of(std::nullopt, placement, true), m);
+    const auto strata = strata_of(std::nullopt, placement, true);
+    const MethodErrors sum = errors.sum(strata, m);
     const Tally near = sum.near_threshold();
     const auto share = [&](std::uint64_t count) {
       return near.trials == 0 ? 0 : static_cast<double>(count) / static_cast<double>(near.trials);
     };
     const auto cell = [&](const std::string& said) { return near.trials == 0 ? "-" : said; };  // it has no such test
-    const auto limits = statistics::bounded_mean(share(near.wrong), sum.samples);
+    const auto limits = statistics::bounded_mean(share(near.wrong), errors.polygons(strata, m));
     const auto time = [&](Balls balls, Question question) { return times_of(m, balls, question, placement, timings); };
     text += row(settings.methods[m]->name(), time_text(time(Balls::Near, Question::Contact)),
                 time_text(time(Balls::Anywhere, Question::Contact)), time_text(time(Balls::Near, Question::Answer)),
@@ -157,9 +158,9 @@ std::string legend(const std::vector<Timing>& timings) {
       "of medians of the repetitions, in which all methods take turns on one list of distinct balls. near: the radius\n"
       "is within {} doubles of the distance. asked: how many of the list of contact, near; a slow method gets the\n"
       "first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within {} doubles of the radius\n"
-      "that just touches; limits: Hoeffding, 95 %, samples being independent. Slow methods were asked about one "
-      "sample\n"
-      "in {}. overflow: the wrong ones of samples at which the method's distance or point is not finite. wrong at\n"
+      "that just touches; limits: Hoeffding, 95 %, polygons being independent. Slow methods were asked about one\n"
+      "sample in {}. overflow: the wrong ones of samples at which the method's distance or point is not finite. wrong "
+      "at\n"
       "offsets: the lowest and the highest, in doubles, of those tried, up to 2^32.\n"
       "Units in the last place: of the exact distance, and of the largest coordinate of the exact point; both "
       "correctly\n"

@@ -89,6 +89,18 @@ TEST(TradeoffErrors, OfExactAreNone) {
   }
 }
 
+// Each of them twice, asked about at each of its thresholds.
+TEST(TradeoffErrors, OfOnePolygonAtSeveralThresholdsAreOfOnePolygon) {
+  const Settings two{{methods::find_method("fast")}, {Family::Star, Family::L}, 2, 7, 1};
+  const Errors errors = whole(two);
+  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+    EXPECT_EQ(errors.polygons(strata_of(Family::Star, placement, true), 0), 2U);
+    EXPECT_EQ(errors.polygons(strata_of(std::nullopt, placement, true), 0), 4U);
+    for (const std::size_t stratum : strata_of(Family::Star, placement, true))
+      EXPECT_EQ(errors.polygons({stratum}, 0), errors.sum({stratum}, 0).samples);
+  }
+}
+
 TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
   const Changed method([](const auto& exact, const Ball& ball, Question question) {
     PartialAnswer answer = exact.ask(ball, question);

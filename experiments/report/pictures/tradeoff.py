@@ -220,7 +220,7 @@ def symbols(measure, rows):
     if never:
         open_marker = (marker(r"$\downarrow$", 15, markeredgewidth=0), marker("o", markerfacecolor="white"))
         share = measure == "not-right"
-        lines.append((open_marker, ("never wrong in" if share else "all correctly rounded:") + f"\n{range_of(never)} samples" +
+        lines.append((open_marker, ("never wrong in" if share else "all correctly rounded:") + f"\n{range_of(never)} polygons" +
                       (":\n95 % upper limit" if share else "")))
     if measure != "not-right" and any(spot.not_finite > 0 for spot in spots):
         lines.append(((marker(r"$\uparrow$", 15, markeredgewidth=0), marker("o")), "of finite answers;\nothers overflow"))
