@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/floating_point_state.h"
 #include "robust/exact/dropped_axis.h"
-#include "robust/floating_point_state.h"
 #include "robust/mesh/face_plane.h"
 
 namespace touchstone::triangulation {

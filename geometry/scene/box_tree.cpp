@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/scene/box_tree.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "geometry/floating_point_state.h"
 
 namespace touchstone {
 namespace {
@@ -38,6 +41,17 @@ float rounded_down(double x) {
   return static_cast<double>(nearest) > x ? std::nextafter(nearest, -kInfinity) : nearest;
 }
 float rounded_up(double x) { return -rounded_down(-x); }
+
+/// Calls f(i) for each i below `count`, by all cores. They have a rounding mode and a flush-to-zero setting each, which
+/// are not those of who asks.
+template <class F>
+void for_each_number(std::size_t count, std::size_t at_once, const F& f) {
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, count, at_once), [&](const Range& range) {
+    const FloatingPointState nearest;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+  });
+}
 
 /// Powers of two that bring the largest coordinate to between 2^39 and 2^40: a surface times a count is a float.
 std::array<double, 2> scale_of(std::span<const Box> boxes) {
@@ -98,7 +112,7 @@ class Builder {
     const Range all = range(0, static_cast<std::uint32_t>(items_.size()));
     if (all.size() == 0) return;
     build_top(all, 0);
-    tbb::parallel_for(std::size_t{0}, branches_.size(), [this](std::size_t i) {
+    for_each_number(branches_.size(), 1, [this](std::size_t i) {
       Branch& branch = branches_[i];
       build_branch(branch.nodes, branch.range, branch.depth);
     });
@@ -272,11 +286,12 @@ class Builder {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
+  const FloatingPointState nearest;
   assert(boxes.size() <= kMostBoxes);
   const auto scale = scale_of(boxes);
   scale_[0] = scale[0], scale_[1] = scale[1];
   std::vector<Item> items(boxes.size());
-  tbb::parallel_for(std::size_t{0}, boxes.size(), [&](std::size_t i) {
+  for_each_number(boxes.size(), 4096, [&](std::size_t i) {
     items[i] = {bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)};
   });
   Builder(items, nodes_).build();
@@ -287,6 +302,7 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
 }
 
 void BoxTree::refit(std::span<const Box> boxes) {
+  const FloatingPointState nearest;
   assert(boxes.size() == order_.size());
   const auto scale = scale_of(boxes);
   scale_[0] = scale[0], scale_[1] = scale[1];
@@ -311,6 +327,7 @@ double BoxTree::surface() const {
 }
 
 double BoxTree::growth() const {
+  const FloatingPointState nearest;
   const double length = (built_scale_[0] / scale_[0]) * (built_scale_[1] / scale_[1]), now = surface();
   return now == 0 ? 1 : now * length * length / built_surface_;
 }

@@ -16,7 +16,8 @@ namespace touchstone {
 /// ones leave the floats: no scene is too large or too small. A node's box holds the boxes of its children, after
 /// rounding.
 ///
-/// The tree is a function of the boxes alone. Source: [wald2007] (binned surface area heuristic).
+/// The tree is a function of the boxes alone, whatever rounding mode and flush-to-zero setting its caller has. Source:
+/// [wald2007] (binned surface area heuristic).
 ///
 /// Why not another's: see `touchstone bench --scene`. With a million triangles and small balls near them a scene of it
 /// took 0.9 to 1.05 of the time of Embree 3, whose boxes are floats that exact answers cannot rest on, less than half

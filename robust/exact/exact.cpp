@@ -10,8 +10,8 @@
 #include <array>
 #include <cassert>
 
+#include "geometry/floating_point_state.h"
 #include "robust/exact/dropped_axis.h"
-#include "robust/floating_point_state.h"
 #include "robust/exact/nearest_double.h"
 
 namespace touchstone::exact {

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "geometry/floating_point_state.h"
 #include "robust/exact/dropped_axis.h"
 #include "robust/exact/edge_sweep.h"
-#include "robust/floating_point_state.h"
 
 namespace touchstone::exact {
 namespace {

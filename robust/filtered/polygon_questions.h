@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "geometry/floating_point_state.h"
 #include "robust/filtered/closest_point.h"
 #include "robust/filtered/exact_edges.h"
 #include "robust/filtered/frame_query.h"
-#include "robust/floating_point_state.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/floating_point_state.h"
+#include "geometry/floating_point_state.h"
 
 namespace touchstone::filtered {
 namespace {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "geometry/contact/answer.h"
+#include "geometry/floating_point_state.h"
 #include "robust/filtered/sign_ladder.h"
 #include "robust/filtered/triangle_filter.h"
 #include "robust/filtered/unlimited_sign.h"
-#include "robust/floating_point_state.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {

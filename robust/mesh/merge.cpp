@@ -12,10 +12,10 @@
 #include <utility>
 #include <variant>
 
+#include "geometry/floating_point_state.h"
 #include "robust/exact/dropped_axis.h"
 #include "robust/exact/edge_sweep.h"
 #include "robust/exact/validate.h"
-#include "robust/floating_point_state.h"
 #include "robust/mesh/face_graph.h"
 #include "robust/mesh/face_plane.h"
 #include "robust/mesh/parts.h"

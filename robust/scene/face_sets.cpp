@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-#include "robust/floating_point_state.h"
+#include "geometry/floating_point_state.h"
 #include "robust/scene/lifted_box.h"
 #include "robust/scene/posing.h"
 

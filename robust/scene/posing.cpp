@@ -7,12 +7,12 @@
 #include <cmath>
 #include <optional>
 
+#include "geometry/floating_point_state.h"
 #include "robust/exact/nearest_double.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/bounds.h"
 #include "robust/filtered/numbers/double_double.h"
 #include "robust/filtered/numbers/permanent.h"
-#include "robust/floating_point_state.h"
 
 namespace touchstone::scene {
 namespace {

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <stdexcept>
 
-#include "robust/floating_point_state.h"
+#include "geometry/floating_point_state.h"
 #include "robust/scene/engine.h"
 
 namespace touchstone::scene {

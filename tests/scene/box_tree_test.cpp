@@ -2,11 +2,17 @@
 #include "geometry/scene/box_tree.h"
 
 #include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <cstring>
+#include <optional>
 #include <set>
+#include <string>
+#include <thread>
 
 #include "experiments/workloads/random.h"
+#include "tests/contact/environment.h"
 
 namespace touchstone::scene_tests {
 namespace {
@@ -120,6 +126,49 @@ TEST(BoxTree, StaysShallowWhereBoxesShrinkGeometrically) {
       boxes.push_back({Eigen::Vector3d(size, size / 2, 0), Eigen::Vector3d(2 * size, size, size)});
     }
   expect_sound(BoxTree(boxes), boxes);
+}
+
+void expect_same(const BoxTree& tree, const BoxTree& expected, const std::string& where) {
+  EXPECT_EQ(tree.order(), expected.order()) << where;
+  ASSERT_EQ(tree.nodes().size(), expected.nodes().size()) << where;
+  EXPECT_EQ(std::memcmp(tree.nodes().data(), expected.nodes().data(), tree.nodes().size() * sizeof(BoxTree::Node)), 0)
+      << where;
+  EXPECT_EQ(tree.growth(), expected.growth()) << where;
+}
+
+// Beside boxes of size 1 those of 2^-150 are subnormal floats, which a machine that flushes them takes for nothing.
+TEST(BoxTree, IsTheSameInEveryFloatingPointEnvironment) {
+  for (const std::size_t count : {20U, 30'000U}) {  // the second is built by all cores
+    Random random(2026, count, 61);
+    std::vector<Box> boxes, moved;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double size = i % 3 == 0 ? 1 : 0x1p-150;
+      const Eigen::Vector3d low(size * random.unit(), size * random.unit(), -size * random.unit());
+      boxes.push_back({low, low + Eigen::Vector3d::Constant(size / 64)});
+      moved.push_back({-boxes.back().high, -boxes.back().low});
+    }
+    const BoxTree expected(boxes);
+    BoxTree expected_moved = expected;
+    expected_moved.refit(moved);
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : contact_tests::kFlushes) {
+        const std::string where =
+            std::to_string(count) + " boxes, mode " + std::to_string(mode) + ", flush " + std::to_string(flush);
+        std::optional<BoxTree> tree;
+        std::thread([&] {
+          const contact_tests::Environment changed(mode, flush);
+          // The settings at a thread's first call of this kind are those of all cores in its later ones.
+          tbb::parallel_for(0, 2, [](int) {});
+          tree.emplace(boxes);
+        }).join();
+        expect_same(*tree, expected, where);
+        {
+          const contact_tests::Environment changed(mode, flush);
+          tree->refit(moved);
+        }
+        expect_same(*tree, expected_moved, where);
+      }
+  }
 }
 
 TEST(BoxTree, IsTheSameForManyBoxesHoweverOftenItIsBuilt) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "robust/floating_point_state.h"
+#include "geometry/floating_point_state.h"
 #include "robust/scene/engine.h"
 #include "tests/contact/printing.h"
 #include "tests/scene/adversarial_scenes.h"

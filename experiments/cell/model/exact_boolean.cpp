@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "experiments/cell/model/circle.h"
+#include "geometry/floating_point_state.h"
 #include "robust/exact/nearest_double.h"
-#include "robust/floating_point_state.h"
 
 namespace touchstone::cell {
 namespace {
