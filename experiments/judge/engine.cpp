@@ -7,9 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <limits>
 #include <system_error>
 
 extern "C" {  // which the header of glibc 2.36 forgets
@@ -17,6 +20,15 @@ extern "C" {  // which the header of glibc 2.36 forgets
 }
 
 namespace touchstone::judge {
+namespace {
+
+/// Rounded up; 0 where it is past.
+int milliseconds_until(Engine::Deadline deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
+}
+
+}  // namespace
 
 // The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
 // (MSG_NOSIGNAL) and no signal for the whole process.
@@ -68,6 +80,23 @@ bool Engine::send(const std::string& line) {
   return true;
 }
 
+bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
+  late = false;
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (written >= 0) {
+      sent += static_cast<std::size_t>(written);
+    } else if (errno == EAGAIN) {
+      pollfd input{.fd = input_, .events = POLLOUT, .revents = 0};
+      late = poll(&input, 1, milliseconds_until(deadline)) <= 0;
+      if (late) return false;
+    } else if (errno != EINTR) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void Engine::end_input() { shutdown(input_, SHUT_WR); }
 
 /// The first line of what is unread, whose first bytes, so many, have no end of a line.
@@ -92,16 +121,14 @@ std::optional<std::string> Engine::receive() {
   return rest;
 }
 
-std::optional<std::string> Engine::receive_within(std::chrono::milliseconds time, bool& late) {
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + time;
+std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
   late = false;
   for (std::size_t searched = 0;;) {
     if (auto line = take_line(searched)) return line;
     searched = unread_.size() - received_;
     if (searched > kLongestLine) stop_reading();
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-    if (output_ >= 0 && (left.count() <= 0 || !has_more_within(left))) {
+    const int left = milliseconds_until(deadline);
+    if (output_ >= 0 && (left == 0 || !has_more_within(std::chrono::milliseconds(left)))) {
       late = true;
       return std::nullopt;
     }

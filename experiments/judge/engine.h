@@ -14,6 +14,7 @@ namespace touchstone::judge {
 class Engine {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
+  using Deadline = std::chrono::steady_clock::time_point;
 
   /// Starts `command` in a shell, in a group of processes of its own. Throws std::system_error if no process can be
   /// had.
@@ -25,13 +26,16 @@ class Engine {
 
   /// Sends a line; false if the program no longer reads.
   bool send(const std::string& line);
+  /// The same, waiting no longer than until `deadline`: false, with `late` true, where it has not read all by then.
+  bool send_by(Deadline deadline, const std::string& line, bool& late);
   /// No more lines will be sent.
   void end_input();
   /// The next line that it prints, without its end; nothing when the program has closed its output or prints a line
   /// longer than kLongestLine.
   [[nodiscard]] std::optional<std::string> receive();
-  /// The same, waiting no longer than `time`: nothing, with `late` true, where there was no whole line until then.
-  [[nodiscard]] std::optional<std::string> receive_within(std::chrono::milliseconds time, bool& late);
+  /// The same, waiting no longer than until `deadline`: nothing, with `late` true, where there was no whole line by
+  /// then.
+  [[nodiscard]] std::optional<std::string> receive_by(Deadline deadline, bool& late);
   /// Drops what it has printed by now and was not received. Was there a line?
   [[nodiscard]] bool drop_unread();
   /// Takes in what it has printed, without waiting. Does that come to `most` bytes that were not received?

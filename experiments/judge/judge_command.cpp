@@ -22,13 +22,21 @@ struct JudgeOptions {
 };
 
 /// Verdicts name the command as their method, and JSON is UTF-8.
-std::string check_utf8(const std::string& text) {
+std::string check_command(const std::string& text) {
+  if (text.find_first_not_of(" \t\n") == std::string::npos) return "the command is empty";
   try {
     (void)nlohmann::json(text).dump();
     return {};
   } catch (const nlohmann::json::exception&) {
     return "the command is not UTF-8";
   }
+}
+
+std::string check_seconds(const std::string& text) {
+  double seconds = 0;
+  if (!CLI::detail::lexical_cast(text, seconds) || !(seconds >= 1e-3 && seconds <= 86400))
+    return "must be from 0.001 to 86400 seconds, is " + text;
+  return {};
 }
 
 }  // namespace
@@ -39,12 +47,12 @@ void add_judge(CLI::App& app, int& status) {
   auto options = std::make_shared<JudgeOptions>();
   run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all (default: exact)");
   command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
-      ->check(check_utf8, "COMMAND");
+      ->check(check_command, "COMMAND");
   command
       ->add_option("--time-limit", options->time_limit,
                    "Seconds for each verdict of the engine, which is then sent one case after the other, and started "
                    "anew where it ends or is late")
-      ->check(CLI::PositiveNumber)
+      ->check(check_seconds, "SECONDS")
       ->needs(command->get_option("--exec"));
   command->add_flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command->add_option("FILE", options->files, "Files of cases; none: standard input");
@@ -53,8 +61,7 @@ void add_judge(CLI::App& app, int& status) {
     order.files = options->files;
     order.engine = options->engine;
     order.explain = options->explain;
-    if (options->time_limit > 0)
-      order.time_limit = std::chrono::milliseconds(std::max(1L, std::lround(1000 * options->time_limit)));
+    if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
     status = judge::judge(order);

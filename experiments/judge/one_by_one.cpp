@@ -21,21 +21,31 @@ class Restarted {
     if (engine_) engine_->kill();
   }
 
-  /// Its reply to one case; nothing, and why, where there is none.
-  std::optional<std::string> ask(const std::string& line, std::string& reason) {
-    if (!engine_) engine_.emplace(order_.engine);
-    bool late = false;
-    std::optional<std::string> reply;
-    if (engine_->send(line + '\n')) reply = engine_->receive_within(*order_.time_limit, late);
-    if (reply) return reply;
-    if (late) {
-      reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(order_.time_limit->count()));
-      engine_->kill();
-    } else {
+  /// Its reply to one case; nothing, and why, where there is none. One that has ended since its last reply is started
+  /// anew and asked again: `ended_before` says how it ended, where not well.
+  std::optional<std::string> ask(const std::string& line, std::string& reason, std::string& ended_before) {
+    for (;;) {
+      const bool fresh = !engine_;
+      if (fresh) engine_.emplace(order_.engine);
+      const auto deadline = in_time();
+      bool late = false;
+      std::optional<std::string> reply;
+      if (engine_->send_by(deadline, line + '\n', late)) reply = engine_->receive_by(deadline, late);
+      if (reply) return reply;
+      if (late) {
+        reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(order_.time_limit->count()));
+        engine_->kill();
+        engine_.reset();
+        return std::nullopt;
+      }
       engine_->end_input();
-      reason = ending_of(*engine_) + " without a verdict";
+      reason = ending_of(*engine_);
+      engine_.reset();
+      if (fresh) break;
+      if (reason != kWell) ended_before = reason;
     }
-    engine_.reset();
+    ended_before.clear();  // it was this case that it ended on
+    reason += " without a verdict";
     return std::nullopt;
   }
 
@@ -47,7 +57,7 @@ class Restarted {
     if (!engine_) return {};
     engine_->end_input();
     bool late = false;
-    const bool surplus = engine_->receive_within(*order_.time_limit, late).has_value();
+    const bool surplus = engine_->receive_by(in_time(), late).has_value();
     if (late) {
       engine_->kill();
       engine_.reset();
@@ -56,10 +66,14 @@ class Restarted {
     const std::string ending = ending_of(*engine_);
     engine_.reset();
     if (surplus) return "printed more lines than there were cases";
-    return ending == "ended" ? "" : ending;
+    return ending == kWell ? "" : ending;
   }
 
  private:
+  static constexpr const char* kWell = "ended";
+
+  [[nodiscard]] Engine::Deadline in_time() const { return std::chrono::steady_clock::now() + *order_.time_limit; }
+
   /// Of one that has closed its output, or will be read no more: it has the time limit to end.
   [[nodiscard]] std::string ending_of(Engine& engine) const {
     engine.stop_reading();
@@ -68,7 +82,7 @@ class Restarted {
       engine.kill();
       return "closed its output and did not end";
     }
-    return ending->empty() ? "ended" : "ended with " + *ending;
+    return ending->empty() ? kWell : "ended with " + *ending;
   }
 
   const Order& order_;
@@ -93,8 +107,13 @@ Status judge_one_by_one(const Order& order) {
           fmt::format("engine {}: printed more than a line before case {}", order.engine, *line.read->id));
       proceedings.worsen(ExpectationNotMet);
     }
-    std::string reason;
-    if (const auto reply = engine.ask(line.text, reason))
+    std::string reason, ended_before;
+    const auto reply = engine.ask(line.text, reason, ended_before);
+    if (!ended_before.empty()) {
+      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *line.read->id));
+      proceedings.worsen(ExpectationNotMet);
+    }
+    if (reply)
       proceedings.give_reply(*line.read, *reply);
     else
       proceedings.give_no_reply(*line.read, reason);

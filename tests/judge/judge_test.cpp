@@ -291,6 +291,40 @@ TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItHangsOn) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2) << result.verdicts;
 }
 
+// More than a socket holds, so that sending it waits for who reads.
+TEST(JudgeEngineWithATimeLimit, IsLateWithACaseThatItDoesNotRead) {
+  std::string large =
+      R"({"id":"large","ball":{"center":[0,0,1],"radius":1},"polygon":{"outer":[[-1,-1,0],[40001,-1,0])";
+  for (int i = 40'000; i > 0; --i) large += ",[" + std::to_string(i) + ",1,0]";
+  large += "]}}\n";
+  const Result result = run(large, within("exec sleep 1000", 300));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_NE(result.complaints.find("case large: method exec"), std::string::npos) << result.complaints.substr(0, 400);
+  EXPECT_NE(result.complaints.find("no verdict within 0.3 s"), std::string::npos) << result.complaints.substr(0, 400);
+}
+
+TEST(JudgeEngineWithATimeLimit, MayBeAProcessForEachCase) {
+  const std::string once =
+      "python3 -uc \"import sys,json; line=sys.stdin.readline(); "
+      "print(json.dumps({'id':json.loads(line)['id'],'relation':'touching'}))\"";
+  const Result result = run(numbered(4), within(once));
+  EXPECT_EQ(result.status, AllMet) << result.complaints;
+  EXPECT_EQ(result.complaints, "");
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4);
+}
+
+TEST(JudgeEngineWithATimeLimit, HasItsDeathBehindAVerdictToldApartFromTheNextCase) {
+  const std::string dies =
+      "exec python3 -uc \"import sys,json,os,signal\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
+      " print(json.dumps({'id':id,'relation':'touching'}))\n"
+      " id=='t0' and os.kill(os.getpid(),signal.SIGKILL)\"";
+  const Result result = run(numbered(3), within(dies));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_NE(result.complaints.find("ended with signal 9 before case t1"), std::string::npos) << result.complaints;
+  EXPECT_EQ(result.complaints.find("without a verdict"), std::string::npos) << result.complaints;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
+}
+
 TEST(JudgeEngineWithATimeLimit, ReportsWhatItPrintsBesidesAndAtItsEnd) {
   const Result twice = run(numbered(2), within(with(kMoody, "print('noise') if id=='t0' else None")));
   EXPECT_EQ(twice.status, ExpectationNotMet);
