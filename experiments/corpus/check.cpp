@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -59,10 +60,11 @@ Findings check_files(const std::vector<std::string>& files) {
   std::set<std::string> ids;
   for (const std::string& file : files) {
     std::ifstream stream(file);
-    if (!stream) {
+    if (!stream || std::filesystem::is_directory(file)) {
       findings.faults.push_back(file + ": cannot be read");
       continue;
     }
+    const std::size_t before = findings.cases;
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {
       if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -83,6 +85,7 @@ Findings check_files(const std::vector<std::string>& files) {
       for (const std::string& fault : faults)
         findings.faults.push_back(fmt::format("{}: line {}: case {}: {}", file, number, name, fault));
     }
+    if (findings.cases == before) findings.faults.push_back(file + ": holds no case");
   }
   return findings;
 }

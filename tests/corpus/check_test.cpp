@@ -85,6 +85,16 @@ TEST(Check, NamesAFileThatCannotBeRead) {
   const auto findings = corpus::check_files({"/nowhere/at-all.jsonl"});
   ASSERT_EQ(findings.faults.size(), 1u);
   EXPECT_EQ(findings.faults[0], "/nowhere/at-all.jsonl: cannot be read");
+  const std::string folder = std::filesystem::temp_directory_path();
+  EXPECT_EQ(corpus::check_files({folder}).faults, std::vector<std::string>{folder + ": cannot be read"});
+}
+
+TEST(Check, NamesAFileWithoutCases) {
+  for (const auto& lines : {std::vector<std::string>{}, {"", "  "}}) {
+    const auto findings = check(lines);
+    ASSERT_EQ(findings.faults.size(), 1U);
+    EXPECT_NE(findings.faults[0].find("holds no case"), std::string::npos) << findings.faults[0];
+  }
 }
 
 TEST(Check, NamesAWrongErrorCode) {
