@@ -58,8 +58,13 @@ Baseline read_baseline(const std::filesystem::path& file) {
     const Json json = Json::parse(text);
     if (json.at("version") != kVersion)
       throw bad(fmt::format("is of version {}, this program's is {}", json.at("version").dump(), kVersion));
+    for (const char* key : {"seed", "samples"})
+      if (!json.at(key).is_number_unsigned()) throw bad(fmt::format("\"{}\" is no whole number without a sign", key));
     Baseline baseline;
     baseline.settings = {json.at("seed").get<std::uint64_t>(), json.at("samples").get<std::size_t>()};
+    if (baseline.settings.samples < 1 || baseline.settings.samples > kMostSamples)
+      throw bad(fmt::format("\"samples\" must be from 1 to {}", kMostSamples));
+    if (!json.at("methods").is_object() || json.at("methods").empty()) throw bad("\"methods\" has no method");
     for (const auto& [method, families] : json.at("methods").items())
       for (const auto& family : workloads::all_families()) {
         const auto name = std::string(word(family));

@@ -18,6 +18,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 #include "robust/exact/exact.h"
 
@@ -177,7 +178,7 @@ void add_regress(CLI::App& app, int& status) {
       ->capture_default_str();
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
-      ->check(CLI::Range(1U, 100000U))
+      ->check(run::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str();
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output,

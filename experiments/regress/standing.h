@@ -23,9 +23,11 @@ inline constexpr std::size_t kRadii = 2 * kExponents.size() + 1;
 inline constexpr std::array kPlaces{workloads::BallPlace::NearFace, workloads::BallPlace::NearEdge,
                                     workloads::BallPlace::NearVertex};
 
+inline constexpr std::size_t kMostSamples = 100'000;
+
 struct Settings {
   std::uint64_t seed = 2026;
-  std::size_t samples = 30;                                                              ///< of each family and place
+  std::size_t samples = 30;  ///< of each family and place, at most kMostSamples
   [[nodiscard]] std::size_t cases() const { return kPlaces.size() * samples * kRadii; }  ///< of each family
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -70,6 +70,8 @@ TEST(Baseline, ReadsWhatItWrites) {
   EXPECT_EQ(read.standing, baseline.standing);
 }
 
+std::string with(std::string text, const std::string& part) { return text.replace(text.find("%s"), 2, part); }
+
 TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   const run_tests::Scratch scratch;
   const auto fault = [&](const std::string& text) -> std::string {
@@ -84,7 +86,18 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   };
   EXPECT_NE(fault("nonsense").find(": "), std::string::npos);
   EXPECT_EQ(fault(R"({"version":7,"seed":1,"samples":1,"methods":{}})"), ": is of version 7, this program's is 1");
-  EXPECT_EQ(fault(R"({"version":1,"seed":1,"samples":1,"methods":{}})"), "");
+  for (const char* methods : {"{}", "null", "[]", "7"})
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":1,"methods":%s})", methods)),
+              ": \"methods\" has no method");
+  for (const char* number : {"1.7", "-1", "\"1\"", "null"}) {
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":%s,"samples":1,"methods":{"fast":{}}})", number)),
+              ": \"seed\" is no whole number without a sign");
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
+              ": \"samples\" is no whole number without a sign");
+  }
+  for (const char* number : {"0", "100001"})
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
+              ": \"samples\" must be from 1 to 100000");
   EXPECT_EQ(fault(R"({"version":1,"seed":1,"samples":1,"methods":{"fast":{"triangle":"00"}}})"),
             ": triangle of fast: are not the digits of so many cases");
 }
