@@ -19,6 +19,7 @@ using workloads::Random;
 
 /// Differences of doubles lose 2^-53 at most, so that what is clearly no line in doubles is none.
 bool is_triangle(const Triangle& t) {
+  if (t.a == t.b || t.b == t.c || t.c == t.a) return false;
   const Eigen::Vector3d ab = t.b - t.a, ac = t.c - t.a;
   constexpr double kClear = 1e-10;
   return ab.cross(ac).norm() > kClear * ab.norm() * ac.norm() || !exact::validate(Polygon({t.a, t.b, t.c}));
