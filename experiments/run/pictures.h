@@ -8,7 +8,7 @@ namespace touchstone::run {
 
 /// Draws what lies in a folder by experiments/report/pictures/<name>.py, with the first interpreter that has what that
 /// takes: Debian's own, else the one on the path. Says on standard error why there are no pictures where there are
-/// none.
-void draw_pictures(const std::string& name, const std::filesystem::path& folder);
+/// none. Are there?
+bool draw_pictures(const std::string& name, const std::filesystem::path& folder);
 
 }  // namespace touchstone::run

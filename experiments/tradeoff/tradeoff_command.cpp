@@ -61,8 +61,7 @@ int redraw(const Options& options) {
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
       throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  run::draw_pictures("tradeoff", folder);
-  return 0;
+  return run::draw_pictures("tradeoff", folder) ? 0 : 1;
 }
 
 std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
