@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
 from engines import families_of
+from names import UNSURE
 from readings.asked import Asked
 from results import maybe, natural
 
@@ -20,10 +21,11 @@ def polygons_of(study, rows):
 
 def asked(study):
     """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
-    differs: so it was tested only if the method exact was asked too."""
+    differs: so it was tested only if the method exact was asked too. Whether a method that may say "don't know" was wrong,
+    the study does not say."""
     rows = rows_of(study)
     polygons = polygons_of(study, rows)
-    methods = dict.fromkeys(row["method"] for row in rows)
+    methods = dict.fromkeys(row["method"] for row in rows if row["method"] not in UNSURE)
     counts = {method: sum(row["wrong"] for row in rows if row["method"] == method) for method in methods}
     return {method: Asked(cases_of(rows), wrong, polygons, "polygons") for method, wrong in counts.items()
             if method != "filtered" or "exact" in methods}
