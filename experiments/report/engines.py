@@ -11,7 +11,7 @@ class Standing:
     """An engine in some families together."""
     wrong: int
     cases: int
-    first: int | None  # exponent k of 2^-k, the largest offset of a wrong answer but exact tangency
+    first: int | None  # exponent k of 2^-k, the largest offset of a wrong answer but 0
     failed_families: int
 
     @classmethod
@@ -22,7 +22,7 @@ class Standing:
 
     def first_offset(self, power):
         """In words; `power` shows an exponent."""
-        return "none" if not self.wrong else "at tangency alone" if self.first is None else power(self.first)
+        return "none" if not self.wrong else "at offset 0 alone" if self.first is None else power(self.first)
 
 
 def power(exponent):

@@ -29,6 +29,7 @@ AXES = {"aspect": ("slivers", "length / width"),
         "pose-motion": ("chain of pose products,\nagainst the motion meant", "steps"),
         "rounding": ("rounding direction", "mode"),
         "flush": ("subnormals flushed", "mode")}
+MODES = {"rounding", "flush"}  # axes whose levels are not in an order
 NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}

@@ -111,8 +111,8 @@ def reproducing(results):
 <p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page
 comes out the same
 (times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte,
-with any number
-of threads and processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page anew.</p>
+with any number of threads, and those that run on many machines (<code>near-edge</code>, <code>stability</code>,
+<code>tradeoff</code>, <code>soak</code>) with any number of processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page anew.</p>
 <h3>Testing an engine of yours</h3>
 <p>An engine is any program that reads cases, one a line of JSON, and prints what it answers:</p>
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles err

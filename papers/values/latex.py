@@ -18,8 +18,8 @@ def percent(share):
 
 
 def power(x):
-    """The power of two next to x > 0."""
-    return rf"$2^{{{round(math.log2(x))}}}$"
+    """The least power of two that is not below x > 0."""
+    return rf"$2^{{{math.ceil(math.log2(x))}}}$"
 
 
 def decimal(x, digits=2):

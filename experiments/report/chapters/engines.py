@@ -22,7 +22,7 @@ def finding(study):
     wrong = [f"{code(name)} {share}" for name, _, share, _, _ in others if not share.startswith("0 of")]
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
     cases = cases_of(rows)
-    text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and at contact: "
+    text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "
     text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
     return text + (f"; of {words(never)} none" if never and wrong else "") + "."
 
@@ -33,7 +33,8 @@ def chapter(study):
     cases = cases_of(rows)
     head, lines = by_family(rows)
     text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
-The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or at contact itself. Most engines take triangles, and
+The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or 0: the double
+nearest to the distance. Most engines take triangles, and
 polygons come to them as those. The cases are the same as those of the baseline in <code>tests/regress</code>, which every
 <code>./check</code> compares with.</p>"""
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
@@ -44,6 +45,6 @@ polygons come to them as those. The cases are the same as those of the baseline 
         text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")
     return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset "
-                        "of one (tangency: only where the radius is the double nearest to the distance).", head,
-                        [[code(name), *(shown(cell.replace("at tangency alone", "tangency")) for cell in cells)] for name, *cells in lines],
+                        "of one (at 0: only where the radius is the double nearest to the distance).", head,
+                        [[code(name), *(shown(cell.replace("at offset 0 alone", "at 0")) for cell in cells)] for name, *cells in lines],
                         range(1, len(head)))

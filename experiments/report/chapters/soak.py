@@ -12,8 +12,10 @@ def finding(study):
     a = asked(study)["filtered"]
     if a.wrong:
         return f'<b class="no">{count(a.wrong)} answers of {count(a.answers)} differed from the exact ones: see differences.jsonl.</b>'
+    whole = sum(row["cases"] for row in rows_of(study) if row["family"] != "all" and row["way"] == "answer")
+    rest = f", in the whole answer, which {count(whole)} of them were asked for, at most {percent(upper_limit(whole))}" if whole else ""
     return (f"<b>Adversarial cases.</b> Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} "
-            f"cases: at most {percent(upper_limit(a.trials))} of such cases do (95 %).")
+            f"cases: in contact at most {percent(upper_limit(a.trials))} of such cases do{rest} (95 %).")
 
 
 def chapter(study):

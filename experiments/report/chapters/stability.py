@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
-from names import AXES, NEARNESSES
+from names import AXES, MODES, NEARNESSES
 from page import bar, code, count, counted, escaped, level, percent, picture, power, rounded, smaller, table, words
 from readings.stability import STAND_IN, Data, asked
 
@@ -36,11 +36,12 @@ def first_table(data, nearness):
             elif not row["failed_samples"]:
                 cells.append("none")
             else:
-                begins = "all levels" if row["first_failure"] == mildest else f"from {level(row['first_failure'])}"
+                begins = (f"in mode {level(row['first_failure'])}" if axis in MODES else
+                          "all levels" if row["first_failure"] == mildest else f"from {level(row['first_failure'])}")
                 cells.append(bar(row["failed_samples"] / row["samples"], f"{begins}, {percent(row['failed_samples'] / row['samples'])}"))
         rows.append([f"{escaped(title(axis))} <small>({escaped(AXES[axis][1])})</small>", *cells])
     return table(f"{NEARNESSES[nearness].capitalize()}: the level from which a method was seen to give wrong final answers, "
-                 "and the share of all levels' polygons on which it did. all levels: already at the mildest; none: not on one "
+                 "and the share of all levels' polygons on which it did. all levels: already at the mildest; in mode: the first such; none: not on one "
                  "polygon.",
                  ["what is made worse", *(code(m) for m in data.methods)], rows, range(1, len(data.methods) + 1))
 

@@ -7,10 +7,9 @@ import math
 
 import numpy as np
 
-from names import AXES, NEARNESSES
+from names import AXES, MODES, NEARNESSES
 from pictures.style import STYLES, draw, plt, save
 
-MODES = ("rounding", "flush")
 # Where products underflow, bounds have an absolute part, which a line cannot show.
 UNDERFLOWING = ("small", "mixed", "flush")
 SIGNS = ["vertex", "along", "beyond", "line", "front", "plane", "side", "above"]
