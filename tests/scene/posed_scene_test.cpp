@@ -2,7 +2,9 @@
 // Scenes of objects that move, against brute force over the faces where they stand.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <iostream>
+#include <string>
 #include <variant>
 
 #include "experiments/statistics/clopper_pearson.h"
@@ -130,11 +132,18 @@ class MovingScene {
   std::uint64_t moves_ = 0;
 };
 
+/// TOUCHSTONE_SCENE_QUERIES of the environment, which `./check --full` sets to a million.
+std::uint64_t queries_asked() {
+  const char* asked = std::getenv("TOUCHSTONE_SCENE_QUERIES");
+  return asked == nullptr ? 100 * TOUCHSTONE_SAMPLES : std::stoull(asked);
+}
+
 // Every query is held against contact with each face by `filtered`, a part of them also by `exact`.
 TEST(PosedScene, NeverDiffersFromBruteForce) {
-  constexpr std::uint64_t kQueries = 100 * TOUCHSTONE_SAMPLES, kSteps = 8, kBalls = 25;
+  constexpr std::uint64_t kSteps = 8, kBalls = 25;
+  const std::uint64_t asked = queries_asked();
   std::uint64_t queries = 0, differences = 0, moves = 0, touching = 0;
-  for (std::uint64_t index = 0; queries < kQueries; ++index)
+  for (std::uint64_t index = 0; queries < asked; ++index)
     for (const Kind kind : all_kinds()) {
       MovingScene subject(kind, index, index % 10 == 9 ? 5 : 1);
       for (std::uint64_t step = 0; step < kSteps; ++step) {
