@@ -6,7 +6,7 @@
 Makes OUTPUT/touchstone.pdf, every number, table and figure of it from the studies in RESULTS. The same data give the
 same bytes. A study or a number that is missing, an interrupted study, or studies of different programs are errors
 (status 1). --no-latex stops before LaTeX is called. --check builds nothing: it fails where OUTPUT was made from other
-data than those that are in RESULTS now, or from another text.
+data than those that are in RESULTS now, from another text or by other code.
 """
 import argparse
 import hashlib
@@ -19,8 +19,9 @@ import subprocess
 import sys
 
 PAPERS = pathlib.Path(__file__).resolve().parent
+ROOT = PAPERS.parent
 sys.path.append(str(PAPERS))
-sys.path.append(str(PAPERS.parent / "experiments/report"))
+sys.path.append(str(ROOT / "experiments/report"))
 
 from results import DataError, study_in  # noqa: E402
 from values import bench, corpus, engines, near_edge, real_input, scenes, soak, stability, thesis, tradeoff  # noqa: E402
@@ -113,7 +114,7 @@ def write_inputs(results, output):
     for name, text in tables.items():
         (output / "tables" / f"{name}.tex").write_text(text)
     (output / "values.tex").write_text("".join(f"\\defineval{{{key}}}{{{value}}}%\n" for key, value in values.items()))
-    record = {"files": {name: sorted(study.files) for name, study in studies.items()}, "sums": digests, "text": digest(text_files())}
+    record = {"files": {name: sorted(study.files) for name, study in studies.items()}, "sums": digests, "sources": digest(sources())}
     (output / "data.json").write_text(json.dumps(record, indent=1) + "\n")
     return studies
 
@@ -122,8 +123,10 @@ def data_digests(results, files):
     return {name: digest([results / name / file for file in its]) for name, its in files.items()}
 
 
-def text_files():
-    return [*PAPERS.glob("*.tex"), *PAPERS.glob("*.bib"), *PAPERS.glob("sections/*.tex"), *PAPERS.glob("*.py"), *PAPERS.glob("values/*.py")]
+def sources():
+    """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
+    text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
+    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), ROOT / "robust/filtered/bounds.h"]
 
 
 def run_latex(output, studies):
@@ -148,8 +151,8 @@ def check(results, output):
         record = json.loads((output / "data.json").read_text())
     except OSError as error:
         raise DataError(f"{output}/data.json: {error.strerror}: the paper was not built") from None
-    if record["text"] != digest(text_files()):
-        raise DataError(f"{output}: older than the text of the paper")
+    if record["sources"] != digest(sources()):
+        raise DataError(f"{output}: older than the text of the paper, or what makes it of the data")
     now = data_digests(results, record["files"])
     if stale := [name for name, sum_ in record["sums"].items() if now[name] != sum_]:
         raise DataError(f"{output}: older than the data of {', '.join(stale)}")

@@ -105,10 +105,13 @@ def what_is_stale_is_told(root, results, output, scratch):
     shutil.copy(root / "robust/filtered/bounds.h", copy / "robust/filtered")
     expect(build(copy, results, output, "--no-latex").returncode == 0, "the paper cannot be built elsewhere")
     expect(build(copy, results, output, "--check").returncode == 0, "a fresh paper is called stale")
-    edit(copy / "papers/sections/limits.tex", "Limits", "Bounds")
-    stale = build(copy, results, output, "--check")
-    expect(stale.returncode == 1 and "older than the text" in stale.stderr, stale.stderr)
-    edit(copy / "papers/sections/limits.tex", "Bounds", "Limits")
+    for file, old, new in [("papers/sections/limits.tex", "Limits", "Bounds"), ("experiments/report/names.py", "slivers", "needles"),
+                           ("experiments/report/readings/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/bounds.h", "kVertex", "kVertices"),
+                           ("tests/corpus/holes.jsonl", "\n", "\n\n")]:
+        edit(copy / file, old, new)
+        stale = build(copy, results, output, "--check")
+        expect(stale.returncode == 1 and "older than the text" in stale.stderr, f"{file} changed: {stale.stderr}")
+        edit(copy / file, new, old)
     edit(results / "soak/soak.csv", "triangle,4,3", "triangle,4,4")
     stale = build(copy, results, output, "--check")
     expect(stale.returncode == 1 and "older than the data of soak" in stale.stderr, stale.stderr)
