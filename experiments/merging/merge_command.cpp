@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -50,6 +51,19 @@ std::string short_name(const std::filesystem::path& file, std::map<std::string, 
   return number == 1 ? name : fmt::format("{}#{}", name, number);
 }
 
+constexpr std::size_t kShown = 3;  // sentences a mesh
+
+/// Faces that are no polygons, and so were not merged.
+void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
+  for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
+    const auto& [face, rejection] = rejected[i];
+    const std::string reason = fmt::format("face {}: {}: {}", face, word(rejection.code), rejection.message);
+    fmt::print(stderr, "touchstone: left out: {}\n", io::sentence(file, mesh.places[face], reason));
+  }
+  if (rejected.size() > kShown)
+    fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", file, rejected.size() - kShown);
+}
+
 int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
@@ -58,7 +72,7 @@ int run(const MergeOptions& options) {
   const run::Interrupt interrupt;
   std::vector<MeshResult> results;
   std::map<std::string, int> seen;
-  bool all_read = true;
+  bool all_right = true;
   {
     run::ProgressLine line("merge", options.files.size());
     std::uint64_t done = 0;
@@ -68,9 +82,11 @@ int run(const MergeOptions& options) {
         const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
         for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
         results.push_back(study(options.settings, short_name(file, seen), mesh.mesh));
+        tell_rejected(file, mesh, results.back().rejected);
+        all_right = all_right && (options.skip_bad || results.back().rejected.empty());
       } catch (const BrokenMesh& broken) {
         fmt::print(stderr, "touchstone: {}\n", broken.what());
-        all_read = false;
+        all_right = false;
       }
       line(++done);
     }
@@ -96,7 +112,7 @@ int run(const MergeOptions& options) {
                results.size(), options.files.size());
     return run::kInterrupted;
   }
-  return all_read ? 0 : kBadInput;
+  return all_right ? 0 : kBadInput;
 }
 
 }  // namespace

@@ -218,11 +218,12 @@ Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t s
 }
 
 MeshResult study(const Settings& settings, std::string name, const Mesh& mesh) {
-  MeshResult result{.name = std::move(name), .counts = {}, .differences = {}};
+  MeshResult result{.name = std::move(name), .counts = {}, .rejected = {}, .differences = {}};
   const auto begin = std::chrono::steady_clock::now();
   const mesh::MergedMesh merged = mesh::merge_faces(mesh, settings.tolerance);
   result.merge_seconds = seconds_since(begin);
   result.counts = count(mesh, merged);
+  result.rejected = merged.rejected;
   if (settings.balls == 0 || merged.faces.empty()) return result;
 
   std::vector<Ball> balls, few;

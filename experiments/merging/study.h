@@ -70,6 +70,7 @@ struct Differences {
 struct MeshResult {
   std::string name;
   Counts counts;
+  std::vector<mesh::RejectedFace> rejected;
   double merge_seconds = 0;
   std::array<Measured, kKinds.size()> measured{};  ///< zeros where scenes are not compared
   Differences differences;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include "experiments/commands.h"
 #include "experiments/merging/output.h"
 #include "experiments/merging/study.h"
+#include "experiments/run/write_file.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 #include "tests/mesh/random_meshes.h"
+#include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
 namespace touchstone::mesh_tests {
@@ -84,6 +87,19 @@ TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
     std::getline(lines, header);
     const auto names = std::ranges::count(header, ',');
     while (std::getline(lines, line)) EXPECT_EQ(std::ranges::count(line, ','), names + 1) << line;  // one in "a, b"
+  }
+}
+
+TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
+  for (const bool skip : {false, true}) {
+    std::vector<std::string> arguments{mesh, "--compare", "0", "--output", output};
+    if (skip) arguments.emplace_back("--skip-bad");
+    const auto ran = run_tests::run_captured(commands::add_merge, "merge", arguments);
+    EXPECT_EQ(ran.status, skip ? 0 : 2) << ran.err;
+    EXPECT_NE(ran.err.find("mesh.obj: line 6: face 1: zero-normal"), std::string::npos) << ran.err;
   }
 }
 
