@@ -74,12 +74,26 @@ def absent(name, folder):
             f'tabindex="0"><code>{escaped(calls)}</code></pre></div>')
 
 
-def sections(results, found):
+def read_all(results, found):
+    """What each study says: how often methods were asked, its sentence and its chapter. Data that do not fit together are an
+    error that names the study."""
+    said = {}
+    for name, study in found.items():
+        chapter = CHAPTERS[name]
+        try:
+            said[name] = chapter.asked(study), chapter.finding(study), chapter.chapter(study)
+        except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
+            raise DataError(f"{results / name}: its data do not fit together: {type(error).__name__}: {error}") from None
+    return said
+
+
+def sections(results, found, said):
     text = ""
     for name, chapter in CHAPTERS.items():
         text += f'<section><h2 id="{name}">{escaped(chapter.TITLE)}</h2>'
         if name in found:
-            text += f'<p class="short">{chapter.finding(found[name])}</p>' + chapter.chapter(found[name]) + made(found[name])
+            _, finding, body = said[name]
+            text += f'<p class="short">{finding}</p>{body}{made(found[name])}'
         else:
             text += absent(name, results)
         text += "</section>\n"
@@ -131,7 +145,8 @@ def page(results):
         raise DataError(f"{results}: holds no study's run.json")
     missing = [f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>' for name in CHAPTERS if name not in found]
     not_run = f"<p>Not run: {words(missing)}.</p>" if missing else ""
-    asked = {name: CHAPTERS[name].asked(study) for name, study in found.items()}
+    said = read_all(results, found)
+    asked = {name: counts for name, (counts, _, _) in said.items()}
     titles = {name: CHAPTERS[name].TITLE for name in CHAPTERS}
     contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a>{"" if name in found else " (not run)"}</li>' for name, title in titles.items())
     body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
@@ -152,7 +167,7 @@ here</a></li>{contents}
 <li><a href="#reproducing">The same again; testing an engine of yours</a></li><li><a href="#methods">The
 methods</a></li></ol></nav>
 <section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{terms.TERMS}</section>
-{sections(results, found)}{reproducing(results)}{terms.methods(results)}</main>
+{sections(results, found, said)}{reproducing(results)}{terms.methods(results)}</main>
 """
     text = document("Touchstone: the report", "Where ball-polygon contact tests fail, how often, and how sure exact answers "
                                               "are.", STYLE, body)

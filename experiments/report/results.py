@@ -4,6 +4,7 @@ an error that names the file, and the line."""
 import csv
 import json
 import math
+import re
 
 
 class DataError(Exception):
@@ -71,9 +72,26 @@ def read_csv(path, **columns):
         raise DataError(f"{path}: is not text in UTF-8") from None
 
 
-RUN = {"command": str, "seed": int, "samples_asked": int, "samples_done": int, "samples_missing": int, "processes": int,
-       "threads": int, "seconds": (int, float), "date": str, "compiler": str, "flags": str, "processor": str, "cores": int,
-       "machine": str}
+# Kinds of what run.json says.
+def is_natural(value):
+    return type(value) is int and value >= 0
+
+
+def is_duration(value):
+    return type(value) in (int, float) and 0 <= value < math.inf
+
+
+def is_text(value):
+    return type(value) is str
+
+
+def is_date(value):
+    return is_text(value) and re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", value) is not None
+
+
+RUN = {"command": is_text, "seed": is_natural, "samples_asked": is_natural, "samples_done": is_natural,
+       "samples_missing": is_natural, "processes": is_natural, "threads": is_natural, "seconds": is_duration, "date": is_date,
+       "compiler": is_text, "flags": is_text, "processor": is_text, "cores": is_natural, "machine": is_text}
 
 
 def read_run(path):
@@ -87,8 +105,12 @@ def read_run(path):
     if not isinstance(run, dict):
         raise DataError(f"{path}: is not an object")
     for name, kind in RUN.items():
-        if not isinstance(run.get(name), kind):
-            raise DataError(f"{path}: {name} is {'missing' if name not in run else 'of another type'}")
+        if name not in run:
+            raise DataError(f"{path}: {name} is missing")
+        if not kind(run[name]):
+            raise DataError(f"{path}: {name} cannot be {json.dumps(run[name])}")
+    if not (run.get("commit") is None or is_text(run["commit"])):
+        raise DataError(f"{path}: commit cannot be {json.dumps(run['commit'])}")
     return run
 
 

@@ -5,6 +5,7 @@ The report is one page that loads nothing, links to what is there, says what was
 import csv
 import html.parser
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -234,6 +235,23 @@ class Report(unittest.TestCase):
             (self.results / file).write_text(broken)
             self.assertIn(f"{self.results / file}: ", self.complaint())
             (self.results / file).write_text(aside)
+
+    def test_a_run_json_of_impossible_values_is_an_error_that_names_them(self):
+        path = self.results / "soak/run.json"
+        run = json.loads(path.read_text())
+        for key, values in {"seed": [-7, True, 1.5, "1"], "samples_done": [-1, None], "seconds": [math.nan, math.inf, -1, "2"],
+                            "date": ["x", 5], "commit": [5, []], "machine": [None]}.items():
+            for value in values:
+                path.write_text(json.dumps(run | {key: value}))
+                self.assertIn(f"{path}: {key} cannot be {json.dumps(value)}", self.complaint())
+
+    def test_data_that_do_not_fit_together_are_an_error_that_names_the_study(self):
+        for file in ("near-edge/rates.csv", "near-edge/bands.csv", "engines/standing.csv"):
+            path = self.results / file
+            whole = path.read_text()
+            path.write_text(whole.splitlines(keepends=True)[0])  # cut behind the names
+            self.assertIn(f"{path.parent}: its data do not fit together", self.complaint())
+            path.write_text(whole)
 
     def test_infinite_shares_are_an_error(self):
         edited(self.results / "near-edge/worst.csv", lambda row: row.update(climbed_share="inf"))
