@@ -30,6 +30,9 @@ AXES = {"aspect": ("slivers", "length / width"),
         "rounding": ("rounding direction", "mode"),
         "flush": ("subnormals flushed", "mode")}
 MODES = {"rounding", "flush"}  # axes whose levels are not in an order
+# Signs that stability computes with plain and with fused products.
+SIGNS = {"orientation": "on which side of a line of the plane a point is", "side": "on which side of an edge the foot is",
+         "line": "whether an edge's line comes within the radius", "plane": "whether the plane does"}
 NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}

@@ -4,7 +4,6 @@ import pathlib
 import re
 
 from readings.stability import STAND_IN, Data, asked
-from results import natural
 from values.latex import count, decimal, never, percent, table
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -68,9 +67,11 @@ def values(study):
             yield f"wrong36/{method}", percent(wrong)
     for stage in ("maxima", "permanent"):
         yield f"tightest-{stage}", percent(max(value for (its, _), value in tightest(data).items() if its == stage))
-    for row in study.rows("contraction.csv", sign=str, family=str, trials=natural, fused_wrong=natural):
-        if (row["sign"], row["family"]) == ("orientation", "exactly zero"):
-            yield "contraction-zero", percent(row["fused_wrong"] / row["trials"])
+    for row in data.contraction:
+        for compiled in ("plain", "fused"):
+            share = row[f"{compiled}_wrong"] / row["trials"]
+            yield f"contraction/{row['sign']}/{row['family']}/{compiled}", percent(share) if share else "none"
+        yield "contraction/trials", count(row["trials"])
 
 
 def tables(study):

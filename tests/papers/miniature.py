@@ -48,7 +48,8 @@ FILES = {
         "tightness.csv": table("stage quantity axis observations max exceeded",
                                (["maxima", "permanent"], ["vertex", "along", "beyond", "line", "front", "plane", "side", "above", "normal"], "all", 8, 0.2, 0),
                                ("frame", ["height", "along"], "all", 8, 0.1, 0)),
-        "contraction.csv": table("sign family trials fused_wrong", ("orientation", "exactly zero", 8, 8))},
+        "contraction.csv": table("sign family trials plain_wrong plain_lower plain_upper fused_wrong fused_lower fused_upper",
+                                  ("orientation", ["exactly zero", "one double beside"], 8, 0, 0, 0.3, 8, 0.7, 1))},
     "tradeoff": {
         "points.csv": table("family method quantity asked correctly_rounded worst", ("all", "fast", "distance", 8, 4, 17),
                             ("all", "filtered", "distance", 8, 8, 0)),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone stability`: what makes answers worse, far from contact too."""
-from names import AXES, MODES, NEARNESSES
+from names import AXES, MODES, NEARNESSES, SIGNS
 from page import bar, code, count, counted, escaped, level, percent, picture, power, rounded, smaller, table, words
 from readings.stability import STAND_IN, Data, asked
 
@@ -104,6 +104,21 @@ def onset_picture(study, data):
                    f"begin. <b>What follows:</b> {'; '.join(parts)}; of {count(triangles)} triangles at each offset.")
 
 
+def contraction_table(data):
+    """What a compiler does that fuses a product and a sum into one rounding."""
+    def wrong(row, compiled):
+        share = row[f"{compiled}_wrong"] / row["trials"]
+        limits = f"{percent(row[f'{compiled}_lower'])} to {percent(row[f'{compiled}_upper'])}"
+        return bar(share, f"{percent(share) if share else '0'} <small>({limits})</small>")
+
+    rows = [[escaped(SIGNS[row["sign"]]), escaped(row["family"]), count(row["trials"]), wrong(row, "plain"), wrong(row, "fused")]
+            for row in data.contraction]
+    return table("What compilers may do to a formula that was written for plain products: wrong signs of each formula in doubles, with "
+                 "95 % limits, where every product is rounded and where products are fused with the sums that they go into (one "
+                 "rounding for both). The measured builds do not fuse; the bounds behind " + code("filtered") + " hold either way.",
+                 ["sign", "true value", "of", "plain products", "fused products"], rows, (2, 3, 4))
+
+
 def chapter(study):
     data = Data(study)
     text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the
@@ -111,4 +126,4 @@ origin, tiny and huge numbers, vertices off the plane, long chains of rotations,
 {counted(study.run['samples_asked'], 'polygons')} a level, fewer at slow levels. Each is asked about balls at three distances
 from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
     text += failures_picture(study, data, "close") + first_table(data, "close") + failures_picture(study, data, "ample")
-    return text + onset_picture(study, data) + tightness_picture(study, data)
+    return text + onset_picture(study, data) + contraction_table(data) + tightness_picture(study, data)

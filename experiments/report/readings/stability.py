@@ -18,6 +18,8 @@ class Data:
                                                     exceeded=natural, max=maybe(number)) if row["axis"] == "all"]
         self.onset = study.rows("onset.csv", origin_distance=finite, method=str, offset_exponent=int, failed_triangles=natural,
                                 triangles=natural, wrong_answers=natural, answers=natural, rate=share)
+        self.contraction = study.rows("contraction.csv", sign=str, family=str, trials=natural, plain_wrong=natural, plain_lower=share,
+                                      plain_upper=share, fused_wrong=natural, fused_lower=share, fused_upper=share)
         self.methods = list(dict.fromkeys(row["method"] for row in self.rows))
         self.axes = [axis for axis in AXES if any(row["axis"] == axis for row in self.rows)]
 
