@@ -103,7 +103,7 @@ def write_inputs(results, output):
         try:
             values |= {f"{prefix}/{key}": value for key, value in module.values(studies[name])}
             tables |= dict(module.tables(studies[name]))
-        except (ValueError, KeyError, ZeroDivisionError) as error:
+        except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
             raise DataError(f"{results / name}: {type(error).__name__}: {error}") from None
     for folder in ("tables", "figures"):
         (output / folder).mkdir(parents=True, exist_ok=True)
@@ -151,7 +151,7 @@ def check(results, output):
         record = json.loads((output / "data.json").read_text())
     except OSError as error:
         raise DataError(f"{output}/data.json: {error.strerror}: the paper was not built") from None
-    if record["sources"] != digest(sources()):
+    if record.get("sources") != digest(sources()):
         raise DataError(f"{output}: older than the text of the paper, or what makes it of the data")
     now = data_digests(results, record["files"])
     if stale := [name for name, sum_ in record["sums"].items() if now[name] != sum_]:

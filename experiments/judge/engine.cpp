@@ -155,6 +155,12 @@ bool Engine::read_ahead(std::size_t most) {
   return output_ >= 0 && unread_.size() - received_ >= most;
 }
 
+// A socket is reset by who closes it with something unread in it.
+bool Engine::left_unread() const {
+  char byte;
+  return recv(input_, &byte, 1, MSG_DONTWAIT) < 0 && errno == ECONNRESET;
+}
+
 void Engine::kill() {
   if (process_ >= 0) ::kill(-process_, SIGKILL);
 }

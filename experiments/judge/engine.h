@@ -44,6 +44,8 @@ class Engine {
   void stop_reading();
   /// Ends the program, and those that it has started, at once.
   void kill();
+  /// Of a program that has ended: did it leave unread what was sent?
+  [[nodiscard]] bool left_unread() const;
   /// Waits for the end of the program: how it ended, as in `exit status 3` or `signal 11`; empty if well.
   [[nodiscard]] std::string wait();
   /// The same, waiting no longer than `time`: nothing where it has not ended by then.

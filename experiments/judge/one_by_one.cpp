@@ -21,8 +21,8 @@ class Restarted {
     if (engine_) engine_->kill();
   }
 
-  /// Its reply to one case; nothing, and why, where there is none. One that has ended since its last reply is started
-  /// anew and asked again: `ended_before` says how it ended, where not well.
+  /// Its reply to one case; nothing, and why, where there is none. One that had ended before it read the case is
+  /// started anew and asked again: `ended_before` says how it ended, where not well.
   std::optional<std::string> ask(const std::string& line, std::string& reason, std::string& ended_before) {
     for (;;) {
       const bool fresh = !engine_;
@@ -30,7 +30,8 @@ class Restarted {
       const auto deadline = in_time();
       bool late = false;
       std::optional<std::string> reply;
-      if (engine_->send_by(deadline, line + '\n', late)) reply = engine_->receive_by(deadline, late);
+      const bool sent = engine_->send_by(deadline, line + '\n', late);
+      if (sent) reply = engine_->receive_by(deadline, late);
       if (reply) return reply;
       if (late) {
         reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(order_.time_limit->count()));
@@ -39,14 +40,15 @@ class Restarted {
         return std::nullopt;
       }
       engine_->end_input();
-      reason = ending_of(*engine_);
+      const std::string ending = ending_of(*engine_);
+      const bool unread = !sent || engine_->left_unread();
       engine_.reset();
-      if (fresh) break;
-      if (reason != kWell) ended_before = reason;
+      if (fresh || !unread) {
+        reason = ending + " without a verdict";
+        return std::nullopt;
+      }
+      if (ending != kWell) ended_before = ending;
     }
-    ended_before.clear();  // it was this case that it ended on
-    reason += " without a verdict";
-    return std::nullopt;
   }
 
   /// Has it printed more than one line for the last case? Forgets what.

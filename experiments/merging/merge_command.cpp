@@ -138,7 +138,7 @@ void add_merge(CLI::App& app, int& status) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   run::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
-  command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, and say what");
+  command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
   command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -53,7 +54,7 @@ Baseline read_baseline(const std::filesystem::path& file) {
   const auto bad = [&](const std::string& what) { return std::runtime_error(file.string() + ": " + what); };
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw bad("cannot be read");
+  if (!stream || std::filesystem::is_directory(file)) throw bad("cannot be read");
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != kVersion)

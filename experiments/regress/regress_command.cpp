@@ -120,6 +120,10 @@ int run(const Options& options) {
   });
   std::optional<Baseline> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
+  if (baseline && std::ranges::none_of(methods, [&](const methods::Method* method) {
+        return baseline->standing.count(std::string(method->name())) > 0;
+      }))
+    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
   const Settings settings = baseline ? baseline->settings : options.settings;
   if (!options.output.empty()) run::make_folder(options.output);
 
@@ -173,9 +177,7 @@ void add_regress(CLI::App& app, int& status) {
       "is seen. Exit status 1 if a method is wrong about a case that it was right about in the baseline.");
   command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
   command->add_option("--write", options->write, "Write what was found as a baseline");
-  command->add_option("--method", options->methods, "Methods; `all` for every one of this build")
-      ->delimiter(',')
-      ->capture_default_str();
+  run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
       ->check(run::whole_number(1, kMostSamples), "COUNT")

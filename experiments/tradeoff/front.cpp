@@ -66,7 +66,7 @@ std::optional<Standing> standing(Measure measure, const MethodErrors& errors, st
                   .upper = ulps.quantile_of_finite(1),
                   .finite_error = ulps.quantile_of_finite(0.99),
                   .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
-                  .samples = polygons};
+                  .samples = std::min(known, polygons)};
 }
 
 }  // namespace

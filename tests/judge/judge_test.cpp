@@ -313,6 +313,18 @@ TEST(JudgeEngineWithATimeLimit, MayBeAProcessForEachCase) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4);
 }
 
+// The second case, each time that it is started.
+TEST(JudgeEngineWithATimeLimit, DoesNotHideBehindAGoodEndThatItReadACase) {
+  const std::string half =
+      "python3 -uc \"import sys,json; line=sys.stdin.readline(); "
+      "print(json.dumps({'id':json.loads(line)['id'],'relation':'touching'})); sys.stdin.readline()\"";
+  const Result result = run(numbered(4), within("exec " + half));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  for (const char* lost : {"case t1: method exec", "case t3: method exec", "ended without a verdict"})
+    EXPECT_NE(result.complaints.find(lost), std::string::npos) << lost << ": " << result.complaints;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2) << result.verdicts;
+}
+
 TEST(JudgeEngineWithATimeLimit, HasItsDeathBehindAVerdictToldApartFromTheNextCase) {
   const std::string dies =
       "exec python3 -uc \"import sys,json,os,signal\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"

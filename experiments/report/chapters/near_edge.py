@@ -7,6 +7,8 @@ from page import bar, code, count, counted, percent, picture, power, share_of_si
 from readings.near_edge import CONTACT, Data, asked
 
 TITLE = "Random polygons, double by double"
+
+
 def ranges(data, method):
     rates = [failures / trials for failures, trials in (data.within_one_double(method, t) for t in data.thresholds) if trials]
     return min(rates), max(rates)

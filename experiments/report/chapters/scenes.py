@@ -5,6 +5,8 @@ from page import code, count, escaped, percent, picture, rounded, smaller, table
 from readings.scenes import OURS, Data
 
 TITLE = "Whole scenes"
+
+
 def asked(study):
     return {}
 

@@ -5,6 +5,8 @@ from page import bar, code, count, counted, escaped, level, percent, picture, po
 from readings.stability import STAND_IN, Data, asked
 
 TITLE = "Polygons under stress"
+
+
 def title(axis):
     return AXES[axis][0].replace("\n", " ")
 

@@ -12,7 +12,6 @@ from pictures.style import STYLES, plt, save
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
 CASES = {"1": (BLUE, "case 1: storage at +1°"), "2": (ORANGE, "case 2: storage at −33°")}
 STORAGE_ANGLES = {"1": 1, "2": -33}
-SHOULDER = 322  # mm
 COUPLINGS = {"keeps-elevation": "forearm keeps its elevation while the shoulder turns",
              "serial": "forearm turns with the upper arm"}
 

@@ -10,7 +10,6 @@ from matplotlib.patches import FancyBboxPatch, Polygon
 from pictures.style import STYLES, plt
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
-HITS = ("inside: collision", "edge: collision")
 
 
 def outline_patch(corners, **style):

@@ -7,7 +7,7 @@ import dataclasses
 class Asked:
     answers: int  # that were compared with the exact ones
     wrong: int
-    trials: int  # polygons, faces or cases: answers about the same one depend on each other
+    trials: int  # polygons, outlines, faces or cases: answers about the same one depend on each other
     trial: str  # what these are called, in the plural
     unsure: int = 0  # answers "don't know"
 

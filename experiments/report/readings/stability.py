@@ -11,6 +11,7 @@ class Data:
     def __init__(self, study):
         rows = study.rows("failures.csv", axis=str, level=str, nearness=str, test=str, method=str, failed_samples=natural, samples=natural,
                           wrong_answers=natural, answers=natural)
+        self.all_tests = rows
         self.rows = [row for row in rows if row["test"] == "contact"]
         self.first = [row for row in study.rows("first-failure.csv", axis=str, nearness=str, test=str, method=str, first_failure=str,
                                                 failed_samples=natural, samples=natural) if row["test"] == "contact"]

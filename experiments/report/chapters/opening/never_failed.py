@@ -20,8 +20,8 @@ def sentence(asked):
                 'guarantee: see the '
                 "table below.")
     studies = sum(CERTIFIED in counts for counts in asked.values())
-    return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, faces "
-            f"and cases of {counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at "
+    return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, "
+            f"outlines, faces and cases of {counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at "
             f"most {percent(upper_limit(trials))} (95 % limit). That is what was measured; the bounds behind its answers are "
             "also proved by a proof tool, in every test run.")
 
@@ -49,7 +49,7 @@ def table_of(asked, titles):
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
     return "<section><h2>What never failed, and how sure that is</h2>" + table(
         f"{code(CERTIFIED)} in every study that asked it. Answers about the same polygon depend on each other, so the limit "
-        f"counts polygons (or faces, cases): if more than this share of such were answered wrongly, at least one would have "
+        f"counts polygons (or outlines that they share, faces, cases): if more than this share of such were answered wrongly, at least one would have "
         "been seen, with 95 % "
         "confidence.",
         ["study", "answers", "of so many", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"
