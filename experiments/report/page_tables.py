@@ -15,8 +15,9 @@ import subprocess
 import sys
 import tempfile
 
-from engines import OVERALL, by_family, families_of, overall
+from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
+from readings.engines import families_of
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60

@@ -2,10 +2,10 @@
 """The chapter of `touchstone regress`: engines of others on the same cases."""
 import re
 
-from engines import OVERALL, by_family, overall, rows_by_engine
+from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
 from page import code, count, counted, escaped, power, table, words
-from readings.engines import asked, cases_of, polygons_of, rows_of
+from readings.engines import asked, cases_of, polygons_of, rows_by_engine, rows_of
 
 TITLE = "Other engines on the same questions"
 

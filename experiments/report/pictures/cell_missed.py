@@ -7,10 +7,8 @@ import csv
 from pictures.style import STYLES, plt, save
 
 
-def main(folder):
-    with open(folder / "missed.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+def draw_missed(axes, rows):
+    """Shares by step, a curve a radius."""
     for (color, line, marker), radius in zip(STYLES, dict.fromkeys(row["radius_mm"] for row in rows)):
         own = [row for row in rows if row["radius_mm"] == radius]
         steps = [float(row["step_deg"]) for row in own]
@@ -18,15 +16,22 @@ def main(folder):
         low = [s - 100 * float(row["lower"]) for s, row in zip(shares, own)]
         high = [100 * float(row["upper"]) - s for s, row in zip(shares, own)]
         axes.errorbar(steps, shares, yerr=[low, high], color=color, linestyle=line, marker=marker, markersize=4,
-                      capsize=2, label=f"{radius} mm")
+                      capsize=2, label=f"{float(radius):g} mm")
     axes.set_xscale("log")
     steps = sorted({float(row["step_deg"]) for row in rows})
     axes.set_xticks(steps, [f"{step:g}" for step in steps])
     axes.minorticks_off()
+    axes.grid(alpha=0.3)
+
+
+def main(folder):
+    with open(folder / "missed.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    draw_missed(axes, rows)
     axes.set_xlabel("step of the joint (degrees)")
     axes.set_ylabel("first contacts passed over (%)")
     axes.set_ylim(-2, 100)
-    axes.grid(alpha=0.3)
     axes.legend(title="radius of the sphere")
     axes.set_title("A sphere carried through a thin sheet: first contacts, certified,\n"
                    "that a joint moving by steps passes over (bars: 95 %)")

@@ -263,6 +263,21 @@ def angles_from_above(cell, arcs, moments):
     return figure
 
 
+STOPS = (("before", GREY, ":", "a step before"), ("first", BLUE, "--", "at first contact"), ("stop", RED, "-", "at the stop"))
+
+
+def draw_stops(axes, cell, case, stop, place):
+    """The sphere about a stop, where `place` puts its centre."""
+    for when, color, style, text in STOPS:
+        centre = place(*cell.stops[case, stop, when])
+        axes.add_patch(plt.Circle(centre, cell.drawing["sphere_radius"], facecolor="none", edgecolor=color, linestyle=style,
+                                  linewidth=1.8, label=text))
+        axes.plot(*centre, marker="+", color=color)
+    axes.set_aspect("equal")
+    axes.legend(loc="center right", fontsize=8, title="the virtual sphere")
+    axes.grid(alpha=0.25)
+
+
 def contact_from_above(cell, case, stop):
     """The material and the sphere in the frame of the storage: x away from the base, y counter-clockwise round it."""
     station = cell.drawing["stations"][f"storage {case}"]
@@ -273,24 +288,18 @@ def contact_from_above(cell, case, stop):
     axes.plot([x0, x1], [y1, y1], color=PURPLE, linewidth=2.5)
     axes.annotate("material", (0, y0 + 8), ha="center")
     axes.annotate("the side that is touched", (x0 + 1, y1 - 1.2), va="top", fontsize=8, color=BLACK)
-    for when, color, style, text in STOPS:
-        x, y, _ = cell.stops[case, stop, when]
-        dx, dy = turned(-station["azimuth"], x, y)
-        axes.add_patch(plt.Circle((dx - station["radius"], dy), cell.drawing["sphere_radius"], facecolor="none",
-                                  edgecolor=color, linestyle=style, linewidth=1.8, label=text))
-        axes.plot(dx - station["radius"], dy, marker="+", color=color)
-    axes.set_aspect("equal")
+
+    def place(x, y, _):
+        away, round_base = turned(-station["azimuth"], x, y)
+        return away - station["radius"], round_base
+
+    draw_stops(axes, cell, case, stop, place)
     axes.set_xlim(-30, 62)
     axes.set_ylim(-30, 22)
     axes.set_xlabel("away from the base's axis, from the storage's axis (mm)")
     axes.set_ylabel("round the base (mm)")
-    axes.legend(loc="center right", fontsize=8, title="the virtual sphere")
-    axes.grid(alpha=0.25)
     figure.tight_layout()
     return figure
-
-
-STOPS = (("before", GREY, ":", "a step before"), ("first", BLUE, "--", "at first contact"), ("stop", RED, "-", "at the stop"))
 
 
 def contact_from_side(cell, case, stop):
@@ -303,19 +312,11 @@ def contact_from_side(cell, case, stop):
     axes.plot([-length / 2, length / 2], [top, top], color=BLACK, linewidth=2)
     axes.annotate("virtual material", (0, low + 14), ha="center")
     axes.annotate("the face that is touched", (-length / 2 + 1, top - 1.5), va="top", fontsize=8)
-    for when, color, style, text in STOPS:
-        x, y, z = cell.stops[case, stop, when]
-        along, _ = turned(-station["azimuth"], x, y)
-        axes.add_patch(plt.Circle((along - station["radius"], z), cell.drawing["sphere_radius"], facecolor="none",
-                                  edgecolor=color, linestyle=style, linewidth=1.8, label=text))
-        axes.plot(along - station["radius"], z, marker="+", color=color)
-    axes.set_aspect("equal")
+    draw_stops(axes, cell, case, stop, lambda x, y, z: (turned(-station["azimuth"], x, y)[0] - station["radius"], z))
     axes.set_xlim(-34, 62)
     axes.set_ylim(top - 34, top + 26)
     axes.set_xlabel("away from the base's axis, from the machine's axis (mm)")
     axes.set_ylabel("above the floor (mm)")
-    axes.legend(loc="center right", fontsize=8, title="the virtual sphere")
-    axes.grid(alpha=0.25)
     figure.tight_layout()
     return figure
 

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from matplotlib.patches import FancyBboxPatch, Polygon
 
+from pictures.cell_missed import draw_missed
 from pictures.style import STYLES, plt
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
@@ -380,21 +381,10 @@ def far_away(rows):
 
 def missed(rows):
     figure, axes = plt.subplots(figsize=(6.8, 4.2))
-    for (color, line, marker), radius in zip(STYLES, dict.fromkeys(row["radius_mm"] for row in rows)):
-        own = [row for row in rows if row["radius_mm"] == radius]
-        shares = [100 * row["share"] for row in own]
-        axes.errorbar([row["step_deg"] for row in own], shares,
-                      yerr=[[s - 100 * row["lower"] for s, row in zip(shares, own)],
-                            [100 * row["upper"] - s for s, row in zip(shares, own)]],
-                      color=color, linestyle=line, marker=marker, markersize=4, capsize=2, label=f"{radius:g} mm")
-    axes.set_xscale("log")
-    steps = sorted({row["step_deg"] for row in rows})
-    axes.set_xticks(steps, [f"{step:g}" for step in steps])
-    axes.minorticks_off()
+    draw_missed(axes, rows)
     axes.set_xlabel("step of the joint (degrees); the thesis's is 1")
     axes.set_ylabel("first contacts passed over (%; bars: 95 %)")
     axes.set_ylim(-2, 102)
-    axes.grid(alpha=0.3)
     axes.legend(title="radius of the sphere", fontsize=8, loc="lower right")
     figure.tight_layout()
     return figure

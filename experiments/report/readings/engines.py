@@ -1,9 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
-from engines import families_of
-from names import UNSURE
+import dataclasses
+
+from names import ENGINES, UNSURE
 from readings.asked import Asked
 from results import maybe, natural
+
+
+@dataclasses.dataclass(frozen=True)
+class Standing:
+    """An engine in some families together."""
+    wrong: int
+    cases: int
+    first: int | None  # exponent k of 2^-k, the largest offset of a wrong answer but 0
+    failed_families: int
+
+    @classmethod
+    def of(cls, rows):
+        exponents = [int(row["first_offset_exponent"]) for row in rows if row["first_offset_exponent"]]
+        return cls(sum(int(row["wrong"]) for row in rows), sum(int(row["cases"]) for row in rows), min(exponents, default=None),
+                   sum(int(row["wrong"]) > 0 for row in rows))
+
+    def first_offset(self, power):
+        """In words; `power` shows an exponent."""
+        return "none" if not self.wrong else "at offset 0 alone" if self.first is None else power(self.first)
+
+
+def families_of(rows):
+    return list(dict.fromkeys(row["family"] for row in rows))
+
+
+def rows_by_engine(rows):
+    """Of those among the engines of the tables, in their order."""
+    return {engine: own for engine in ENGINES if (own := [row for row in rows if row["method"] == engine])}
 
 
 def rows_of(study):

@@ -1,41 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Engines in the rows of standing.csv of `touchstone regress`: sums over families, and the cells of tables of them, in pages
-of Markdown and in the report."""
-import dataclasses
-
+"""The cells of tables of engines, in pages of Markdown and in the report."""
 from names import ENGINES
-
-
-@dataclasses.dataclass(frozen=True)
-class Standing:
-    """An engine in some families together."""
-    wrong: int
-    cases: int
-    first: int | None  # exponent k of 2^-k, the largest offset of a wrong answer but 0
-    failed_families: int
-
-    @classmethod
-    def of(cls, rows):
-        exponents = [int(row["first_offset_exponent"]) for row in rows if row["first_offset_exponent"]]
-        return cls(sum(int(row["wrong"]) for row in rows), sum(int(row["cases"]) for row in rows), min(exponents, default=None),
-                   sum(int(row["wrong"]) > 0 for row in rows))
-
-    def first_offset(self, power):
-        """In words; `power` shows an exponent."""
-        return "none" if not self.wrong else "at offset 0 alone" if self.first is None else power(self.first)
+from readings.engines import Standing, families_of, rows_by_engine
 
 
 def power(exponent):
     return f"2^-{exponent}"
-
-
-def families_of(rows):
-    return list(dict.fromkeys(row["family"] for row in rows))
-
-
-def rows_by_engine(rows):
-    """Of those among the engines of the tables, in their order."""
-    return {engine: own for engine in ENGINES if (own := [row for row in rows if row["method"] == engine])}
 
 
 OVERALL = ["engine", "", "wrong answers", "largest relative offset of one", "families with one"]
