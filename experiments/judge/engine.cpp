@@ -88,7 +88,7 @@ bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
       sent += static_cast<std::size_t>(written);
     } else if (errno == EAGAIN) {
       pollfd input{.fd = input_, .events = POLLOUT, .revents = 0};
-      late = poll(&input, 1, milliseconds_until(deadline)) <= 0;
+      late = poll(&input, 1, milliseconds_until(deadline)) == 0;
       if (late) return false;
     } else if (errno != EINTR) {
       return false;
