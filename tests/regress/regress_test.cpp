@@ -119,6 +119,15 @@ TEST(Baseline, EveryChangeIsNamedOnce) {
   EXPECT_EQ(all, (std::vector<std::size_t>{17, 90}));
 }
 
+TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", file, "--method", "fast"});
+  EXPECT_EQ(ran.status, 2) << ran.out;
+  EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
+}
+
 TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const run_tests::Scratch scratch;
   Baseline baseline{kSmall, standing_of({"thesis"})};
