@@ -6,8 +6,9 @@ units that see it are compiled again and linked before the libraries into a prog
 fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
-in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out; those of
-tests/corpus/mutants.json, about constants, stages and guards of the filtered path, come in.
+in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, and those that change
+no answer ("changes_answers": false); those of tests/corpus/mutants.json, about constants, stages and guards of the
+filtered path, come in.
 """
 
 import concurrent.futures
@@ -136,7 +137,8 @@ def read_mutants(source, corpus):
     mutants = json.loads((tests / "mutants" / "mutants.json").read_text())
     if not corpus:
         return mutants
-    mutants = [mutant for mutant in mutants if mutant["file"].startswith(CORPUS_PATHS)]
+    mutants = [mutant for mutant in mutants
+               if mutant["file"].startswith(CORPUS_PATHS) and mutant.get("changes_answers", True)]
     mutants += json.loads((tests / "corpus" / "mutants.json").read_text())
     return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]
 
