@@ -98,19 +98,24 @@ TEST(Stages, DoublesCountOneQuestion) {
 
 /// The two doubles on the sides of the distance from this centre, within a double and a half of it: no double that was
 /// rounded once can tell them apart, double-doubles have fifty bits to spare.
-std::vector<StagedCase> at_threshold(const std::string& id, const Eigen::Vector3d& center, const Polygon& polygon) {
-  const double distance = exact::answer({center, 0}, polygon).distance;
-  return {
-      {id + ", below", {center, move_by_doubles(distance, -1)}, polygon, false, Stage::Permanent, Stage::DoubleDouble},
-      {id + ", above", {center, move_by_doubles(distance, 1)}, polygon, true, Stage::Permanent, Stage::DoubleDouble}};
+std::vector<StagedCase> at_threshold(Feature::Kind nearest, const std::string& id, const Eigen::Vector3d& center,
+                                     const Polygon& polygon) {
+  const Answer answer = exact::answer({center, 0}, polygon);
+  EXPECT_EQ(answer.nearest.kind, nearest) << id;
+  const Ball below{center, move_by_doubles(answer.distance, -1)}, above{center, move_by_doubles(answer.distance, 1)};
+  return {{id + ", below", below, polygon, false, Stage::Permanent, Stage::DoubleDouble},
+          {id + ", above", above, polygon, true, Stage::Permanent, Stage::DoubleDouble}};
 }
 
+const Eigen::Vector3d kOverTiltedFace(0.4, 0.5, 1.2);
+
 TEST(Stages, DoubleDoublesSeparateNeighbouringRadii) {
-  for (const auto& cases : {at_threshold("face", {0.7, 0.6, 1.2}, tilted_triangle()),
-                            at_threshold("edge", {1.1, 1.3, 0.1}, tilted_triangle()),
-                            at_threshold("vertex", {2.9, -1.4, 1.3}, tilted_triangle()),
-                            at_threshold("face of an L", turned(1, 3, 0.7), tilted_l()),
-                            at_threshold("edge of an L", turned(3.3, 3.1, 0.7), tilted_l())})
+  using enum Feature::Kind;
+  for (const auto& cases : {at_threshold(Face, "face", kOverTiltedFace, tilted_triangle()),
+                            at_threshold(Edge, "edge", {1.1, 1.3, 0.1}, tilted_triangle()),
+                            at_threshold(Vertex, "vertex", {2.9, -1.4, 1.3}, tilted_triangle()),
+                            at_threshold(Face, "face of an L", turned(1, 3, 0.7), tilted_l()),
+                            at_threshold(Edge, "edge of an L", turned(3.3, 3.1, 0.7), tilted_l())})
     for (const StagedCase& c : cases) expect_stage(c);
 }
 
@@ -182,6 +187,143 @@ TEST(Stages, UnlimitedIntegersDecideTheRest) {
        Stage::Unlimited},
   };
   for (const StagedCase& c : cases) expect_stage(c);
+}
+
+/// The answer to one question, and the slowest stage that decided any of it.
+template <class Result, class Ask>
+void expect_decided(const std::string& id, const Result& expected, Stage first, Stage last, const Ask& ask) {
+  StageCounts counts;
+  EXPECT_EQ(ask(counts), expected) << id;
+  EXPECT_GE(counts.last(), first) << id;
+  EXPECT_LE(counts.last(), last) << id;
+}
+
+/// An L on the lattice, too large for its squares to be doubles.
+const filtered::PreparedPolygon& large_l() {
+  static const filtered::PreparedPolygon polygon(
+      Polygon({turned(0, 0, 0), turned(60'000, 0, 0), turned(60'000, 20'000, 0), turned(20'000, 20'000, 0),
+               turned(20'000, 60'000, 0), turned(0, 60'000, 0)}));
+  return polygon;
+}
+
+/// No two of its coordinates are of one size.
+const filtered::PreparedPolygon& wide_triangle() {
+  static const filtered::PreparedPolygon polygon(Polygon({{-1, -1, 0}, {2, 0x1p-190, 0}, {0.1, 2, 0}}));
+  return polygon;
+}
+
+TEST(Stages, OfRelations) {
+  const auto expect = [](const std::string& id, const Ball& ball, const filtered::PreparedPolygon& polygon,
+                         Relation expected, Stage first, Stage last) {
+    expect_decided(id, expected, first, last,
+                   [&](StageCounts& counts) { return filtered::relation(ball, polygon, counts); });
+  };
+  using enum Relation;
+  const double k = 12'345;
+  expect("far from an L", {turned(90'000, 90'000, 0), 3 * k}, large_l(), Separate, Stage::Double, Stage::Double);
+  expect("through an L", {turned(10'000, 10'000, 5), 3 * k}, large_l(), Overlapping, Stage::Double, Stage::Double);
+  expect("on an L", {turned(10'000, 30'000, k), 3 * k}, large_l(), Touching, Stage::FixedInteger, Stage::FixedInteger);
+  expect("on its reflex vertex", {turned(20'000, 20'000, k), 3 * k}, large_l(), Touching, Stage::FixedInteger,
+         Stage::FixedInteger);
+  const filtered::PreparedPolygon tilted(tilted_triangle());
+  const double distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
+  expect("a double short of a face", {kOverTiltedFace, move_by_doubles(distance, -1)}, tilted, Separate,
+         Stage::Permanent, Stage::DoubleDouble);
+  expect("a double into a face", {kOverTiltedFace, move_by_doubles(distance, 1)}, tilted, Overlapping, Stage::Permanent,
+         Stage::DoubleDouble);
+  expect("a tie over 200 binary orders", {{0.25, 0.25, 0x1p-200}, 0x1p-200}, wide_triangle(), Touching,
+         Stage::Unlimited, Stage::Unlimited);
+}
+
+TEST(Stages, OfThePlane) {
+  const auto expect = [](const std::string& id, const Ball& ball, const filtered::PreparedPolygon& polygon,
+                         PlaneSide expected, Stage first, Stage last) {
+    expect_decided(id, expected, first, last,
+                   [&](StageCounts& counts) { return filtered::plane_side(ball, polygon, counts); });
+  };
+  using enum PlaneSide;
+  const double k = 12'345;
+  expect("in front", {turned(0, 0, -k), k}, large_l(), InFront, Stage::Double, Stage::Double);
+  expect("behind", {turned(0, 0, k), k}, large_l(), Behind, Stage::Double, Stage::Double);
+  expect("through it", {turned(0, 0, -k), 4 * k}, large_l(), Intersects, Stage::Double, Stage::Double);
+  expect("touching it", {turned(0, 0, -k), 3 * k}, large_l(), Intersects, Stage::FixedInteger, Stage::FixedInteger);
+  const filtered::PreparedPolygon tilted(tilted_triangle());
+  const double distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
+  expect("a double short of it", {kOverTiltedFace, move_by_doubles(distance, -1)}, tilted, InFront, Stage::Permanent,
+         Stage::DoubleDouble);
+  expect("a double into it", {kOverTiltedFace, move_by_doubles(distance, 1)}, tilted, Intersects, Stage::Permanent,
+         Stage::DoubleDouble);
+  expect("a tie over 200 binary orders", {{0.25, 0.25, 0x1p-200}, 0x1p-200}, wide_triangle(), Intersects,
+         Stage::Unlimited, Stage::Unlimited);
+}
+
+TEST(Stages, OfTheFoot) {
+  const auto expect = [](const std::string& id, const Eigen::Vector3d& center, const filtered::PreparedPolygon& polygon,
+                         FootPlace expected, Stage first, Stage last) {
+    expect_decided(id, expected, first, last, [&](StageCounts& counts) {
+      return filtered::foot({center, 1}, polygon, counts);
+    });
+  };
+  using enum FootPlace;
+  expect("inside", turned(10'000, 50'000, 77), large_l(), Inside, Stage::Double, Stage::Double);
+  expect("in the notch", turned(50'000, 50'000, 77), large_l(), Outside, Stage::Double, Stage::Double);
+  expect("on an edge", turned(20'000, 30'000, 77), large_l(), Boundary, Stage::FixedInteger, Stage::FixedInteger);
+  expect("on the reflex vertex", turned(20'000, 20'000, 77), large_l(), Boundary, Stage::FixedInteger,
+         Stage::FixedInteger);
+  // The edge rises by three doubles over its length: in its middle it is half a double above 1, where no vertex is.
+  const filtered::PreparedPolygon shallow(Polygon({{0, 1 - 0x1p-52, 0}, {1, 1 + 0x1p-51, 0}, {0.5, 4, 0}}));
+  expect("half a double outside", {0.5, 1, 0}, shallow, Outside, Stage::Permanent, Stage::DoubleDouble);
+  expect("half a double inside", {0.5, 1 + 0x1p-52, 0}, shallow, Inside, Stage::Permanent, Stage::DoubleDouble);
+  const filtered::PreparedPolygon wide(Polygon({{-1, 0, 0}, {1, 0x1p-200, 0}, {0, 2, 0}}));
+  expect("2^-201 outside", {0, 0, 1}, wide, Outside, Stage::Unlimited, Stage::Unlimited);
+}
+
+TEST(Stages, OfTheEdgesHit) {
+  using Edges = std::vector<std::size_t>;
+  const auto expect = [](const std::string& id, const Ball& ball, const Edges& expected, Stage stage) {
+    expect_decided(id, expected, stage, stage,
+                   [&](StageCounts& counts) { return filtered::edges_hit(ball, large_l(), counts); });
+  };
+  const double k = 1'000;
+  expect("none", {turned(10'000, 50'000, 0), 3 * k}, {}, Stage::Double);
+  expect("one", {turned(40'000, 1, 0), 3 * k}, {0}, Stage::Double);
+  expect("all", {turned(20'000, 20'000, 0), 300'000}, {0, 1, 2, 3, 4, 5}, Stage::Double);
+  expect("one, touched 3-4-5", {turned(40'000, -3 * k, 4 * k), 15 * k}, {0}, Stage::FixedInteger);
+  expect("both at the notch, touched", {turned(25'000, 25'000, 0), 15 * k}, {2, 3}, Stage::FixedInteger);
+  expect("both at a vertex, touched", {turned(-k, -2 * k, 2 * k), 9 * k}, {0, 5}, Stage::FixedInteger);
+}
+
+// Points and distances are never doubles alone: a vertex is as it was given, what is far from a tie between doubles is
+// rounded from double-doubles, a tie by integers.
+TEST(Stages, OfWholeAnswersAndClosestPoints) {
+  const Polygon flat({{0, 0, 1}, {4, 0, 1}, {0, 4, 1}});
+  const Polygon low({{-4, -4, -0x1p-53}, {4, -4, -0x1p-53}, {0, 4, -0x1p-53}});
+  const struct {
+    std::string id;
+    Eigen::Vector3d center;
+    Polygon polygon;
+    filtered::ClosestPoint closest;
+    Stage stage;
+  } cases[] = {
+      {"over a face", {1, 1, 3}, flat, {{Feature::Kind::Face, 0}, {1, 1, 1}, 2}, Stage::DoubleDouble},
+      {"beside an edge", {2, -3, 4}, right_triangle(), {{Feature::Kind::Edge, 0}, {2, 0, 0}, 5}, Stage::DoubleDouble},
+      {"off a vertex", {6, -1, 2}, right_triangle(), {{Feature::Kind::Vertex, 1}, {4, 0, 0}, 3}, Stage::DoubleDouble},
+      {"a tie, 1 + 2^-53", {0, 0, 1}, low, {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1}, Stage::Unlimited},
+      {"a tie, 1 + 3 2^-53",
+       {0, 0, 1 + 0x1p-52},
+       low,
+       {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1 + 0x1p-51},
+       Stage::Unlimited},
+  };
+  for (const auto& c : cases) {
+    expect_decided(c.id + ", as a triangle", c.closest, c.stage, c.stage,
+                   [&](StageCounts& counts) { return filtered::closest(c.center, triangle_of(c.polygon), counts); });
+    const filtered::PreparedPolygon prepared(c.polygon);
+    expect_decided(c.id + ", prepared", c.closest, c.stage, c.stage, [&](StageCounts& counts) {
+      const Answer answer = filtered::answer({c.center, 0.75}, prepared, counts);
+      return filtered::ClosestPoint{answer.nearest, answer.point, answer.distance};
+    });
+  }
 }
 
 // A word for each, in order.
