@@ -93,6 +93,11 @@ class Comparison {
     expect(contestant_.answer(ball, prepared) == answer, "answer");
     expect(contestant_.answer(ball, prepared, counts) == answer, "answer, counted");
     expect(contestant_.plain_answer(ball, prepared) == answer, "answer, without vectors");
+    if (const auto triangle = case_.triangle()) {
+      const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance};
+      expect(contestant_.closest(ball.center, *triangle) == closest, "closest");
+      expect(contestant_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
+    }
     ask_neighbours(prepared, truth);
   }
 

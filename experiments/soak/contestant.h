@@ -47,6 +47,11 @@ class Contestant {
     filtered::NoCounts none;
     return filtered::baseline_engine().plain.answer(ball, polygon.parts(), none);
   }
+  [[nodiscard]] virtual filtered::ClosestPoint plain_closest(const Eigen::Vector3d& center,
+                                                             const Triangle& triangle) const {
+    filtered::NoCounts none;
+    return filtered::closest(filtered::baseline_engine().plain, center, triangle, none);
+  }
 
   [[nodiscard]] virtual Relation relation(const Ball& ball, const Prepared& polygon) const {
     return filtered::relation(ball, polygon);
@@ -65,6 +70,9 @@ class Contestant {
   }
   [[nodiscard]] virtual Answer answer(const Ball& ball, const Prepared& polygon, Counts& counts) const {
     return filtered::answer(ball, polygon, counts);
+  }
+  [[nodiscard]] virtual filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const {
+    return filtered::closest(center, triangle);
   }
 };
 

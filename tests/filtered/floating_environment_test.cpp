@@ -87,6 +87,8 @@ std::string wrong_answers(const Asked& asked, const filtered::PreparedPolygon& p
   const Triangle triangles[] = {triangle, triangle, triangle};
   filtered::contact(c.ball, triangles, touches);
   expect(std::count(touches, touches + 3, expected.contact()) == 3, "batch-of-triangles");
+  const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
+  expect(filtered::closest(c.ball.center, triangle) == closest, "closest");
   return wrong;
 }
 
@@ -164,6 +166,7 @@ TEST(FilteredEnvironment, IsLeftAsFound) {
           if (polygon.vertex_count() != 3) continue;
           const Triangle triangle = triangle_of(polygon);
           leaves([&] { (void)filtered::contact(ball, triangle); }, "contact with a triangle");
+          leaves([&] { (void)filtered::closest(ball.center, triangle); }, "closest point");
           leaves(
               [&] {
                 const Triangle triangles[] = {triangle, triangle, triangle, triangle, triangle};

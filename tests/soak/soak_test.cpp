@@ -152,6 +152,14 @@ class UnroundedDistance : public Contestant {
   }
 };
 
+class FarthestVertex : public Contestant {
+  filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const override {
+    filtered::ClosestPoint closest = Contestant::closest(center, triangle);
+    if (closest.feature.kind == Feature::Kind::Vertex) closest.feature.index = (closest.feature.index + 1) % 3;
+    return closest;
+  }
+};
+
 class NoBoundary : public Contestant {
   FootPlace foot(const Ball& ball, const Prepared& polygon) const override {
     const FootPlace place = Contestant::foot(ball, polygon);
@@ -201,6 +209,7 @@ TEST(Soak, FindsPlantedErrors) {
   expect_found(StrictBatchOfBalls(), "contact, in a batch");
   expect_found(SwappedSides(), "plane");
   expect_found(UnroundedDistance(), "answer");
+  expect_found(FarthestVertex(), "closest");
   expect_found(NoBoundary(), "foot");
   expect_found(FirstEdgeOnly(), "edges_hit");
   expect_found(Throwing(), "prepared: no points, please");
