@@ -50,14 +50,17 @@ class Hash {
     std::memcpy(&word, &value, sizeof word);
     add(word);
   }
+  void add(const filtered::ClosestPoint& p) {
+    for (const auto word : {static_cast<std::uint64_t>(p.feature.kind), std::uint64_t{p.feature.index}}) add(word);
+    for (int axis = 0; axis < 3; ++axis) add(p.point[axis]);
+    add(p.distance);
+  }
   void add(const Answer& a) {
     for (const auto word : {static_cast<std::uint64_t>(a.plane), static_cast<std::uint64_t>(a.plane_tangent),
-                            static_cast<std::uint64_t>(a.foot), static_cast<std::uint64_t>(a.relation),
-                            static_cast<std::uint64_t>(a.nearest.kind), std::uint64_t{a.nearest.index}})
+                            static_cast<std::uint64_t>(a.foot), static_cast<std::uint64_t>(a.relation)})
       add(word);
     for (const std::size_t edge : a.edges_hit) add(std::uint64_t{edge});
-    for (int axis = 0; axis < 3; ++axis) add(a.point[axis]);
-    add(a.distance);
+    add({a.nearest, a.point, a.distance});
     add(a.off_plane);
   }
   [[nodiscard]] std::uint64_t value() const { return value_; }
@@ -121,15 +124,23 @@ Hashes ask(const std::vector<Question>& questions) {
   Hashes hashes;
   for (const auto& [loop, truth, prepared, ball, mode] : questions) {
     std::fesetround(mode);
-    const Answer certified = filtered::answer(ball, prepared);
-    const bool contact = loop.size() == 3 ? filtered::contact(ball, Triangle{loop[0], loop[1], loop[2]})
-                                          : filtered::contact(ball, prepared);
-    const Answer exact = exact::answer(ball, truth);
+    const Answer exact = exact::answer(ball, truth), certified = filtered::answer(ball, prepared);
+    bool contact = false;
+    filtered::ClosestPoint closest{certified.nearest, certified.point, certified.distance};
+    if (loop.size() == 3) {
+      const Triangle triangle{loop[0], loop[1], loop[2]};
+      contact = filtered::contact(ball, triangle);
+      closest = filtered::closest(ball.center, triangle);
+    } else {
+      contact = filtered::contact(ball, prepared);
+    }
     std::fesetround(FE_TONEAREST);
     hashes.exact.add(exact);
     hashes.exact.add(std::uint64_t{exact.contact()});
+    hashes.exact.add({exact.nearest, exact.point, exact.distance});
     hashes.filtered.add(certified);
     hashes.filtered.add(std::uint64_t{contact});
+    hashes.filtered.add(closest);
   }
   return hashes;
 }

@@ -3,7 +3,7 @@
 
 Usage: matrix.py SOURCE SCRATCH [QUESTIONS]
 
-Builds what answers.cpp needs with g++ and clang++, at -O0, -O2 and -O3 -march=native, the last with and without
+Builds what answers.cpp needs with g++ and clang++, at -O0, -O2 and -O3 -march=native, each with and without
 contraction to fused multiply-add, and with g++'s ThreadSanitizer, where four threads ask the same prepared polygons. The
 programs must print the same.
 """
@@ -15,9 +15,12 @@ import shutil
 import subprocess
 import sys
 
+FUSED = ["-mfma"] if os.uname().machine == "x86_64" else []  # else there is nothing to contract to
 FLAGS = [
     ["-O0", "-ffp-contract=off"],
+    ["-O0", *FUSED, "-ffp-contract=fast"],
     ["-O2", "-ffp-contract=off"],
+    ["-O2", *FUSED, "-ffp-contract=fast"],
     ["-O3", "-march=native", "-ffp-contract=off"],
     ["-O3", "-march=native", "-ffp-contract=fast"],
 ]
