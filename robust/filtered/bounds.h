@@ -44,4 +44,22 @@ inline constexpr double kCoordinate = 14.0625;
 /// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
 inline constexpr double kEdgeFrame = 46.1875;
 
+/// What is made of them, with S = 2 max(W, 1). Vertices and edges are at most kExtent long in each of the frame's
+/// coordinates and the plane is at most that far from the origin, all known to unit. Then the height above the plane is
+/// known to kHeight unit S, one rounded sum of the height and this error included, and the root of the computed square
+/// of the foot's distance from an edge to kDistance unit S.
+inline constexpr double kExtent = 1.5;
+inline constexpr double kHeight = 12.75;
+inline constexpr double kDistance = 51.5;
+/// Distances computed beyond kNear kDistance unit S are from feet that are off the edge, and on the side of its line
+/// that is computed. From the square of that on: a box with an edge within some computed square of the foot has a
+/// computed square of at most kBoxReach times as much.
+inline constexpr double kNear = 4;
+inline constexpr double kBoxReach = 1.25;
+/// Halves of boxes hold the points as rounded, and this much more for their own rounding, to nearest.
+inline constexpr double kBoxRounding = 0x1p-47;
+/// More than 14 operations may lose or gain in any direction, relatively.
+inline constexpr double kWide = 1 + 0x1p-48;
+inline constexpr double kNarrow = 1 - 0x1p-48;
+
 }  // namespace touchstone::filtered::bounds

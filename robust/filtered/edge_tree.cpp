@@ -10,6 +10,9 @@
 #include <numeric>
 #include <utility>
 
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/edge_frame.h"
+
 namespace touchstone::filtered {
 namespace {
 
@@ -37,15 +40,18 @@ void for_each_point(std::span<const Edge> edges, std::span<const std::uint32_t> 
 Box box_along(std::span<const Edge> edges, std::span<const std::uint32_t> group, Point axis) {
   double least_along = 0x1p500, most_along = -0x1p500, least_across = 0x1p500, most_across = -0x1p500;
   for_each_point(edges, group, [&](const Point& p) {
-    const double along = p.x * axis.x + p.y * axis.y, across = p.y * axis.x - p.x * axis.y;
+    const double along = frame::turned_along(p.x, p.y, axis.x, axis.y);
+    const double across = frame::turned_across(p.x, p.y, axis.x, axis.y);
     least_along = std::min(least_along, along), most_along = std::max(most_along, along);
     least_across = std::min(least_across, across), most_across = std::max(most_across, across);
   });
   const double along = (least_along + most_along) / 2, across = (least_across + most_across) / 2;
-  // Coordinates are at most 1 in magnitude: products and sums of a few are off by a few units of 2^-53.
-  constexpr double rounding = 0x1p-48;
-  return {along * axis.x - across * axis.y,          along * axis.y + across * axis.x,           axis.x, axis.y,
-          (most_along - least_along) / 2 + rounding, (most_across - least_across) / 2 + rounding};
+  return {frame::turned_along(along, across, axis.x, -axis.y),
+          frame::turned_across(along, across, axis.x, -axis.y),
+          axis.x,
+          axis.y,
+          (most_along - least_along) / 2 + bounds::kBoxRounding,
+          (most_across - least_across) / 2 + bounds::kBoxRounding};
 }
 
 Point farthest(std::span<const Edge> edges, std::span<const std::uint32_t> group, Point from) {

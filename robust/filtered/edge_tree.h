@@ -37,7 +37,7 @@ class EdgeTree {
   struct Node {
     alignas(32) double center_x[kWidth];
     double center_y[kWidth], axis_x[kWidth], axis_y[kWidth];  ///< the axis has length 1, but for rounding
-    double half_along[kWidth], half_across[kWidth];           ///< of the box, rounding included
+    double half_along[kWidth], half_across[kWidth];           ///< of the box, and bounds::kBoxRounding
     double lowest_end[kWidth], highest_end[kWidth];           ///< y of the ends; equal where there are none
     std::uint32_t ends[kWidth], end_count[kWidth];            ///< where they are stored, and how many
     std::int32_t child[kWidth];                               ///< a node, or ~leaf

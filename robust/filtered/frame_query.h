@@ -33,12 +33,11 @@ struct HeightQuery {
     from = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
             scaled(ball.center[2]) - frame.origin.z};
     radius = scaled(ball.radius);
-    height = frame::coordinate(frame.normal, from) - frame.plane_height;
+    height = frame::height(frame.normal, from, frame.plane_height);
     const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
     size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
     assert(size <= 8 * Frame::kReach);
-    // The plane's height is below 2 and known to a unit; subtracting it, and height_error below, is rounded.
-    height_error = (bounds::kCoordinate + 8) * bounds::kUnit * size;
+    height_error = bounds::kHeight * bounds::kUnit * size;
   }
 
   /// +1 the plane misses the ball, -1 it cuts it, 0 unsure.
@@ -58,18 +57,15 @@ struct FrameQuery {
 
   FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.from)), y(frame::coordinate(frame.y, ball.from)) {
-    // The distance is the length of (across, overshoot), and moves no faster than across, along and the edge's length.
-    const double error = (2 * bounds::kEdgeFrame + 8) * bounds::kUnit * ball.size;
-
-    // Roots and products below are off by a few units each, which kWide covers.
-    constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
+    using bounds::kNarrow, bounds::kWide;
+    const double error = bounds::kDistance * bounds::kUnit * ball.size;
     const double above = std::abs(ball.height), radius = ball.radius;
     const double low = larger(above - ball.height_error, 0.0), high = above + ball.height_error;
     const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
     const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
     sure_miss = radius < low ? -1 : outer * outer * kWide;
     sure_hit = inner > 0 ? inner * inner * kNarrow : -1;
-    near = 9 * error * error;
+    near = (bounds::kNear * error) * (bounds::kNear * error);
   }
 };
 
@@ -87,8 +83,7 @@ struct LeafView {
     length = load(leaf.length);
     along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
     across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
-    const Pack overshoot = maximum(maximum(zero - along, along - length), zero);
-    squared = across * across + overshoot * overshoot;
+    squared = frame::squared_length(across, frame::overshoot(along, length, zero));
 
     // An edge goes up where it ends above the ray; then the foot is to its left where the crossing lies to the right.
     const Pack start_above = y - start_y, end_above = y - end_y;
@@ -101,16 +96,18 @@ struct LeafView {
 
 /// The boxes of a node as seen from the foot.
 struct NodeView {
-  Pack squared;    ///< of the distances to the boxes, short of them by less than FrameQuery's error
+  Pack squared;    ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `near` on
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
   NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
-    const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y), zero = all_lanes(0);
-    const Pack x = all_lanes(query.x) - load(node.center_x), y = all_lanes(query.y) - load(node.center_y);
-    const Pack along = x * axis_x + y * axis_y, across = y * axis_x - x * axis_y;
-    const Pack beside = magnitude(along) - load(node.half_along), above = magnitude(across) - load(node.half_across);
-    const Pack outside_along = maximum(beside, zero), outside_across = maximum(above, zero);
-    squared = outside_along * outside_along + outside_across * outside_across;
+    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+    const Pack center_x = load(node.center_x), center_y = load(node.center_y);
+    const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y);
+    const Pack along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack beside = frame::beyond(along, load(node.half_along));
+    const Pack above = frame::beyond(across, load(node.half_across));
+    squared = frame::squared_length(maximum(beside, zero), maximum(above, zero));
     // Of the two sides of the box the foot is farther from one, whose outward normal n points to the foot: what lies
     // in the box at the foot's height lies on the right exactly where n_x < 0.
     const unsigned by_along = negative_lanes(above - beside);
@@ -146,8 +143,7 @@ bool walk(const EdgeTree& tree, const FrameQuery& query, const double& reach, co
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
     const NodeView view(node, query);
-    // The foot and a box are rounded by less than a tenth of the error, of which `near` is 9 squares.
-    const unsigned far = negative_lanes(all_lanes(reach * 1.25) - view.squared);
+    const unsigned far = negative_lanes(all_lanes(reach * bounds::kBoxReach) - view.squared);
     // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
     const Pack parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
     const unsigned met = far & view.right & negative_lanes(parted);

@@ -160,7 +160,7 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
   const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
   const int axis = (parts_.unlimited.dropped_axis() + 2) % 3;
-  const double margin = std::sqrt(query.near) * (1 + 0x1p-48);
+  const double margin = std::sqrt(query.near) * bounds::kWide;
   const auto above = [&](double y, std::uint32_t vertex) {
     if (std::abs(y - query.y) > margin) return y > query.y;
     return edges.template sign<SignKind::Above>(vertex, axis) < 0;
@@ -182,7 +182,7 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
     if (index >= 0) {
       const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
       const NodeView view(node, query);
-      const unsigned far = negative_lanes(all_lanes(query.near * 1.25) - view.squared);
+      const unsigned far = negative_lanes(all_lanes(query.near * bounds::kBoxReach) - view.squared);
       for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
         if ((far >> lane & 1) == 0)
           stack[open++] = node.child[lane];
@@ -256,10 +256,9 @@ Feature PolygonQuestion<Counts>::nearest_on_boundary() {
     bound = larger(least, query.near);
     return false;
   });
-  // Edges that may be as near as the nearest: both distances may be off.
-  const double error = std::sqrt(query.near);
-  const double wider = std::sqrt(least) * (1 + 0x1p-48) + error,
-               reach = larger(wider * wider * (1 + 0x1p-48), query.near);
+  // Edges that may be as near as the nearest: both distances may be off, by less than kNear errors together.
+  const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.near),
+               reach = larger(wider * wider * bounds::kWide, query.near);
   std::optional<Feature> nearest;
   walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     return any_edge(leaf, not_above(view.squared, reach) & lanes(leaf), [&](std::size_t edge) {

@@ -54,4 +54,10 @@ inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) {
   return rounded(a.model, low, high, a.magnitude() * b.error + a.error * (b.magnitude() + b.error));
 }
 
+/// The larger of two, and a magnitude: neither is rounded.
+inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {
+  return {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)};
+}
+inline ErrorBound magnitude(const ErrorBound& a) { return {a.model, 0, a.magnitude(), a.error}; }
+
 }  // namespace touchstone::filtered::proofs

@@ -10,6 +10,7 @@
 
 #include "robust/proofs/error_bound.h"
 #include "robust/proofs/expressions.h"
+#include "tests/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs {
 namespace {
@@ -19,12 +20,6 @@ const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit};
 mpq_class power_of_two(int exponent) {
   const mpz_class power = mpz_class(1) << static_cast<unsigned>(std::abs(exponent));
   return exponent < 0 ? mpq_class(1, power) : mpq_class(power);
-}
-
-mpq_class power(const mpq_class& base, std::size_t exponent) {
-  mpq_class result = 1;
-  for (std::size_t i = 0; i < exponent; ++i) result *= base;
-  return result;
 }
 
 std::string name(const Claim& claim) { return std::string(claim.constant) + " " + std::string(claim.instance); }

@@ -9,17 +9,12 @@
 
 #include "robust/proofs/expressions.h"
 #include "tests/proofs/permanent_inputs.h"
+#include "tests/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
-
-mpq_class power(const mpq_class& base, int exponent) {
-  mpq_class result = 1;
-  for (int i = 0; i < exponent; ++i) result *= base;
-  return result;
-}
 
 /// The factors that a node's computed value and computed permanent keep within, relative to the exact permanent: the
 /// error is at most (upper - 1) M, the computed permanent at least lower M.
@@ -36,7 +31,7 @@ Factors operator*(const Factors& a, const Factors& b) {
 
 TEST(Permanent, CountsTheRoundingsOfEverySign) {
   const auto factors = make_inputs<Factors>([](const Input& input) {
-    const int roundings = input.error == 0 ? 0 : 1;
+    const std::size_t roundings = input.error == 0 ? 0 : 1;
     return Factors{power(1 + kU, roundings), power(1 - kU, roundings)};
   });
   for_each_claim([&](const Claim& claim, const auto& expression) {
