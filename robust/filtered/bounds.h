@@ -62,4 +62,15 @@ inline constexpr double kBoxRounding = 0x1p-47;
 inline constexpr double kWide = 1 + 0x1p-48;
 inline constexpr double kNarrow = 1 - 0x1p-48;
 
+/// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift; the
+/// lifted component of an edge to kLiftedEdge times the largest component of the edge as it was given.
+inline constexpr double kLift = 0x1p-99;
+inline constexpr double kLiftedEdge = 0x1p-98;
+/// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.from D_k / D.D is
+/// known to kClosest m_w m_D |D_k| / D.D; for lifted edges, between whose ends the foot lies, and kClosest m_e more;
+/// for computed normals and kClosest m_w m_N / |N| more. A distance from an edge or a plane is known to kClosest times
+/// m_w m_D / |D| and itself, one from a vertex to kClosest times itself and, where it is lifted, m_w. Computed values
+/// stand for exact ones in these bounds.
+inline constexpr double kClosest = 0x1p-94;
+
 }  // namespace touchstone::filtered::bounds

@@ -11,14 +11,6 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Numerators are known to 24 units of their maxima, squared lengths to 40 units, a unit being 2^-103: in all well
-/// below 2^-94, 512 units, of what the errors below multiply it with.
-///
-/// The normal N of a triangle is known to 4.1 units of m_N in each component, so to 7.1 m_N as a vector: the projection
-/// of `from`, at most sqrt(3) m_w long, onto its direction moves by 2 sqrt(3) m_w 7.1 m_N / |N| at most, 25 units of
-/// m_w m_N / |N|. Since |N| <= sqrt(3) m_N, the 24, the 40 and the roundings of the quotient are 200 units of it.
-inline constexpr double kRelative = 0x1p-94;
-
 /// A double-double and how far it may be from what it stands for.
 struct Enclosed {
   DoubleDouble value;
@@ -53,10 +45,10 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     const int exponent = edges.exponent();
     DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
     if (moved && !face) start = start + edges.lift(feature.index);
-    const double lift_error = moved ? 0x1p-98 : 0;  // lifts are known to 2^-99
+    const double lift_error = moved ? 2 * bounds::kLift : 0;
     if (vertex) return rounded({start, lift_error + 0x1p-102 * std::abs(start.high)}, exponent);
 
-    // The start and a share of a direction, the share a quotient with an error of a few units of its maxima.
+    // The start and a share of a direction.
     const auto seen = edges.seen(feature.index);
     using Seen = decltype(seen);
     const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
@@ -72,8 +64,8 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
     const double share = std::abs(direction[axis].high) / length_squared.high +
                          (face ? Seen::kNormalError / std::sqrt(length_squared.high) : 0);
-    const double error = kRelative * (seen.maxima.from * maximum * share) +
-                         kRelative * (seen.lifted ? seen.maxima.edge : 0) +
+    const double error = bounds::kClosest * (seen.maxima.from * maximum * share) +
+                         bounds::kClosest * (seen.lifted ? seen.maxima.edge : 0) +
                          0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, exponent);
   };
@@ -94,7 +86,7 @@ double distance(const Edges& edges, const Feature& feature) {
     const auto enclosed = [&]() -> Enclosed {
       if (feature.kind == Feature::Kind::Vertex) {
         const DoubleDouble value = sqrt(dot(seen.from, seen.from));
-        return {value, kRelative * (value.high + (seen.lifted ? seen.maxima.from : 0))};
+        return {value, bounds::kClosest * (value.high + (seen.lifted ? seen.maxima.from : 0))};
       }
       const bool face = feature.kind == Feature::Kind::Face;
       const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
@@ -104,7 +96,7 @@ double distance(const Edges& edges, const Feature& feature) {
       const auto moment = cross(seen.from, seen.edge);
       const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
       const DoubleDouble value = product / length;
-      return {value, kRelative * (seen.maxima.from * maximum / length.high + value.high)};
+      return {value, bounds::kClosest * (seen.maxima.from * maximum / length.high + value.high)};
     }();
     if (is_zero(seen.from) && !seen.lifted) return 0;
     if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;

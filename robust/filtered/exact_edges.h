@@ -33,7 +33,7 @@ class ExactEdges {
   /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length; and as it was given.
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
-  /// Are vertices lifted along this axis? How far, to 2^-99.
+  /// Are vertices lifted along this axis? How far, to bounds::kLift.
   [[nodiscard]] bool lifts(int axis) const {
     return !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
   }
@@ -95,7 +95,7 @@ class ExactEdges {
            lifted.exact_normal};
     s.maxima.edge = largest(s.edge);
     if (s.lifted) {
-      // What is known to 2^-99, or to 2^-99 of the edge, is known to 2^-103 of maxima 32 times as large.
+      // With maxima 32 times as large lifts are known to kDoubleDoubleUnit of them.
       s.maxima.from = std::max(s.maxima.from, 32.0);
       s.maxima.edge *= 32;
       const int k = parts_.unlimited.dropped_axis();

@@ -41,7 +41,7 @@ struct LiftedPolygon {
   Vector3<DoubleDouble> normal;
   double normal_maximum;            ///< bounds the magnitudes of its components
   bool exact_normal;                ///< no bit is missing
-  std::vector<DoubleDouble> lifts;  ///< along the dropped axis, within 2^-99; none where nothing is lifted
+  std::vector<DoubleDouble> lifts;  ///< along the dropped axis, to bounds::kLift; none where nothing is lifted
 };
 
 struct PreparedPolygon::Parts {

@@ -46,7 +46,7 @@ class UnsureTriangle {
     Maxima maxima;
     bool no_normals[3];
     static constexpr bool lifted = false;
-    /// How far the components of the normal may be off, in units of kRelative times the maximum.
+    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum.
     static constexpr double kNormalError = 1;
     /// Is this component of the normal surely zero?
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }

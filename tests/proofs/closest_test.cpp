@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bounds.h says of lifts, closest points and distances in double-doubles, in rationals.
+//
+// Maxima are 1: every error is at most the one that it is with them, times the maxima. Products of two errors are far
+// below what a factor of 1 + 2^-20 adds, except where a direction is hardly known: for needles.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/signs.h"
+#include "robust/proofs/error_bound.h"
+#include "tests/proofs/rationals.h"
+
+namespace touchstone::filtered::proofs {
+namespace {
+
+const mpq_class kDouble = bounds::kDoubleDoubleUnit, kSecondOrder = mpq_class(0x1p-20) + 1;
+const mpq_class kQuotient = mpq_class(0x1p-102);  // of double_double.h, and of roots
+const ErrorModel kDoubleDoubles{kDouble, 0, true};
+
+ErrorBound within(const mpq_class& magnitude, const mpq_class& error) {
+  return known_within(kDoubleDoubles, magnitude, error);
+}
+Vector3<ErrorBound> vector_within(const mpq_class& magnitude, const mpq_class& error) {
+  return {within(magnitude, error), within(magnitude, error), within(magnitude, error)};
+}
+const mpq_class kRootOfThree = root_above(3);
+
+/// The error of n / N_k for the largest component N_k of a normal that is known to a unit.
+mpq_class error_of_share(const ErrorBound& n) {
+  return (n.error + n.magnitude() * (kDouble + kQuotient)) * kSecondOrder;
+}
+
+// The plane's height over N_k is at most 3/4, vertices are within 1/4 of vertex 0.
+TEST(LiftBounds, HoldForVertices) {
+  const ErrorBound height = within(mpq_class(3, 4), mpq_class(3, 4) * kDouble);
+  const ErrorBound lift = height - dot(vector_within(1, kDouble), vector_within(mpq_class(1, 4), 0));
+  EXPECT_LE(error_of_share(lift), bounds::kLift);
+  EXPECT_GT(error_of_share(lift), mpq_class(bounds::kLift) / 2) << "it is loose";
+  // Seen from a ball: with a maximum of 32, or as large as the difference is. A sum is off by 3 u^2 = 3/8 units.
+  const mpq_class sum = mpq_class(3, 8) * kDouble;
+  EXPECT_LE(bounds::kLift + sum * 32, kDouble * 32);
+}
+
+TEST(LiftBounds, HoldForEdges) {
+  const ErrorBound along = dot(vector_within(1, kDouble), vector_within(1, 0));
+  const ErrorBound lifted = within(1, 0) - within(along.magnitude(), error_of_share(along));
+  EXPECT_LE(lifted.error, bounds::kLiftedEdge);
+  EXPECT_GT(lifted.error, mpq_class(bounds::kLiftedEdge) / 2) << "it is loose";
+  EXPECT_LE(bounds::kLiftedEdge, kDouble * 32);  // maxima are 32 times the largest component
+}
+
+/// A direction D and the way `from` from it to the centre, as closest_point.h has them, with errors in each component.
+struct Situation {
+  mpq_class direction, direction_error, from_error;
+};
+const Situation kExactEdge{1, 0, 0};
+/// At most 4 of what the largest component was before it was lifted, which is a 32nd of the maximum.
+const Situation kEdgeOffItsPlane{mpq_class(1, 8), kDouble, kDouble};
+const Situation kNormalOfTriangle{1, bounds::kNormal* kDouble, 0};
+const Situation kNormalOfPolygon{1, kDouble, kDouble};
+const Situation kEvery[] = {kExactEdge, kEdgeOffItsPlane, kNormalOfTriangle, kNormalOfPolygon};
+
+/// What D.D and |D| may be off relatively, if |D| = length.
+mpq_class error_of_square(const Situation& s, const mpq_class& length) {
+  // A component is at most the length, so the rounding of the sum of squares is relative to it.
+  const ErrorBound rounding = dot(vector_within(1, 0), vector_within(1, 0));
+  return 2 * kRootOfThree * s.direction_error / length + rounding.error;
+}
+
+mpq_class error_of_product(const Situation& s) {
+  return dot(vector_within(s.direction, s.direction_error), vector_within(1, s.from_error)).error;
+}
+
+// The step is D.from D_k / D.D; its errors in units of |D_k| / D.D. |D.from| is at most |D| times the root of 3, and
+// |D| at most that times the largest component: the shorter D is, the less its errors' share counts.
+TEST(ClosestBounds, HoldForSteps) {
+  for (const Situation& s : kEvery) {
+    const mpq_class longest = kRootOfThree * s.direction, product = kRootOfThree * longest;
+    const mpq_class from_share = product * (error_of_square(s, longest) + kQuotient + kDouble);
+    EXPECT_LE((error_of_product(s) + from_share) * kSecondOrder, bounds::kClosest / 2);
+  }
+  // What D_k itself is off, times D.from / D.D: below 1 for edges, below the root of 3 over |D| for normals. A
+  // polygon's normal is known to a unit of each component: that is a unit of the step.
+  EXPECT_LE(kEdgeOffItsPlane.direction_error, bounds::kClosest / 2);
+  EXPECT_LE(kRootOfThree * kNormalOfTriangle.direction_error * kSecondOrder, bounds::kClosest / 2);
+  EXPECT_LE(3 * kNormalOfPolygon.direction_error, bounds::kClosest / 8);
+}
+
+// |D.from| / |D| and |D x from| / |D|, in units of 1 / |D| and of themselves.
+TEST(ClosestBounds, HoldForDistances) {
+  for (const Situation& s : kEvery) {
+    const Vector3<ErrorBound> moment =
+        cross(vector_within(s.direction, s.direction_error), vector_within(1, s.from_error));
+    const mpq_class numerator = std::max<mpq_class>(error_of_product(s), kRootOfThree * moment.x.error);
+    // The value is at most the root of 3; what D's errors do to its length counts against 1 / |D|.
+    const mpq_class of_length = kRootOfThree * kRootOfThree * s.direction_error;
+    EXPECT_LE((numerator + of_length) * kSecondOrder, bounds::kClosest / 2);
+  }
+  const Situation exact{1, 0, 0};
+  const mpq_class of_itself = error_of_square(exact, 1) + 3 * kQuotient;  // two roots of sums of squares, a quotient
+  EXPECT_LE(of_itself * kSecondOrder, bounds::kClosest);
+  // From a vertex: the root of a sum of squares; what is lifted is known to a unit of the maximum.
+  EXPECT_LE((error_of_square(exact, 1) + kQuotient) * kSecondOrder, bounds::kClosest);
+  EXPECT_LE(kEdgeOffItsPlane.from_error * kSecondOrder, bounds::kClosest);
+}
+
+// A normal that is shorter than 8 times its error may be wrong altogether. Then step and distance, exact and computed,
+// are still no longer than `from`, at most the root of 3, and the bound is more than two of them. For longer ones
+// computed values stand for exact ones, and products of errors count, within 1 + 1/8 to the third: half of kClosest is
+// enough above.
+TEST(ClosestBounds, AreNotSureOfNeedles) {
+  const mpq_class error = kRootOfThree * kNormalOfTriangle.direction_error;
+  EXPECT_GE(bounds::kClosest / (9 * error), 2 * kRootOfThree);
+  EXPECT_LE(power(mpq_class(9, 8), 3), 2);
+}
+
+}  // namespace
+}  // namespace touchstone::filtered::proofs
