@@ -172,7 +172,7 @@ const std::vector<BoundedQuantity>& bounded_quantities() {
     for_each_kind([&](auto kind, std::size_t place) {
       list.push_back({BoundStage::DoubleDouble, kKindNames[place], bounds::kDoubleDoubleUnit * constant<kind.value>()});
     });
-    list.push_back({BoundStage::Frame, "height", bounds::kUnit * (bounds::kCoordinate + 8)});
+    list.push_back({BoundStage::Frame, "height", bounds::kUnit * bounds::kHeight});
     list.push_back({BoundStage::Frame, "along", bounds::kUnit * bounds::kEdgeFrame});
     list.push_back({BoundStage::Frame, "across", bounds::kUnit * bounds::kEdgeFrame});
     list.push_back({BoundStage::FastPlanarity, "height", 8 * std::numeric_limits<double>::epsilon()});

@@ -19,7 +19,7 @@ SIGNS = [  # of tightness.csv: expression, maxima, constant of bounds.h
     ("above", r"$(N\cdot N)\,w_k-(N\cdot w)\,N_k$", "$m_N^2m_w$", "kAbove"),
     ("normal", r"$u\times v$", "$2m_um_v$", "kNormal"),
 ]
-FRAME = [("height", "coordinate in the frame", "$W$", "kCoordinate"),
+FRAME = [("height", "height above the plane in the frame", "$S$", "kHeight"),
          ("along", "along, across an edge in the frame", "$S$", "kEdgeFrame")]
 
 

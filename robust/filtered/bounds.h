@@ -44,17 +44,17 @@ inline constexpr double kCoordinate = 14.0625;
 /// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
 inline constexpr double kEdgeFrame = 46.1875;
 
-/// What is made of them, with S = 2 max(W, 1). Vertices and edges are at most kExtent long in each of the frame's
-/// coordinates and the plane is at most that far from the origin, all known to unit. Then the height above the plane is
-/// known to kHeight unit S, one rounded sum of the height and this error included, and the root of the computed square
-/// of the foot's distance from an edge to kDistance unit S.
+/// What is made of them, with S = 2 max(W, 1). Vertices and the plane are at most kExtent from the origin, no edge is
+/// longer, all known to unit. Then the height above the plane is known to kHeight unit S, one rounded sum of the height
+/// and this error included, and the root of the computed square of the foot's distance from an edge to kDistance unit
+/// S. That also covers what a frame from Frame::kSubnormal up makes of subnormal numbers that are flushed to zero.
 inline constexpr double kExtent = 1.5;
 inline constexpr double kHeight = 12.75;
-inline constexpr double kDistance = 51.5;
+inline constexpr double kDistance = 74.5;
 /// Distances computed beyond kNear kDistance unit S are from feet that are off the edge, and on the side of its line
 /// that is computed. From the square of that on: a box with an edge within some computed square of the foot has a
-/// computed square of at most kBoxReach times as much.
-inline constexpr double kNear = 4;
+/// computed square of at most kBoxReach times as much, and of a box beyond that it is certain on which side it lies.
+inline constexpr double kNear = 3;
 inline constexpr double kBoxReach = 1.25;
 /// Halves of boxes hold the points as rounded, and this much more for their own rounding, to nearest.
 inline constexpr double kBoxRounding = 0x1p-47;
@@ -66,6 +66,8 @@ inline constexpr double kNarrow = 1 - 0x1p-48;
 /// lifted component of an edge to kLiftedEdge times the largest component of the edge as it was given.
 inline constexpr double kLift = 0x1p-99;
 inline constexpr double kLiftedEdge = 0x1p-98;
+/// Maxima so many times as large, of vertices that of 1, know them to kDoubleDoubleUnit.
+inline constexpr double kLiftedMaximum = 32;
 /// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.from D_k / D.D is
 /// known to kClosest m_w m_D |D_k| / D.D; for lifted edges, between whose ends the foot lies, and kClosest m_e more;
 /// for computed normals and kClosest m_w m_N / |N| more. A distance from an edge or a plane is known to kClosest times

@@ -46,7 +46,7 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
     if (moved && !face) start = start + edges.lift(feature.index);
     const double lift_error = moved ? 2 * bounds::kLift : 0;
-    if (vertex) return rounded({start, lift_error + 0x1p-102 * std::abs(start.high)}, exponent);
+    if (vertex) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
 
     // The start and a share of a direction.
     const auto seen = edges.seen(feature.index);
@@ -66,7 +66,7 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
                          (face ? Seen::kNormalError / std::sqrt(length_squared.high) : 0);
     const double error = bounds::kClosest * (seen.maxima.from * maximum * share) +
                          bounds::kClosest * (seen.lifted ? seen.maxima.edge : 0) +
-                         0x1p-102 * (std::abs(start.high) + std::abs(value.high)) + lift_error;
+                         2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, exponent);
   };
   if (const auto result = in_doubles()) {

@@ -95,9 +95,8 @@ class ExactEdges {
            lifted.exact_normal};
     s.maxima.edge = largest(s.edge);
     if (s.lifted) {
-      // With maxima 32 times as large lifts are known to kDoubleDoubleUnit of them.
-      s.maxima.from = std::max(s.maxima.from, 32.0);
-      s.maxima.edge *= 32;
+      s.maxima.from = std::max(s.maxima.from, bounds::kLiftedMaximum);
+      s.maxima.edge *= bounds::kLiftedMaximum;
       const int k = parts_.unlimited.dropped_axis();
       DoubleDouble& from_k = k == 0 ? s.from.x : k == 1 ? s.from.y : s.from.z;
       DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;

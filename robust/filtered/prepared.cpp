@@ -29,7 +29,7 @@ std::optional<std::vector<Eigen::Vector3d>> scaled(const Polygon& polygon, int e
   return result;
 }
 
-/// The exponent for which no vertex is farther than 1/4 from vertex 0 in any coordinate, and one is farther than 1/16.
+/// The exponent for which no vertex is farther than 1/4 from vertex 0 in any coordinate.
 int frame_exponent(const Polygon& polygon) {
   double extent = 0;
   for (int axis = 0; axis < 3; ++axis) {

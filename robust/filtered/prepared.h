@@ -17,7 +17,8 @@ namespace touchstone::filtered {
 
 /// An isometric frame in the supporting plane: origin at vertex 0, unit axes x and y in the plane, the unit normal.
 ///
-/// Lengths are multiplied by a power of two so that no vertex is farther than 1 from the origin. The x axis is
+/// Lengths are multiplied by a power of two so that no vertex is farther than bounds::kExtent from
+/// the origin. The x axis is
 /// parallel to the plane's lines of equal coordinate (dropped axis + 2) mod 3, and y grows with that coordinate: above
 /// and below are the same in the frame and in the projection that drops an axis.
 struct Frame {

@@ -146,8 +146,8 @@ class IntegerView {
 template <SignKind kind>
 int sure_sign(const EdgeInQuestion& question) {
   const double value = expression<kind>(DoubleDoubleView{question}).high;
-  // high is within half a unit of its last place of the double-double, whose sign it has; the 1/16 in each constant
-  // pays for that and for the rounding of the bound.
+  // high is within half a unit of its last place of the double-double, whose sign it has; each constant pays
+  // for that and for the rounding of the bound.
   const double largest = bounds::kDoubleDoubleUnit * bound<kind>(question.maxima) + bounds::kTiny;
   return (value > largest) - (value < -largest);
 }

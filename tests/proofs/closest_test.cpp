@@ -37,9 +37,9 @@ TEST(LiftBounds, HoldForVertices) {
   const ErrorBound lift = height - dot(vector_within(1, kDouble), vector_within(mpq_class(1, 4), 0));
   EXPECT_LE(error_of_share(lift), bounds::kLift);
   EXPECT_GT(error_of_share(lift), mpq_class(bounds::kLift) / 2) << "it is loose";
-  // Seen from a ball: with a maximum of 32, or as large as the difference is. A sum is off by 3 u^2 = 3/8 units.
+  // Seen from a ball: with this maximum, or one as large as the difference is. A sum is off by 3 u^2 = 3/8 units.
   const mpq_class sum = mpq_class(3, 8) * kDouble;
-  EXPECT_LE(bounds::kLift + sum * 32, kDouble * 32);
+  EXPECT_LE(bounds::kLift + sum * bounds::kLiftedMaximum, kDouble * bounds::kLiftedMaximum);
 }
 
 TEST(LiftBounds, HoldForEdges) {
@@ -47,7 +47,7 @@ TEST(LiftBounds, HoldForEdges) {
   const ErrorBound lifted = within(1, 0) - within(along.magnitude(), error_of_share(along));
   EXPECT_LE(lifted.error, bounds::kLiftedEdge);
   EXPECT_GT(lifted.error, mpq_class(bounds::kLiftedEdge) / 2) << "it is loose";
-  EXPECT_LE(bounds::kLiftedEdge, kDouble * 32);  // maxima are 32 times the largest component
+  EXPECT_LE(bounds::kLiftedEdge, kDouble * bounds::kLiftedMaximum);
 }
 
 /// A direction D and the way `from` from it to the centre, as closest_point.h has them, with errors in each component.
@@ -55,8 +55,8 @@ struct Situation {
   mpq_class direction, direction_error, from_error;
 };
 const Situation kExactEdge{1, 0, 0};
-/// At most 4 of what the largest component was before it was lifted, which is a 32nd of the maximum.
-const Situation kEdgeOffItsPlane{mpq_class(1, 8), kDouble, kDouble};
+/// At most 4 times the largest component before it was lifted.
+const Situation kEdgeOffItsPlane{mpq_class(4) / mpq_class(bounds::kLiftedMaximum), kDouble, kDouble};
 const Situation kNormalOfTriangle{1, bounds::kNormal* kDouble, 0};
 const Situation kNormalOfPolygon{1, kDouble, kDouble};
 const Situation kEvery[] = {kExactEdge, kEdgeOffItsPlane, kNormalOfTriangle, kNormalOfPolygon};
@@ -72,14 +72,16 @@ mpq_class error_of_product(const Situation& s) {
   return dot(vector_within(s.direction, s.direction_error), vector_within(1, s.from_error)).error;
 }
 
-// The step is D.from D_k / D.D; its errors in units of |D_k| / D.D. |D.from| is at most |D| times the root of 3, and
-// |D| at most that times the largest component: the shorter D is, the less its errors' share counts.
+/// The step is D.from D_k / D.D; its errors in units of |D_k| / D.D, without those of D_k. |D.from| is at most |D|
+/// times the root of 3, and |D| at most that times the largest component: the shorter D is, the less its errors' share
+/// counts.
+mpq_class error_of_step(const Situation& s) {
+  const mpq_class longest = kRootOfThree * s.direction, product = kRootOfThree * longest;
+  return (error_of_product(s) + product * (error_of_square(s, longest) + kQuotient + kDouble)) * kSecondOrder;
+}
+
 TEST(ClosestBounds, HoldForSteps) {
-  for (const Situation& s : kEvery) {
-    const mpq_class longest = kRootOfThree * s.direction, product = kRootOfThree * longest;
-    const mpq_class from_share = product * (error_of_square(s, longest) + kQuotient + kDouble);
-    EXPECT_LE((error_of_product(s) + from_share) * kSecondOrder, bounds::kClosest / 2);
-  }
+  for (const Situation& s : kEvery) EXPECT_LE(error_of_step(s), bounds::kClosest / 2);
   // What D_k itself is off, times D.from / D.D: below 1 for edges, below the root of 3 over |D| for normals. A
   // polygon's normal is known to a unit of each component: that is a unit of the step.
   EXPECT_LE(kEdgeOffItsPlane.direction_error, bounds::kClosest / 2);
@@ -106,13 +108,14 @@ TEST(ClosestBounds, HoldForDistances) {
 }
 
 // A normal that is shorter than 8 times its error may be wrong altogether. Then step and distance, exact and computed,
-// are still no longer than `from`, at most the root of 3, and the bound is more than two of them. For longer ones
-// computed values stand for exact ones, and products of errors count, within 1 + 1/8 to the third: half of kClosest is
-// enough above.
+// are still no longer than `from`, at most the root of 3, and the bound is more than two of them. For longer ones what
+// was computed stands for what is exact, and products of errors count: five factors of at most 1 + 1/8, above in the
+// errors and below in the bound.
 TEST(ClosestBounds, AreNotSureOfNeedles) {
   const mpq_class error = kRootOfThree * kNormalOfTriangle.direction_error;
   EXPECT_GE(bounds::kClosest / (9 * error), 2 * kRootOfThree);
-  EXPECT_LE(power(mpq_class(9, 8), 3), 2);
+  EXPECT_LT(bounds::kClosest / 4 / (9 * error), 2 * kRootOfThree) << "it is loose";
+  EXPECT_LE(error_of_step(kNormalOfTriangle) * power(mpq_class(9, 8), 5), bounds::kClosest / 2);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ inline DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleDoub
 /// a b - c d. Error: below 32 u^2 = 4 * 2^-103 for factors of magnitude at most 1 (16 for the rests, 14 for the sums),
 /// which is what 2 rounded products and a rounded difference may be off in the model of bounds.h.
 inline DoubleDouble product_difference(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c,
-                                          const DoubleDouble& d) {
+                                       const DoubleDouble& d) {
   const DoubleDouble first = unnormalised_product(a, b), second = unnormalised_product(c, d);
   const DoubleDouble high = two_difference(first.high, second.high);
   return two_sum(high.high, (first.low - second.low) + high.low);
@@ -103,8 +103,9 @@ inline Vector3<DoubleDouble> cross(const Vector3<DoubleDouble>& a, const Vector3
           product_difference(a.x, b.y, a.y, b.x)};
 }
 
-/// a / b to within 2^-102 of its size. Requires b != 0. In units of u^2: 5 from the product with `first`, 3 from the last
-/// sum; all else is smaller by u.
+/// a / b to within 2^-102 of its size. Requires b != 0.
+///
+/// In units of u^2: 5 from the product with `first`, 3 from the last sum; all else is smaller by u.
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double first = a.high / b.high;
   const DoubleDouble after_first = a - b * DoubleDouble(first);
@@ -113,8 +114,10 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return quick_two_sum(first, second) + DoubleDouble(after_second.high / b.high);
 }
 
-/// The square root to within 2^-102 of its size. Requires a >= 0. In units of u^2: `rest` is at most 3.1 u a, so that its
-/// tail and the quotient's rounding make 3.1, the square that Newton's step leaves out 1.2.
+/// The square root to within 2^-102 of its size. Requires a >= 0.
+///
+/// In units of u^2: `rest` is at most 3.1 u a, so that its tail and the quotient's rounding make 3.1; the square that
+/// Newton's step leaves out makes 1.2.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.high == 0) return {};  // exact: the tail is zero with it
   const double root = std::sqrt(a.high);
