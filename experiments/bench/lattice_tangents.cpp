@@ -63,6 +63,7 @@ std::optional<Tangent> above_face(Random& random, std::int64_t reach) {
 /// The edge runs along a Pythagorean direction of length c, so that what is perpendicular to it is as long.
 std::optional<Tangent> off_edge(Random& random, std::int64_t reach) {
   const Triple direction = pythagorean_triple(random), offset = pythagorean_triple(random);
+  if (direction.length > reach) return std::nullopt;
   const std::int64_t steps = random.integer(2, 1 + reach / direction.length), scale = power_of_two(random, 8);
   const std::int64_t step = random.integer(1, steps - 1);
   Tangent t{random_point(random, reach), {}, random_point(random, reach), {}, 0, 0};

@@ -4,6 +4,7 @@
 #include <Random123/philox.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace touchstone::workloads {
@@ -27,6 +28,7 @@ std::uint64_t Random::bits() {
 double Random::unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
 std::int64_t Random::integer(std::int64_t lowest, std::int64_t highest) {
+  assert(lowest <= highest);
   const std::uint64_t base = static_cast<std::uint64_t>(lowest);
   const std::uint64_t count = static_cast<std::uint64_t>(highest) - base + 1;  // 0 stands for 2^64
   if (count == 0) return static_cast<std::int64_t>(bits());
