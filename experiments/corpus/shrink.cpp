@@ -105,7 +105,7 @@ class Shrinker {
     ball_ = ball;
     loops_ = workloads::loops_of(polygon);
     size_ = size_of(ball, polygon);
-    margin_ = workloads::ordinal(ball.radius) - workloads::ordinal(exact::answer(ball, polygon).distance);
+    margin_ = workloads::doubles_between(exact::answer(ball, polygon).distance, ball.radius);
   }
 
   /// Takes the candidate if it is smaller and fails in the same way; if need be with the radius as near to the

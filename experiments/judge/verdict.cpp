@@ -135,7 +135,7 @@ Verdict verdict_of(const std::optional<std::string>& id, std::string_view method
 void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radius) {
   if (!answer.stage.empty()) verdict["stage"] = answer.stage;
   if (answer.distance && !std::isnan(*answer.distance))
-    verdict["margin"] = workloads::ordinal(radius) - workloads::ordinal(*answer.distance);
+    verdict["margin"] = workloads::doubles_between(*answer.distance, radius);
   else
     verdict["margin"] = nullptr;
 }

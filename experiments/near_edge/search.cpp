@@ -78,8 +78,8 @@ class Search {
   }
 
   static std::int64_t doubles_moved(const AtThreshold& at, const Ball& ball) {
-    if (at.moved_axis < 0) return workloads::ordinal(ball.radius) - workloads::ordinal(at.ball.radius);
-    return workloads::ordinal(ball.center[at.moved_axis]) - workloads::ordinal(at.ball.center[at.moved_axis]);
+    if (at.moved_axis < 0) return workloads::doubles_between(at.ball.radius, ball.radius);
+    return workloads::doubles_between(at.ball.center[at.moved_axis], ball.center[at.moved_axis]);
   }
 
   [[nodiscard]] std::string line(const Region& region, const methods::Method& method, std::uint64_t n,

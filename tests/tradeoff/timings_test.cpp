@@ -32,7 +32,7 @@ TEST(TimedQueries, AreDistinctLegalShuffledAndWhereTheySay) {
     std::set<std::size_t> polygons;
     for (const auto& [polygon, ball] : queries.near) {
       const double distance = exact::answer(ball, queries.polygons[polygon]).distance;
-      EXPECT_LE(std::abs(workloads::ordinal(ball.radius) - workloads::ordinal(distance)), kNear);
+      EXPECT_LE(std::abs(workloads::doubles_between(distance, ball.radius)), kNear);
       centers.insert(ball.center.x());
       polygons.insert(polygon);
     }
