@@ -215,13 +215,15 @@ void add_scene_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_bench(CLI::App& app, int& status) {
+  constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
   auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
   run::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
   command
-      ->add_option("--samples", options->settings.samples, "Distinct queries; fewer than 100000 may be learnt by heart")
-      ->check(run::whole_number(1), "COUNT")
+      ->add_option("--samples", options->settings.samples,
+                   "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart")
+      ->check(run::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str();
   command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
       ->check(CLI::Range(1, 100'000))

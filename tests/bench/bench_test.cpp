@@ -206,6 +206,7 @@ TEST(BenchCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_bench({"--family", "circles"}), CLI::ParseError);
   EXPECT_THROW(run_bench({"--samples", "0"}), CLI::ParseError);
   EXPECT_THROW(run_bench({"--samples", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "10000001"}), CLI::ParseError);
   EXPECT_THROW(run_bench({"--repetitions", "0"}), CLI::ParseError);
   EXPECT_THROW(run_bench({"--seed", "one"}), CLI::ParseError);
   EXPECT_THROW(run_bench({"--count", "fast"}), CLI::ParseError);

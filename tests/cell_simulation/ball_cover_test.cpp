@@ -101,8 +101,8 @@ TEST(BallCover, WhatTouchesTheFacesIsNeverPassedOver) {
       EXPECT_LE(distance, obstacle.radius + cover.overhang() + 1e-6) << n;
     }
   }
-  EXPECT_GT(touching, 10);
-  EXPECT_GT(near, 5);
+  EXPECT_GT(touching, TOUCHSTONE_SAMPLES / 10);
+  EXPECT_GT(near, TOUCHSTONE_SAMPLES / 20);
 }
 
 TEST(BallCover, OfNothingIsEmpty) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#if defined(__has_feature)
+#define TOUCHSTONE_HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define TOUCHSTONE_HAS_FEATURE(feature) 0
+#endif
+
+namespace touchstone::run_tests {
+
+/// The address sanitizer has an allocator of its own, which malloc does not count, and takes terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__) || TOUCHSTONE_HAS_FEATURE(address_sanitizer)
+inline constexpr bool kAddressSanitizer = true;
+#else
+inline constexpr bool kAddressSanitizer = false;
+#endif
+
+}  // namespace touchstone::run_tests
