@@ -54,7 +54,7 @@ const Workload kTangent{.family = workloads::Family::Triangle, .ball = BallPlace
 TEST_P(Engine, IsRightATenthFromTheBoundaryAsFarAsItsNumbersReach) {
   const std::string name = GetParam();
   const bool coarse = name == "embree" || name == "bullet-float" || name == "libccd" || name == "ode";
-  const int allowed = coarse ? 3 * TOUCHSTONE_SAMPLES / 5 : 0;
+  const int allowed = coarse ? 3 * TOUCHSTONE_SAMPLES / 5 + 5 : 0;  // a fifth, and what few samples scatter
   for (const Workload& workload : {kTriangles, kOutlines})
     for (const double factor : {0.9, 1.1}) {
       const Wrong counted = wrong(*engine, workload, factor);
