@@ -11,6 +11,7 @@
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 #include "tests/mesh/random_meshes.h"
+#include "tests/run/address_sanitizer.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
 
