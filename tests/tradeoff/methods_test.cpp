@@ -198,8 +198,9 @@ TEST(AllMethods, GoOnWhereNumbersOverflow) {
     for (const Ball& ball : {Ball{{size / 3, size / 3, size}, size / 2}, Ball{{1, 1, 1}, size}, Ball{{-size, 0, 0}, 1}})
       for (const auto& method : all_methods()) {
         const auto answer = method->prepare(triangle)->ask(ball, Question::Answer);
-        if (exact_ones.count(method->name()) == 1)
+        if (exact_ones.count(method->name()) == 1) {
           EXPECT_EQ(answer.contact, exact::contact(ball, triangle)) << method->name() << ", " << size;
+        }
       }
   }
 }
