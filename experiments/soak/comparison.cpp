@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/soak/comparison.h"
 
-#include <algorithm>
 #include <array>
 #include <exception>
-#include <limits>
 #include <memory>
 
 #include "experiments/judge/verdict.h"
@@ -106,9 +104,8 @@ class Comparison {
     std::array<Ball, 9> balls;
     std::array<bool, 9> found{};
     for (std::int64_t i = 0; i < 9; ++i) {
-      const double radius = workloads::move_by_doubles(case_.ball.radius, i - 4);
       balls[static_cast<std::size_t>(i)] = {case_.ball.center,
-                                            std::clamp(radius, 0.0, std::numeric_limits<double>::max())};
+                                            workloads::move_radius_by_doubles(case_.ball.radius, i - 4)};
     }
     contestant_.contact(balls, prepared, found);
     for (std::size_t i = 0; i < balls.size(); ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -30,6 +31,12 @@ namespace touchstone::workloads {
 /// The double that lies `steps` doubles above (below, if negative) a finite one.
 [[nodiscard]] constexpr double move_by_doubles(double value, std::int64_t steps) {
   return from_ordinal(ordinal(value) + steps);
+}
+
+/// A radius moved likewise, but never below 0 or beyond the largest double.
+[[nodiscard]] constexpr double move_radius_by_doubles(double radius, std::int64_t steps) {
+  constexpr std::int64_t kLast = ordinal(std::numeric_limits<double>::max());
+  return from_ordinal(std::clamp<std::int64_t>(ordinal(radius) + steps, 0, kLast));
 }
 
 }  // namespace touchstone::workloads

@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "experiments/workloads/doubles.h"
@@ -152,9 +151,8 @@ RC_GTEST_PROP(FilteredBatch, OfBallsIsSingleQuestions, ()) {
   for (std::size_t i = 0; i < count; ++i) {
     Ball ball = c.ball;
     const auto steps = static_cast<std::int64_t>(i) - static_cast<std::int64_t>(count / 2);
-    if (i % 3 != 2) ball.radius = workloads::move_by_doubles(ball.radius, steps);
+    if (i % 3 != 2) ball.radius = workloads::move_radius_by_doubles(ball.radius, steps);
     if (i % 3 == 1) ball.center[static_cast<int>(i / 3 % 3)] = c.polygon.vertex(i % c.polygon.vertex_count()).x();
-    ball.radius = std::clamp(ball.radius, 0.0, std::numeric_limits<double>::max());
     balls.push_back(ball);
   }
   Touches touches(count);
