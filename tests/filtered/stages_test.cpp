@@ -68,6 +68,20 @@ const Polygon& tilted_l() {
   return polygon;
 }
 
+/// The same L, larger, so that the signs' products are no doubles.
+const Polygon& large_l() {
+  static const Polygon polygon({turned(0, 0, 0), turned(60'000, 0, 0), turned(60'000, 20'000, 0),
+                                turned(20'000, 20'000, 0), turned(20'000, 60'000, 0), turned(0, 60'000, 0)});
+  return polygon;
+}
+
+/// Touched in a tie that takes 200 binary orders to see.
+const Polygon& wide_triangle() {
+  static const Polygon polygon({{-1, -1, 0}, {2, 0x1p-190, 0}, {0.1, 2, 0}});
+  return polygon;
+}
+const Ball kWideTie{{0.25, 0.25, 0x1p-200}, 0x1p-200};
+
 // Nothing is near any boundary: one pass in doubles, and nothing else is asked.
 TEST(Stages, DoublesDecideWhatIsClear) {
   const std::vector<StagedCase> cases{
@@ -124,8 +138,6 @@ constexpr double kLattice = 0x1p20;
 TEST(Stages, FixedIntegersDecideTangencyOnTheLattice) {
   const Polygon large({{0, 0, 0}, {kLattice, 0, 0}, {0, kLattice, 0}});
   const Polygon tilted({turned(0, 0, 0), turned(150'000, 0, 0), turned(7, 200'001, 0)});
-  const Polygon l({turned(0, 0, 0), turned(60'000, 0, 0), turned(60'000, 20'000, 0), turned(20'000, 20'000, 0),
-                   turned(20'000, 60'000, 0), turned(0, 60'000, 0)});
   const double k = 12'345;
   const std::vector<StagedCase> cases{
       {"face", {{262'144, 131'072, 524'287}, 524'287}, large, true, Stage::FixedInteger, Stage::FixedInteger},
@@ -141,16 +153,16 @@ TEST(Stages, FixedIntegersDecideTangencyOnTheLattice) {
       {"tilted vertex", {turned(-k, -2 * k, 2 * k), 9 * k}, tilted, true, Stage::FixedInteger, Stage::FixedInteger},
       {"a point on a vertex", {{kLattice, 0, 0}, 0}, large, true, Stage::FixedInteger, Stage::FixedInteger},
       {"a point on a face", {turned(40'000, 30'000, 0), 0}, tilted, true, Stage::FixedInteger, Stage::FixedInteger},
-      {"face of an L", {turned(10'000, 30'000, k), 3 * k}, l, true, Stage::FixedInteger, Stage::FixedInteger},
+      {"face of an L", {turned(10'000, 30'000, k), 3 * k}, large_l(), true, Stage::FixedInteger, Stage::FixedInteger},
       {"both edges of the notch of an L",
        {turned(35'000, 35'000, 0), 45'000},
-       l,
+       large_l(),
        true,
        Stage::FixedInteger,
        Stage::FixedInteger},
       {"above the reflex vertex of an L",
        {turned(20'000, 20'000, k), 3 * k},
-       l,
+       large_l(),
        true,
        Stage::FixedInteger,
        Stage::FixedInteger},
@@ -161,12 +173,7 @@ TEST(Stages, FixedIntegersDecideTangencyOnTheLattice) {
 TEST(Stages, UnlimitedIntegersDecideTheRest) {
   const double least = 0x1p-1074;
   const std::vector<StagedCase> cases{
-      {"a tie over 200 binary orders",
-       {{0.25, 0.25, 0x1p-200}, 0x1p-200},
-       Polygon({{-1, -1, 0}, {2, 0x1p-190, 0}, {0.1, 2, 0}}),
-       true,
-       Stage::Unlimited,
-       Stage::Unlimited},
+      {"a tie over 200 binary orders", kWideTie, wide_triangle(), true, Stage::Unlimited, Stage::Unlimited},
       {"a tie of all exponents",
        {{1e300, 1, least}, 1e300},
        Polygon({{0, 1, least}, {-1e300, 1, least}, {-1e-300, 1e-300, least}}),
@@ -198,99 +205,107 @@ void expect_decided(const std::string& id, const Result& expected, Stage first, 
   EXPECT_LE(counts.last(), last) << id;
 }
 
-/// An L on the lattice, too large for its squares to be doubles.
-const filtered::PreparedPolygon& large_l() {
-  static const filtered::PreparedPolygon polygon(
-      Polygon({turned(0, 0, 0), turned(60'000, 0, 0), turned(60'000, 20'000, 0), turned(20'000, 20'000, 0),
-               turned(20'000, 60'000, 0), turned(0, 60'000, 0)}));
-  return polygon;
-}
+/// A question about a ball and a polygon, its answer, and the stages that may be the slowest one to decide any of it.
+template <class Result>
+struct DecidedCase {
+  std::string id;
+  Ball ball;
+  const Polygon& polygon;
+  Result expected;
+  Stage first, last;
+};
 
-/// No two of its coordinates are of one size.
-const filtered::PreparedPolygon& wide_triangle() {
-  static const filtered::PreparedPolygon polygon(Polygon({{-1, -1, 0}, {2, 0x1p-190, 0}, {0.1, 2, 0}}));
-  return polygon;
+template <class Result, class Question>
+void expect_decided(const std::vector<DecidedCase<Result>>& cases, const Question& question) {
+  for (const auto& c : cases)
+    expect_decided(c.id, c.expected, c.first, c.last,
+                   [&](StageCounts& counts) { return question(c.ball, filtered::PreparedPolygon(c.polygon), counts); });
 }
 
 TEST(Stages, OfRelations) {
-  const auto expect = [](const std::string& id, const Ball& ball, const filtered::PreparedPolygon& polygon,
-                         Relation expected, Stage first, Stage last) {
-    expect_decided(id, expected, first, last,
-                   [&](StageCounts& counts) { return filtered::relation(ball, polygon, counts); });
-  };
   using enum Relation;
-  const double k = 12'345;
-  expect("far from an L", {turned(90'000, 90'000, 0), 3 * k}, large_l(), Separate, Stage::Double, Stage::Double);
-  expect("through an L", {turned(10'000, 10'000, 5), 3 * k}, large_l(), Overlapping, Stage::Double, Stage::Double);
-  expect("on an L", {turned(10'000, 30'000, k), 3 * k}, large_l(), Touching, Stage::FixedInteger, Stage::FixedInteger);
-  expect("on its reflex vertex", {turned(20'000, 20'000, k), 3 * k}, large_l(), Touching, Stage::FixedInteger,
-         Stage::FixedInteger);
-  const filtered::PreparedPolygon tilted(tilted_triangle());
-  const double distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
-  expect("a double short of a face", {kOverTiltedFace, move_by_doubles(distance, -1)}, tilted, Separate,
-         Stage::Permanent, Stage::DoubleDouble);
-  expect("a double into a face", {kOverTiltedFace, move_by_doubles(distance, 1)}, tilted, Overlapping, Stage::Permanent,
-         Stage::DoubleDouble);
-  expect("a tie over 200 binary orders", {{0.25, 0.25, 0x1p-200}, 0x1p-200}, wide_triangle(), Touching,
-         Stage::Unlimited, Stage::Unlimited);
+  const double k = 12'345, distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
+  const Ball short_of_it{kOverTiltedFace, move_by_doubles(distance, -1)};
+  const Ball into_it{kOverTiltedFace, move_by_doubles(distance, 1)};
+  const std::vector<DecidedCase<Relation>> cases{
+      {"far", {turned(90'000, 90'000, 0), 3 * k}, large_l(), Separate, Stage::Double, Stage::Double},
+      {"through", {turned(10'000, 10'000, 5), 3 * k}, large_l(), Overlapping, Stage::Double, Stage::Double},
+      {"on", {turned(10'000, 30'000, k), 3 * k}, large_l(), Touching, Stage::FixedInteger, Stage::FixedInteger},
+      {"on the reflex vertex",
+       {turned(20'000, 20'000, k), 3 * k},
+       large_l(),
+       Touching,
+       Stage::FixedInteger,
+       Stage::FixedInteger},
+      {"a double short", short_of_it, tilted_triangle(), Separate, Stage::Permanent, Stage::DoubleDouble},
+      {"a double into it", into_it, tilted_triangle(), Overlapping, Stage::Permanent, Stage::DoubleDouble},
+      {"a tie over 200 orders", kWideTie, wide_triangle(), Touching, Stage::Unlimited, Stage::Unlimited},
+  };
+  expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
+    return filtered::relation(ball, polygon, counts);
+  });
 }
 
 TEST(Stages, OfThePlane) {
-  const auto expect = [](const std::string& id, const Ball& ball, const filtered::PreparedPolygon& polygon,
-                         PlaneSide expected, Stage first, Stage last) {
-    expect_decided(id, expected, first, last,
-                   [&](StageCounts& counts) { return filtered::plane_side(ball, polygon, counts); });
-  };
   using enum PlaneSide;
-  const double k = 12'345;
-  expect("in front", {turned(0, 0, -k), k}, large_l(), InFront, Stage::Double, Stage::Double);
-  expect("behind", {turned(0, 0, k), k}, large_l(), Behind, Stage::Double, Stage::Double);
-  expect("through it", {turned(0, 0, -k), 4 * k}, large_l(), Intersects, Stage::Double, Stage::Double);
-  expect("touching it", {turned(0, 0, -k), 3 * k}, large_l(), Intersects, Stage::FixedInteger, Stage::FixedInteger);
-  const filtered::PreparedPolygon tilted(tilted_triangle());
-  const double distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
-  expect("a double short of it", {kOverTiltedFace, move_by_doubles(distance, -1)}, tilted, InFront, Stage::Permanent,
-         Stage::DoubleDouble);
-  expect("a double into it", {kOverTiltedFace, move_by_doubles(distance, 1)}, tilted, Intersects, Stage::Permanent,
-         Stage::DoubleDouble);
-  expect("a tie over 200 binary orders", {{0.25, 0.25, 0x1p-200}, 0x1p-200}, wide_triangle(), Intersects,
-         Stage::Unlimited, Stage::Unlimited);
+  const double k = 12'345, distance = exact::answer({kOverTiltedFace, 0}, tilted_triangle()).distance;
+  const Ball short_of_it{kOverTiltedFace, move_by_doubles(distance, -1)};
+  const Ball into_it{kOverTiltedFace, move_by_doubles(distance, 1)};
+  const std::vector<DecidedCase<PlaneSide>> cases{
+      {"in front", {turned(0, 0, -k), k}, large_l(), InFront, Stage::Double, Stage::Double},
+      {"behind", {turned(0, 0, k), k}, large_l(), Behind, Stage::Double, Stage::Double},
+      {"through", {turned(0, 0, -k), 4 * k}, large_l(), Intersects, Stage::Double, Stage::Double},
+      {"touching", {turned(0, 0, -k), 3 * k}, large_l(), Intersects, Stage::FixedInteger, Stage::FixedInteger},
+      {"a double short", short_of_it, tilted_triangle(), InFront, Stage::Permanent, Stage::DoubleDouble},
+      {"a double into it", into_it, tilted_triangle(), Intersects, Stage::Permanent, Stage::DoubleDouble},
+      {"a tie over 200 orders", kWideTie, wide_triangle(), Intersects, Stage::Unlimited, Stage::Unlimited},
+  };
+  expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
+    return filtered::plane_side(ball, polygon, counts);
+  });
 }
 
 TEST(Stages, OfTheFoot) {
-  const auto expect = [](const std::string& id, const Eigen::Vector3d& center, const filtered::PreparedPolygon& polygon,
-                         FootPlace expected, Stage first, Stage last) {
-    expect_decided(id, expected, first, last, [&](StageCounts& counts) {
-      return filtered::foot({center, 1}, polygon, counts);
-    });
-  };
   using enum FootPlace;
-  expect("inside", turned(10'000, 50'000, 77), large_l(), Inside, Stage::Double, Stage::Double);
-  expect("in the notch", turned(50'000, 50'000, 77), large_l(), Outside, Stage::Double, Stage::Double);
-  expect("on an edge", turned(20'000, 30'000, 77), large_l(), Boundary, Stage::FixedInteger, Stage::FixedInteger);
-  expect("on the reflex vertex", turned(20'000, 20'000, 77), large_l(), Boundary, Stage::FixedInteger,
-         Stage::FixedInteger);
   // The edge rises by three doubles over its length: in its middle it is half a double above 1, where no vertex is.
-  const filtered::PreparedPolygon shallow(Polygon({{0, 1 - 0x1p-52, 0}, {1, 1 + 0x1p-51, 0}, {0.5, 4, 0}}));
-  expect("half a double outside", {0.5, 1, 0}, shallow, Outside, Stage::Permanent, Stage::DoubleDouble);
-  expect("half a double inside", {0.5, 1 + 0x1p-52, 0}, shallow, Inside, Stage::Permanent, Stage::DoubleDouble);
-  const filtered::PreparedPolygon wide(Polygon({{-1, 0, 0}, {1, 0x1p-200, 0}, {0, 2, 0}}));
-  expect("2^-201 outside", {0, 0, 1}, wide, Outside, Stage::Unlimited, Stage::Unlimited);
+  const Polygon shallow({{0, 1 - 0x1p-52, 0}, {1, 1 + 0x1p-51, 0}, {0.5, 4, 0}});
+  const Polygon wide({{-1, 0, 0}, {1, 0x1p-200, 0}, {0, 2, 0}});
+  const std::vector<DecidedCase<FootPlace>> cases{
+      {"inside", {turned(10'000, 50'000, 77), 1}, large_l(), Inside, Stage::Double, Stage::Double},
+      {"in the notch", {turned(50'000, 50'000, 77), 1}, large_l(), Outside, Stage::Double, Stage::Double},
+      {"on an edge", {turned(20'000, 30'000, 77), 1}, large_l(), Boundary, Stage::FixedInteger, Stage::FixedInteger},
+      {"on the reflex vertex",
+       {turned(20'000, 20'000, 77), 1},
+       large_l(),
+       Boundary,
+       Stage::FixedInteger,
+       Stage::FixedInteger},
+      {"half a double outside", {{0.5, 1, 0}, 1}, shallow, Outside, Stage::Permanent, Stage::DoubleDouble},
+      {"half a double inside", {{0.5, 1 + 0x1p-52, 0}, 1}, shallow, Inside, Stage::Permanent, Stage::DoubleDouble},
+      {"2^-201 outside", {{0, 0, 1}, 1}, wide, Outside, Stage::Unlimited, Stage::Unlimited},
+  };
+  expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
+    return filtered::foot(ball, polygon, counts);
+  });
 }
 
 TEST(Stages, OfTheEdgesHit) {
   using Edges = std::vector<std::size_t>;
-  const auto expect = [](const std::string& id, const Ball& ball, const Edges& expected, Stage stage) {
-    expect_decided(id, expected, stage, stage,
-                   [&](StageCounts& counts) { return filtered::edges_hit(ball, large_l(), counts); });
-  };
   const double k = 1'000;
-  expect("none", {turned(10'000, 50'000, 0), 3 * k}, {}, Stage::Double);
-  expect("one", {turned(40'000, 1, 0), 3 * k}, {0}, Stage::Double);
-  expect("all", {turned(20'000, 20'000, 0), 300'000}, {0, 1, 2, 3, 4, 5}, Stage::Double);
-  expect("one, touched 3-4-5", {turned(40'000, -3 * k, 4 * k), 15 * k}, {0}, Stage::FixedInteger);
-  expect("both at the notch, touched", {turned(25'000, 25'000, 0), 15 * k}, {2, 3}, Stage::FixedInteger);
-  expect("both at a vertex, touched", {turned(-k, -2 * k, 2 * k), 9 * k}, {0, 5}, Stage::FixedInteger);
+  const auto of_large_l = [](const std::string& id, const Ball& ball, const Edges& expected, Stage stage) {
+    return DecidedCase<Edges>{id, ball, large_l(), expected, stage, stage};
+  };
+  const std::vector<DecidedCase<Edges>> cases{
+      of_large_l("none", {turned(10'000, 50'000, 0), 3 * k}, {}, Stage::Double),
+      of_large_l("one", {turned(40'000, 1, 0), 3 * k}, {0}, Stage::Double),
+      of_large_l("all", {turned(20'000, 20'000, 0), 300'000}, {0, 1, 2, 3, 4, 5}, Stage::Double),
+      of_large_l("one, 3-4-5", {turned(40'000, -3 * k, 4 * k), 15 * k}, {0}, Stage::FixedInteger),
+      of_large_l("both at the notch", {turned(25'000, 25'000, 0), 15 * k}, {2, 3}, Stage::FixedInteger),
+      of_large_l("both at a vertex", {turned(-k, -2 * k, 2 * k), 9 * k}, {0, 5}, Stage::FixedInteger),
+  };
+  expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
+    return filtered::edges_hit(ball, polygon, counts);
+  });
 }
 
 // Points and distances are never doubles alone: a vertex is as it was given, what is far from a tie between doubles is
