@@ -17,10 +17,9 @@ namespace touchstone::filtered {
 
 /// An isometric frame in the supporting plane: origin at vertex 0, unit axes x and y in the plane, the unit normal.
 ///
-/// Lengths are multiplied by a power of two so that no vertex is farther than bounds::kExtent from
-/// the origin. The x axis is
-/// parallel to the plane's lines of equal coordinate (dropped axis + 2) mod 3, and y grows with that coordinate: above
-/// and below are the same in the frame and in the projection that drops an axis.
+/// Lengths are multiplied by a power of two so that no vertex is farther than bounds::kExtent from the origin. The x
+/// axis is parallel to the plane's lines of equal coordinate (dropped axis + 2) mod 3, and y grows with that
+/// coordinate: above and below are the same in the frame and in the projection that drops an axis.
 struct Frame {
   /// Vertices and centres are at most this far from the coordinate planes, in the frame's unit of length.
   static constexpr double kReach = 0x1p60;

@@ -84,7 +84,7 @@ TEST(Allocations, AreCounted) {
 }
 
 TEST(Allocations, NoBatchOfBallsMakesAny) {
-  for (const std::size_t edges : {3, 64, 5000}) {
+  for (const std::size_t edges : {3U, 64U, 5000U}) {
     const Polygon polygon = gear(edges);
     const filtered::PreparedPolygon prepared(polygon);
     const std::vector<Ball> balls = balls_about(polygon);

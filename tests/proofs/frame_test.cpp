@@ -65,10 +65,9 @@ struct Edge {
   ErrorBound along, overshoot, across;
 
   Edge(const ErrorBound& foot, const ErrorBound& start) {
-    const ErrorBound &x = foot, y = foot, start_x = start, start_y = start;
-    const ErrorBound direction_x = known(1, 0), direction_y = known(1, 0);
-    along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
-    across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
+    const ErrorBound direction = known(1, 0);
+    along = frame::along(foot, foot, start, start, direction, direction);
+    across = frame::across(foot, foot, start, start, direction, direction);
     overshoot = frame::overshoot(along, known(bounds::kExtent, 0), kZero);
   }
   [[nodiscard]] mpq_class longest() const { return length(across, overshoot); }
@@ -129,8 +128,8 @@ struct BoxInView {
   ErrorBound along, beside;
 
   explicit BoxInView(const mpq_class& away) {
-    const ErrorBound x = known(away, 0), y = known(away, 0), axis_x = known(1, 0), axis_y = known(1, 0);
-    along = frame::along(x, y, kZero, kZero, axis_x, axis_y);
+    const ErrorBound foot = known(away, 0), axis = known(1, 0);
+    along = frame::along(foot, foot, kZero, kZero, axis, axis);
     beside = frame::beyond(along, known(bounds::kExtent, 0));
   }
   /// Of a distance to it; `across` and `above` are off by as much.

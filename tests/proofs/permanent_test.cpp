@@ -45,7 +45,7 @@ TEST(Permanent, CountsTheRoundingsOfEverySign) {
 
 // The bound of sure_sign: the permanent and two operations may each have been rounded down.
 TEST(Permanent, SlackCoversSecondOrderTermsAndTheBoundsOwnRounding) {
-  for (int k = 0; k <= 64; ++k) {
+  for (std::size_t k = 0; k <= 64; ++k) {
     const mpq_class error = power(1 + kU, k) - 1;
     EXPECT_LE(error, (k + mpq_class(1, 16)) * kU) << k;
     EXPECT_LE(error, (k + mpq_class(1, 8)) * kU * power(1 - kU, k + 2)) << k;
