@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "experiments/run/write_file.h"
 
@@ -16,17 +17,25 @@ std::string option(const std::string& name, const nlohmann::ordered_json& value)
   return " --" + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
 }
 
+std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix) { return path += suffix; }
+
 }  // namespace
 
 void Checkpoint::write(const nlohmann::ordered_json& state) const {
   nlohmann::ordered_json whole = settings_;
   whole.update(state);
-  std::filesystem::path beside = path_;
-  beside += ".new";
+  const auto beside = with_suffix(path_, ".new");
   write_file(beside, whole.dump() + "\n");
   std::error_code error;
   std::filesystem::rename(beside, path_, error);
-  if (error) throw std::runtime_error(path_.string() + ": cannot be written: " + error.message());
+  if (error) refuse("cannot be written: " + error.message());
+}
+
+bool Checkpoint::set_aside() const {
+  std::error_code error;
+  std::filesystem::rename(path_, with_suffix(path_, ".previous"), error);
+  if (error && error != std::errc::no_such_file_or_directory) refuse("cannot be set aside: " + error.message());
+  return !error;
 }
 
 nlohmann::json Checkpoint::parsed() const {
@@ -49,7 +58,7 @@ nlohmann::json Checkpoint::parsed() const {
 }
 
 void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
-  if (held > asked) refuse(fmt::format("holds {} samples already, more than the {} asked for", held, asked));
+  if (held > asked) refuse(fmt::format("holds {} already, more than the {} asked for", held, asked));
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }

@@ -35,12 +35,18 @@ class Checkpoint {
     }
   }
 
-  /// Throws std::runtime_error, which names the file, if it holds more samples than are asked for.
+  /// Renames what stands there, if anything does, to the same name and `.previous`: a run that begins anew loses no
+  /// other. Returns whether it did. Throws std::runtime_error, which names the file, where that cannot be done.
+  bool set_aside() const;
+
+  /// Throws std::runtime_error, which names the file, if it holds more items than are asked for.
   void refuse_more(std::uint64_t held, std::uint64_t asked) const;
-  /// Throws std::runtime_error, which names the file and says why.
-  [[noreturn]] void refuse(const std::string& why) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  /// Throws std::runtime_error, which names the file and says why.
+  [[noreturn]] void refuse(const std::string& why) const;
   /// Null where there is no file.
   [[nodiscard]] nlohmann::json parsed() const;
 

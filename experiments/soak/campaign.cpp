@@ -5,6 +5,11 @@
 
 namespace touchstone::soak {
 
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  constexpr int kVersion = 1;  // raised where case i of a seed becomes another one, or the tally's form changes
+  return {{"version", kVersion}, {"seed", settings.seed}, {"from", settings.from}};
+}
+
 std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const run::Processes& processes,
                            const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
                            const run::Progress& progress, Tally& tally) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "experiments/run/sweep.h"
 #include "experiments/soak/contestant.h"
@@ -17,6 +18,9 @@ struct Settings {
   std::uint64_t from = 0;  ///< the index of the first case
   unsigned threads = 1;    ///< of each process
 };
+
+/// What a run::Checkpoint of a tally asks for.
+[[nodiscard]] nlohmann::ordered_json checkpoint_settings(const Settings& settings);
 
 /// Asks about the cases from, from + 1, ... that the tally does not hold yet, and adds them to it in their order.
 ///

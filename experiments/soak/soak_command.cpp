@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
+#include "experiments/run/course.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
 #include "experiments/run/processes.h"
@@ -17,7 +18,6 @@
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 #include "experiments/soak/campaign.h"
-#include "experiments/soak/checkpoint.h"
 #include "experiments/soak/output.h"
 
 namespace touchstone::commands {
@@ -57,13 +57,10 @@ int run(const Options& options, const run::Processes& processes) {
   const Settings& settings = options.settings;
   const bool first = processes.first();
   const std::filesystem::path folder = options.output;
-  const Checkpoint checkpoint(folder / "checkpoint.json", settings);
-  Tally tally;
-  if (first) {
-    run::make_folder(folder);
-    if (options.resume) tally = checkpoint.read();
-    checkpoint.write(tally);
-  }
+  if (first) run::make_folder(folder);
+  const run::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
+  Tally tally = run::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
+                           [](const Tally& held) { return held.cases(); });
 
   const run::Interrupt interrupt;
   const std::uint64_t before = tally.cases();

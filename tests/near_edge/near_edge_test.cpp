@@ -363,7 +363,7 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
                 .find("is of --holes 0 --truth filtered, not of --holes 1 --truth exact"),
             std::string::npos);
   EXPECT_NE(error_of(run("one", {"--samples", "4", "--truth", "filtered", "--resume"}))
-                .find("holds 5 samples already, more than the 4 asked for"),
+                .find("holds 5 already, more than the 4 asked for"),
             std::string::npos);
 }
 

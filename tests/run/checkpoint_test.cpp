@@ -77,5 +77,18 @@ TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
   EXPECT_EQ(with(kSettings).read<State>()->done, 4);
 }
 
+// A run that begins anew: what another one had done can be gone on from still, by its old name.
+TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
+  EXPECT_FALSE(with(kSettings).set_aside());
+  with(kSettings).write({{"done", 4}});
+  EXPECT_TRUE(with(kSettings).set_aside());
+  EXPECT_FALSE(with(kSettings).read<State>());
+  fs::rename(folder_ / "checkpoint.json.previous", path());
+  EXPECT_EQ(with(kSettings).read<State>()->done, 4);
+  fs::create_directory(folder_ / "checkpoint.json.previous");  // now it cannot be renamed
+  EXPECT_THROW(with(kSettings).set_aside(), std::runtime_error);
+  EXPECT_EQ(with(kSettings).read<State>()->done, 4);
+}
+
 }  // namespace
 }  // namespace touchstone::run

@@ -13,9 +13,9 @@
 #include "experiments/commands.h"
 #include "experiments/judge/case.h"
 #include "experiments/judge/verdict.h"
+#include "experiments/run/course.h"
 #include "experiments/run/write_file.h"
 #include "experiments/soak/campaign.h"
-#include "experiments/soak/checkpoint.h"
 #include "experiments/soak/comparison.h"
 #include "experiments/soak/output.h"
 #include "robust/exact/exact.h"
@@ -33,6 +33,15 @@ using run_tests::text_of;
 
 using run_tests::kAlone;
 using run_tests::kNeverStop;
+
+run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
+  return {scratch.path / "checkpoint.json", checkpoint_settings(settings)};
+}
+
+/// What a run of these settings goes on from.
+Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
+  return run::begin(checkpoint, kAlone, true, settings.cases, Tally(), [](const Tally& held) { return held.cases(); });
+}
 
 /// What a whole run of these cases gives.
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {
@@ -236,12 +245,12 @@ TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
   const Scratch scratch;
   const StrictTriangle wrong;
   const Settings settings{.cases = 3000, .seed = 8, .from = 1'000'000, .threads = 2};
-  const Checkpoint checkpoint(scratch.path / "checkpoint.json", settings);
+  const auto checkpoint = checkpoint_in(scratch, settings);
   Tally tally;
   int stops = 0;
   while (tally.cases() < settings.cases) {
     std::atomic<bool> stop = false;
-    tally = checkpoint.read();
+    tally = resumed(checkpoint, settings);
     const std::uint64_t before = tally.cases();
     const std::uint64_t done = run_campaign(
         settings, wrong, kAlone, stop, [](const Tally&) {}, [&](std::uint64_t) { stop = true; }, tally);
@@ -252,7 +261,7 @@ TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
   }
   EXPECT_GT(stops, 2);
   EXPECT_EQ(tally, whole(settings, wrong));
-  EXPECT_EQ(checkpoint.read(), tally);
+  EXPECT_EQ(resumed(checkpoint, settings), tally);
 }
 
 // Killed after a checkpoint was written: the work since then is lost, and done again.
@@ -260,7 +269,7 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
   const Scratch scratch;
   const StrictTriangle wrong;
   const Settings settings{.cases = 3000, .seed = 8, .threads = 2};
-  const Checkpoint checkpoint(scratch.path / "checkpoint.json", settings);
+  const auto checkpoint = checkpoint_in(scratch, settings);
   std::atomic<bool> stop = false, saved = false;
   Tally lost;
   run_campaign(
@@ -271,7 +280,7 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
       },
       [](std::uint64_t) {}, lost);
   EXPECT_GE(lost.cases(), 1500U);
-  Tally tally = checkpoint.read();
+  Tally tally = resumed(checkpoint, settings);
   EXPECT_GT(tally.cases(), 0U);
   EXPECT_LT(tally.cases(), 1500U);
   run_campaign(
@@ -279,9 +288,9 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
   EXPECT_EQ(tally, whole(settings, wrong));
 }
 
-void expect_refused(const fs::path& path, const Settings& settings, const std::string& why) {
+void expect_refused(const Scratch& scratch, const Settings& settings, const std::string& why) {
   try {
-    (void)Checkpoint(path, settings).read();
+    (void)resumed(checkpoint_in(scratch, settings), settings);
     FAIL() << "taken in spite of: " << why;
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
@@ -290,30 +299,29 @@ void expect_refused(const fs::path& path, const Settings& settings, const std::s
 
 TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
   const Scratch scratch;
-  const fs::path path = scratch.path / "checkpoint.json";
-  const Settings settings{.cases = 500, .seed = 3};
-  const Checkpoint checkpoint(path, settings);
-  EXPECT_EQ(checkpoint.read(), Tally());
+  const Settings settings{.cases = 500, .seed = 3}, more{.cases = 501, .seed = 3};
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  EXPECT_EQ(resumed(checkpoint, settings), Tally());
   checkpoint.write(whole(settings));
-  expect_refused(path, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
-  expect_refused(path, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
-  expect_refused(path, {.cases = 499, .seed = 3}, "holds 500 cases already");
-  EXPECT_EQ(Checkpoint(path, {.cases = 501, .seed = 3}).read().cases(), 500U);
+  expect_refused(scratch, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
+  expect_refused(scratch, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
+  expect_refused(scratch, {.cases = 499, .seed = 3}, "holds 500 already, more than the 499 asked for");
+  EXPECT_EQ(resumed(checkpoint_in(scratch, more), more).cases(), 500U);
 
-  const std::string text = text_of(path);
+  const std::string text = text_of(checkpoint.path());
   for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
-    run::write_file(path, damaged);
-    expect_refused(path, settings, "is no checkpoint");
+    run::write_file(checkpoint.path(), damaged);
+    expect_refused(scratch, settings, "is no checkpoint");
   }
 }
 
 // What an earlier version of the program wrote is gone on with.
 TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
   const Scratch scratch;
-  const fs::path path = scratch.path / "checkpoint.json";
   const Settings settings{.cases = 256, .seed = 3};
-  Checkpoint(path, settings).write(whole(settings));
-  const auto text = text_of(path);
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  checkpoint.write(whole(settings));
+  const auto text = text_of(checkpoint.path());
   EXPECT_EQ(text.rfind("{\"version\":1,\"seed\":3,\"from\":0,\"cases\":256,\"differing\":0,\"outcomes\":[[", 0), 0U)
       << text;
   EXPECT_NE(text.find("]],\"kept\":[]}\n"), std::string::npos) << text;
@@ -332,8 +340,10 @@ TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
   for (const char* file : {"soak.csv", "differences.jsonl", "checkpoint.json"})
     EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
   EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
-  // Without --resume it begins anew.
+  // Without --resume it begins anew, and what stood there is kept.
   ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--output", one}), 0);
+  EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
+  EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
