@@ -3,14 +3,15 @@
 
 #include <string>
 #include <type_traits>
-#include <utility>
+
+#include "geometry/shapes/rejection.h"
 
 namespace touchstone::python {
 
 static_assert(std::is_standard_layout_v<Ball> && sizeof(Ball) == 4 * sizeof(double) && alignof(Ball) == alignof(double),
               "a row x, y, z, r is a ball as it lies");
 
-Balls::Balls(Doubles rows) : rows_(std::move(rows)) {
+Balls::Balls(pybind11::handle rows) : rows_(doubles_of(rows)) {
   const bool fits = (rows_.ndim() == 1 || rows_.ndim() == 2) && rows_.shape(rows_.ndim() - 1) == 4;
   if (!fits)
     throw Rejected({RejectionCode::MalformedCase, "balls are not an array of 4 or of n x 4 numbers (x, y, z, r)"});

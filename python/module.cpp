@@ -64,8 +64,8 @@ void add_polygon(py::module_& module) {
                            "An outer loop and holes in space, each an array of n x 3, non-convex and of either "
                            "orientation: what the contract accepts. Raises Rejected, which names the loop and the "
                            "vertex or edge. Prepared once for each path that is asked about it.")
-      .def(py::init<const Doubles&, const std::vector<Doubles>&>(), py::arg("outer"),
-           py::arg("holes") = std::vector<Doubles>())
+      .def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
+           py::arg("holes") = std::vector<py::object>())
       .def_property_readonly(
           "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of its vertices, n x 3.")
       .def_property_readonly(

@@ -20,15 +20,15 @@ Loop loop_of(const Doubles& rows, std::size_t number) {
   return loop;
 }
 
-Polygon polygon_of(const Doubles& outer, const std::vector<Doubles>& holes) {
+Polygon polygon_of(pybind11::handle outer, const std::vector<pybind11::object>& holes) {
   std::vector<Loop> loops;
-  for (const Doubles& hole : holes) loops.push_back(loop_of(hole, loops.size() + 1));
-  return Polygon(loop_of(outer, 0), loops);
+  for (const auto& hole : holes) loops.push_back(loop_of(doubles_of(hole), loops.size() + 1));
+  return Polygon(loop_of(doubles_of(outer), 0), loops);
 }
 
 }  // namespace
 
-ValidPolygon::ValidPolygon(const Doubles& outer, const std::vector<Doubles>& holes)
+ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes)
     : polygon_(polygon_of(outer, holes)) {
   if (const auto fault = exact::validate(polygon_)) throw Rejected(*fault);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <pybind11/numpy.h>
+#include <pybind11/pytypes.h>
 
 #include <mutex>
 #include <optional>
@@ -10,19 +10,17 @@
 
 #include "geometry/contact/fast.h"
 #include "geometry/shapes/polygon.h"
+#include "python/doubles.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::python {
 
-/// What a caller's list of lists or array becomes: doubles in rows, copied only where they are not that already.
-using Doubles = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
-
 /// A polygon that the contract accepts, prepared for each path when that path is first asked about it; by any thread.
 class ValidPolygon {
  public:
-  /// Loops are arrays of n x 3. Throws Rejected, which names the loop and the vertex or edge.
-  ValidPolygon(const Doubles& outer, const std::vector<Doubles>& holes);
+  /// Loops are arrays of n x 3. Throws as doubles_of does, and Rejected, which names the loop and the vertex or edge.
+  ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes);
 
   [[nodiscard]] const Polygon& polygon() const { return polygon_; }
   /// The vertices of one loop, n x 3.

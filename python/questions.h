@@ -7,10 +7,10 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "python/balls.h"
+#include "python/polygon.h"
 
 namespace touchstone::python {
 
@@ -39,8 +39,8 @@ class Questions {
  private:
   using Strings = std::array<const char*, 3>;
 
-  static pybind11::object ask_contact(Doubles rows, const ValidPolygon& polygon) {
-    const Balls balls(std::move(rows));
+  static pybind11::object ask_contact(const pybind11::object& rows, const ValidPolygon& polygon) {
+    const Balls balls(rows);
     if (balls.single()) return pybind11::bool_(contact(balls.all()[0], prepared(polygon)));
     pybind11::array_t<bool> touches(static_cast<pybind11::ssize_t>(balls.all().size()));
     const std::span<bool> out(touches.mutable_data(), balls.all().size());
@@ -54,33 +54,33 @@ class Questions {
     return touches;
   }
 
-  static pybind11::object ask_relation(Doubles rows, const ValidPolygon& polygon) {
-    return ask_word(std::move(rows), polygon, Words<Relation>{},
+  static pybind11::object ask_relation(const pybind11::object& rows, const ValidPolygon& polygon) {
+    return ask_word(rows, polygon, Words<Relation>{},
                     [](const Ball& ball, const Prepared& asked) { return relation(ball, asked); });
   }
-  static pybind11::object ask_plane_side(Doubles rows, const ValidPolygon& polygon) {
-    return ask_word(std::move(rows), polygon, Words<PlaneSide>{},
+  static pybind11::object ask_plane_side(const pybind11::object& rows, const ValidPolygon& polygon) {
+    return ask_word(rows, polygon, Words<PlaneSide>{},
                     [](const Ball& ball, const Prepared& asked) { return plane_side(ball, asked); });
   }
-  static pybind11::object ask_foot(Doubles rows, const ValidPolygon& polygon) {
-    return ask_word(std::move(rows), polygon, Words<FootPlace>{},
+  static pybind11::object ask_foot(const pybind11::object& rows, const ValidPolygon& polygon) {
+    return ask_word(rows, polygon, Words<FootPlace>{},
                     [](const Ball& ball, const Prepared& asked) { return foot(ball, asked); });
   }
 
-  static pybind11::object ask_edges_hit(Doubles rows, const ValidPolygon& polygon) {
+  static pybind11::object ask_edges_hit(const pybind11::object& rows, const ValidPolygon& polygon) {
     return ask_each(
-        std::move(rows), polygon, [](const Ball& ball, const Prepared& asked) { return edges_hit(ball, asked); },
+        rows, polygon, [](const Ball& ball, const Prepared& asked) { return edges_hit(ball, asked); },
         [](const std::vector<std::size_t>& edges) { return array_of(edges); });
   }
 
-  static pybind11::object ask_answer(Doubles rows, const ValidPolygon& polygon) {
+  static pybind11::object ask_answer(const pybind11::object& rows, const ValidPolygon& polygon) {
     return ask_each(
-        std::move(rows), polygon, [](const Ball& ball, const Prepared& asked) { return answer(ball, asked); },
+        rows, polygon, [](const Ball& ball, const Prepared& asked) { return answer(ball, asked); },
         [](const Answer& its) { return pybind11::cast(its); });
   }
 
-  static pybind11::tuple ask_closest(Doubles rows, const ValidPolygon& polygon) {
-    const Balls balls(std::move(rows));
+  static pybind11::tuple ask_closest(const pybind11::object& rows, const ValidPolygon& polygon) {
+    const Balls balls(rows);
     const auto count = static_cast<pybind11::ssize_t>(balls.all().size());
     Doubles points({count, pybind11::ssize_t{3}}), distances(count);
     double *point = points.mutable_data(), *distance = distances.mutable_data();
@@ -112,8 +112,9 @@ class Questions {
 
   /// Arrays of words are NumPy's: taken from the three by number.
   template <class Enumerator, class Ask>
-  static pybind11::object ask_word(Doubles rows, const ValidPolygon& polygon, Words<Enumerator>, const Ask& ask) {
-    const Balls balls(std::move(rows));
+  static pybind11::object ask_word(const pybind11::object& rows, const ValidPolygon& polygon, Words<Enumerator>,
+                                   const Ask& ask) {
+    const Balls balls(rows);
     if (balls.single()) return text_of(ask(balls.all()[0], prepared(polygon)));
     pybind11::array_t<std::uint8_t> numbers(static_cast<pybind11::ssize_t>(balls.all().size()));
     std::uint8_t* number = numbers.mutable_data();
@@ -134,8 +135,9 @@ class Questions {
 
   /// For answers of changing size: one, or a list.
   template <class Ask, class Convert>
-  static pybind11::object ask_each(Doubles rows, const ValidPolygon& polygon, const Ask& ask, const Convert& convert) {
-    const Balls balls(std::move(rows));
+  static pybind11::object ask_each(const pybind11::object& rows, const ValidPolygon& polygon, const Ask& ask,
+                                   const Convert& convert) {
+    const Balls balls(rows);
     std::vector<decltype(ask(balls.all()[0], prepared(polygon)))> answers;
     unlocked([&] {
       const Prepared& asked = prepared(polygon);

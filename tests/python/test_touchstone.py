@@ -177,11 +177,21 @@ class Refusals(unittest.TestCase):
         self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact([1, 2, 3], square))
         self.refused("malformed-case", "n x 4", lambda: touchstone.fast.contact(1.0, square))
 
-    def test_are_type_errors_where_nothing_is_a_number(self):
+    def test_are_type_errors_where_there_are_no_numbers(self):
+        ball, loop, square = np.array([4, 0, 0, 1.0]), np.array(SQUARE), touchstone.Polygon(SQUARE)
+        for words, wrong in (("complex128", lambda numbers: numbers + 1j),
+                             ("<U", lambda numbers: numbers.astype(str)),
+                             ("<U", lambda numbers: numbers.astype(str).tolist()),
+                             ("<U", lambda numbers: "numbers"),
+                             ("datetime64", lambda numbers: numbers.astype("datetime64[s]")),
+                             ("masked", lambda numbers: np.ma.masked_equal(numbers, 4))):
+            for ask in (lambda: touchstone.filtered.contact(wrong(ball), square), lambda: touchstone.Polygon(wrong(loop)),
+                        lambda: touchstone.Polygon(SQUARE, [wrong(loop)])):
+                with self.assertRaisesRegex(TypeError, words):
+                    ask()
+        self.assertTrue(touchstone.filtered.contact(np.ma.array(ball), square))
         with self.assertRaises(TypeError):
-            touchstone.Polygon("square")
-        with self.assertRaises(TypeError):
-            touchstone.filtered.contact([0, 0, 0, 1], SQUARE)
+            touchstone.filtered.contact(ball, SQUARE)
 
 
 class Threads(unittest.TestCase):
