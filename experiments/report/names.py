@@ -59,6 +59,7 @@ ENGINES = {
     "filtered": "ours, certified",
     "fast": "ours, plain doubles",
     "cgal-epeck-distance": "CGAL's exact kernel, squared distance",
+    "cgal-epeck-intersect": "CGAL's exact kernel, do_intersect",
     "cgal-epick-distance": "CGAL's inexact constructions, squared distance",
     "cgal-double-distance": "CGAL over plain doubles, squared distance",
     "cgal-epick-intersect": "CGAL's inexact constructions, do_intersect",

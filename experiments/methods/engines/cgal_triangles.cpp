@@ -4,6 +4,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/engines/triangle_method.h"
@@ -27,13 +28,14 @@ std::optional<bool> by_distance(const Ball& ball, const Triangle& t) {
   return CGAL::squared_distance(point<Kernel>(ball.center), triangle<Kernel>(t)) <= radius * radius;
 }
 
-/// CGAL's sphere is a surface: a triangle within it does not meet it. Where r^2 overflows, EPICK's rationals end the
-/// program.
+/// CGAL's sphere is a surface: a triangle within it does not meet it.
 template <class Kernel>
 std::optional<bool> by_intersection(const Ball& ball, const Triangle& t) {
-  if (!std::isfinite(ball.radius * ball.radius)) return std::nullopt;
-  const typename Kernel::FT radius = ball.radius;
-  const typename Kernel::Sphere_3 sphere(point<Kernel>(ball.center), radius * radius);
+  using Number = typename Kernel::FT;
+  const Number radius = ball.radius, square = radius * radius;
+  if constexpr (std::is_floating_point_v<Number>)
+    if (!std::isfinite(square)) return std::nullopt;  // EPICK's rationals would end the program
+  const typename Kernel::Sphere_3 sphere(point<Kernel>(ball.center), square);
   return CGAL::do_intersect(sphere, triangle<Kernel>(t)) || sphere.has_on_bounded_side(point<Kernel>(t.a));
 }
 
@@ -54,6 +56,8 @@ void add_cgal_triangles(MethodList& list) {
                                  by_intersection<Epick>));
   list.push_back(triangle_method("cgal-epeck-distance", "CGAL's squared_distance over EPECK; loops are not lifted",
                                  by_distance<Epeck>));
+  list.push_back(triangle_method("cgal-epeck-intersect", "CGAL's do_intersect over EPECK; loops are not lifted",
+                                 by_intersection<Epeck>));
 }
 
 }  // namespace touchstone::methods
