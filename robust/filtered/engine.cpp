@@ -3,14 +3,11 @@
 
 namespace touchstone::filtered {
 
-const Engine& engine() {
+const Engine& fastest_engine() {
 #if defined(TOUCHSTONE_HAS_AVX2)
-  static const Engine& fastest =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? avx2_engine() : baseline_engine();
-  return fastest;
-#else
-  return baseline_engine();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_engine();
 #endif
+  return baseline_engine();
 }
 
 }  // namespace touchstone::filtered

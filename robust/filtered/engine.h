@@ -13,11 +13,11 @@ namespace touchstone::filtered {
 template <class Counts>
 struct Questions {
   using Parts = PreparedPolygon::Parts;
-  bool (*triangle_contact)(const TriangleQuestion&, Counts&);
+  bool (*triangle_contact)(TriangleQuestion, Counts&);
   /// Of a question with radius 0: the feature that holds the closest point; its distance and its closest point.
-  Feature (*triangle_nearest)(const TriangleQuestion&, Counts&);
-  double (*triangle_distance)(const TriangleQuestion&, const Feature&, Counts&);
-  void (*triangle_point)(const TriangleQuestion&, const Feature&, double (&point)[3], Counts&);
+  Feature (*triangle_nearest)(TriangleQuestion, Counts&);
+  double (*triangle_distance)(TriangleQuestion, const Feature&, Counts&);
+  void (*triangle_point)(TriangleQuestion, const Feature&, double (&point)[3], Counts&);
   bool (*contact)(const Ball&, const Parts&, Counts&);
   Relation (*relation)(const Ball&, const Parts&, Counts&);
   PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);
@@ -37,14 +37,20 @@ struct Engine {
 [[nodiscard]] __attribute__((always_inline)) inline TriangleQuestion question(const Ball& ball,
                                                                               const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
-  return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball.center), ball.radius};
+  static_assert(sizeof(Ball) == 4 * sizeof(double), "a ball is four");
+  return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball)};
 }
 
 [[nodiscard]] const Engine& baseline_engine();
 [[nodiscard]] const Engine& avx2_engine();
 
 /// The fastest engine that this machine can run. All give the same answers.
-[[nodiscard]] const Engine& engine();
+[[nodiscard]] const Engine& fastest_engine();
+/// The same, found once.
+[[nodiscard]] inline const Engine& engine() {
+  static const Engine& fastest = fastest_engine();
+  return fastest;
+}
 
 /// The closest point of one engine.
 template <class Counts>

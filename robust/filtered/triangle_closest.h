@@ -64,19 +64,19 @@ class SeenTriangle {
 };
 
 template <class Counts>
-Feature nearest_feature(const TriangleQuestion& question, Counts& counts) {
+Feature nearest_feature(TriangleQuestion question, Counts& counts) {
   const FloatingPointState nearest;
   return SeenTriangle<Counts>(question, counts).nearest();
 }
 
 template <class Counts>
-double feature_distance(const TriangleQuestion& question, const Feature& feature, Counts& counts) {
+double feature_distance(TriangleQuestion question, const Feature& feature, Counts& counts) {
   const FloatingPointState nearest;
   return distance(SeenTriangle<Counts>(question, counts), feature);
 }
 
 template <class Counts>
-void feature_point(const TriangleQuestion& question, const Feature& feature, double (&point)[3], Counts& counts) {
+void feature_point(TriangleQuestion question, const Feature& feature, double (&point)[3], Counts& counts) {
   const FloatingPointState nearest;
   const SeenTriangle<Counts> triangle(question, counts);
   for (int axis = 0; axis < 3; ++axis) point[axis] = closest_point(triangle, feature, axis);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+
 #include "geometry/contact/answer.h"
 #include "geometry/floating_point_state.h"
 #include "robust/filtered/sign_ladder.h"
@@ -80,7 +82,7 @@ class UnsureTriangle {
     const Maxima maxima{sure_.from[i], longest, 2 * longest * longest};
     const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
     const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
-    const EdgeInQuestion question{from, along, normal, question_.radius, 0, maxima, false, normal_edges, false};
+    const EdgeInQuestion question{from, along, normal, question_.radius(), 0, maxima, false, normal_edges, false};
     return exact_sign<kind>(question, counts_, [&] { return unlimited_sign(kind, question_, i); });
   }
   [[nodiscard]] int plane_sign() const {
@@ -96,8 +98,8 @@ class UnsureTriangle {
     return false;
   }
   [[nodiscard]] bool edges_touch() const {
-    for (int i = 0; i < 3; ++i)
-      if (edge_touches(i)) return true;
+    for (unsigned edges = sure_.reachable; edges != 0; edges &= edges - 1)
+      if (edge_touches(std::countr_zero(edges))) return true;
     return false;
   }
   /// Vertex i is judged with edge i; where the closest point is the edge's end, with the next one.
@@ -135,13 +137,13 @@ class ScaledTriangle {
       for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(question.vertex[i][axis]);
       center_[i] = scaled(question.center[i]);
     }
-    radius_ = scaled(question.radius);
+    center_[3] = scaled(question.radius());
   }
   /// No bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
   /// The numbers are those of the question times 2^-exponent.
   [[nodiscard]] int exponent() const { return exponent_; }
-  [[nodiscard]] TriangleQuestion question() const { return {vertex_, center_, radius_}; }
+  [[nodiscard]] TriangleQuestion question() const { return {vertex_, center_}; }
 
  private:
   double scaled(double length) {
@@ -152,12 +154,12 @@ class ScaledTriangle {
 
   int exponent_;
   bool exact_ = true;
-  double vertex_[3][3], center_[3], radius_;
+  double vertex_[3][3], center_[4];
 };
 
 /// The largest magnitude of a number in the question.
 inline double largest_number(const TriangleQuestion& question) {
-  double largest = question.radius;
+  double largest = question.radius();
   for (int i = 0; i < 3; ++i)
     for (const double x : {question.vertex[i][0], question.vertex[i][1], question.vertex[i][2], question.center[i]})
       largest = std::max(largest, std::abs(x));
@@ -194,7 +196,7 @@ __attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, 
 }
 
 template <class Counts>
-TOUCHSTONE_INLINE bool contact(const TriangleQuestion& question, Counts& counts) {
+TOUCHSTONE_INLINE bool contact(TriangleQuestion question, Counts& counts) {
   TriangleSigns signs;
   const Sure sure = triangle_filter(question, signs);
   if (sure >= Sure::Unsure) [[unlikely]]

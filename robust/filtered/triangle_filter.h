@@ -20,14 +20,13 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   load_three_points(question.vertex[0], vertex.x, vertex.y, vertex.z);
   const Vector3<Pack> center{all_lanes(question.center[0]), all_lanes(question.center[1]),
                              all_lanes(question.center[2])};
-  const Pack radius = all_lanes(question.radius);
+  const Pack radius = all_lanes(question.radius());
 
   const auto largest = [](const Vector3<Pack>& v) {
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
   // With coordinates of half the limit no difference is beyond it, and none overflows.
-  const Pack input = maximum(
-      largest(vertex), magnitude(pack(question.center[0], question.center[1], question.center[2], question.radius)));
+  const Pack input = maximum(largest(vertex), magnitude(load(question.center)));
   if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
     return Sure::Beyond;
 
@@ -65,13 +64,16 @@ TOUCHSTONE_INLINE Sure triangle_filter(const TriangleQuestion& question, Triangl
   const unsigned inside = lanes(side_in.positive), outside = lanes(side_in.negative);
   const unsigned missed = lanes(plane_out.positive), cut = lanes(plane_out.negative);
   const bool yes = (lanes(edge_in) != 0) | ((inside == all) & (cut != 0));
-  const bool no = (missed != 0) | ((outside != 0) & (lanes(edge_out) == all));
-  if (!always && (yes | no)) [[likely]]
+  const unsigned out = lanes(edge_out);
+  const bool no = (missed != 0) | ((outside != 0) & (out == all));
+  // Never both. Of `yes | no` g++ makes two branches, and the first one goes as the data do.
+  if (!always && yes != no) [[likely]]
     return yes ? Sure::Yes : Sure::No;
   const auto both = [&](const Signs& s) { return SureSigns{lanes(s.positive), lanes(s.negative)}; };
   signs.vertex = both(vertex_out), signs.line = both(line_out);
   signs.along = both(after_start), signs.beyond = both(after_end);
   signs.side = {inside, outside}, signs.plane = {missed, cut};
+  signs.reachable = out ^ all;
   store(signs.from, m_from);
   store(signs.edge, m_edge);
   return yes ? Sure::Yes : no ? Sure::No : Sure::Unsure;

@@ -3,11 +3,12 @@
 
 namespace touchstone::filtered {
 
-/// A triangle and a ball as plain numbers where they lie: three vertices, centre, radius.
+/// A triangle and a ball as plain numbers where they lie, to be handed over in registers.
 struct TriangleQuestion {
-  const double (*vertex)[3];
-  const double* center;
-  double radius;
+  const double (*vertex)[3];  ///< three of them
+  const double* center;       ///< and after it the radius
+
+  [[nodiscard]] double radius() const { return center[3]; }
 };
 
 /// What is sure of one sign in each lane, a bit a lane; where neither bit is set, doubles cannot tell.
@@ -24,6 +25,7 @@ struct SureSigns {
 /// plane's is one sign, seen from three edges), and the maxima of `from`, with r, and of `edge`.
 struct TriangleSigns {
   SureSigns vertex, along, beyond, line, side, plane;
+  unsigned reachable;  ///< lanes of the edges that the ball may touch
   double from[4], edge[4];
 };
 

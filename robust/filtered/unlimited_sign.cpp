@@ -22,7 +22,7 @@ struct View {
     return signs::normal(difference(question.vertex[1], question.vertex[0]),
                          difference(question.vertex[2], question.vertex[1]));
   }
-  [[nodiscard]] Number radius() const { return Number(question.radius); }
+  [[nodiscard]] Number radius() const { return Number(question.radius()); }
   [[nodiscard]] static int axis() { return 0; }
 };
 

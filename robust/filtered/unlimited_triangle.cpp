@@ -13,7 +13,7 @@ Polygon polygon(const TriangleQuestion& question) {
   return Polygon({vector(question.vertex[0]), vector(question.vertex[1]), vector(question.vertex[2])});
 }
 
-Ball ball(const TriangleQuestion& question) { return {vector(question.center), question.radius}; }
+Ball ball(const TriangleQuestion& question) { return {vector(question.center), question.radius()}; }
 
 }  // namespace
 

@@ -38,9 +38,9 @@ int sign(const TriangleQuestion& question, int i) {
   const Vector normal_edges[] = {edge(0), edge(1)};
   const Vector normal = filtered::signs::normal(normal_edges[0], normal_edges[1]);
   const double longest = std::max({largest(edge(0)), largest(edge(1)), largest(edge(2))});
-  const filtered::Maxima maxima{std::max(largest(from), question.radius), longest, 2 * longest * longest};
+  const filtered::Maxima maxima{std::max(largest(from), question.radius()), longest, 2 * longest * longest};
   filtered::NoCounts counts;
-  return filtered::exact_sign<kind>({from, along, normal, question.radius, 0, maxima, false, normal_edges, false},
+  return filtered::exact_sign<kind>({from, along, normal, question.radius(), 0, maxima, false, normal_edges, false},
                                     counts, unlimited);
 }
 
