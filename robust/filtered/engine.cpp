@@ -3,11 +3,15 @@
 
 namespace touchstone::filtered {
 
-const Engine& fastest_engine() {
+constinit std::atomic<const Engine*> found_engine = nullptr;
+
+const Engine& find_fastest_engine() {
+  const Engine* fastest = &baseline_engine();
 #if defined(TOUCHSTONE_HAS_AVX2)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_engine();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) fastest = &avx2_engine();
 #endif
-  return baseline_engine();
+  found_engine.store(fastest, std::memory_order_relaxed);
+  return *fastest;
 }
 
 }  // namespace touchstone::filtered
