@@ -21,15 +21,16 @@ typename Kernel::Triangle_3 triangle_of(const Triangle& t) {
 }  // namespace
 
 bool cartesian_contact(const Ball& ball, const Triangle& triangle) {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  return CGAL::squared_distance(point<Kernel>(ball.center), triangle_of<Kernel>(triangle)) <= ball.radius * ball.radius;
+  using Cartesian = CGAL::Simple_cartesian<double>;
+  return CGAL::squared_distance(point<Cartesian>(ball.center), triangle_of<Cartesian>(triangle)) <=
+         ball.radius * ball.radius;
 }
 
 bool epick_contact(const Ball& ball, const Triangle& triangle) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const Kernel::Sphere_3 sphere(point<Kernel>(ball.center), ball.radius * ball.radius);
-  return sphere.has_on_bounded_side(point<Kernel>(triangle.a)) ||
-         CGAL::do_intersect(sphere, triangle_of<Kernel>(triangle));
+  using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const Epick::Sphere_3 sphere(point<Epick>(ball.center), ball.radius * ball.radius);
+  return sphere.has_on_bounded_side(point<Epick>(triangle.a)) ||
+         CGAL::do_intersect(sphere, triangle_of<Epick>(triangle));
 }
 
 }  // namespace touchstone::bench::cgal

@@ -19,7 +19,7 @@ std::mutex& turn() {
 void begin() {
   static const bool begun = dInitODE2(0) != 0;
   (void)begun;
-  thread_local const bool here = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  thread_local const bool here = dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
   (void)here;
 }
 
