@@ -58,7 +58,8 @@ struct Shape {
 
 /// From 2^-7 to 4 at the first attempt, then smaller and smaller.
 double draw_length(Random& random, int attempt) {
-  return std::ldexp(1 + random.unit(), static_cast<int>(random.integer(-7, 1)) - 3 * attempt);
+  const auto exponent = static_cast<int>(random.integer(-7, 1)) - 3 * attempt;
+  return std::ldexp(1 + random.unit(), exponent);
 }
 
 /// `length` along a direction between `out`, in the plane, and the normal or its opposite; sometimes in the plane.
@@ -83,7 +84,8 @@ Vector3d draw_on_edge(Random& random, const Shape& shape, std::size_t edge) {
 
 Vector3d draw_off_edge(Random& random, const Shape& shape, double length) {
   const std::size_t edge = shape.draw_vertex(random);
-  return draw_on_edge(random, shape, edge) + away(random, shape.outward(edge), shape.normal, length);
+  const Vector3d offset = away(random, shape.outward(edge), shape.normal, length);
+  return draw_on_edge(random, shape, edge) + offset;
 }
 
 Vector3d draw_off_vertex(Random& random, const Shape& shape, double length) {

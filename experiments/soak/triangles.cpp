@@ -66,7 +66,8 @@ Triangle needle_triangle(Random& random) {
 
 Triangle far_triangle(Random& random) {
   Triangle triangle = general_triangle(random);
-  const Vector3d origin = std::ldexp(1.0, static_cast<int>(random.integer(0, 50))) * any_point(random);
+  const Vector3d direction = any_point(random);
+  const Vector3d origin = std::ldexp(1.0, static_cast<int>(random.integer(0, 50))) * direction;
   triangle.a += origin;
   triangle.b += origin;
   triangle.c += origin;

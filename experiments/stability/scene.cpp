@@ -85,7 +85,10 @@ Frame lattice_frame(Random& random, const Flat& flat) {
 
 /// Even samples stand where no coordinate is rounded, the others in a rotated plane.
 std::optional<Draft> ordinary(Random& random, std::uint64_t index) {
-  if (index % 2 != 0) return place(random, flat_outline(random), oblique_frame(random, false));
+  if (index % 2 != 0) {
+    const Frame frame = oblique_frame(random, false);
+    return place(random, flat_outline(random), frame);
+  }
   const Flat flat = flat_lattice_outline(random);
   return place(random, flat, lattice_frame(random, flat));
 }

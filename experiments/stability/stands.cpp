@@ -99,7 +99,8 @@ class Draw {
   }
   /// From half of the size down to a 64th.
   double length(double size) {
-    return std::ldexp(size * (0.25 + 0.25 * random_.unit()), -static_cast<int>(random_.integer(0, 4)));
+    const auto halvings = static_cast<int>(random_.integer(0, 4));
+    return std::ldexp(size * (0.25 + 0.25 * random_.unit()), -halvings);
   }
   double signed_length(double size) { return random_.coin() ? length(size) : -length(size); }
   /// Of the outline's size, or of what is stressed.

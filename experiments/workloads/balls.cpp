@@ -121,8 +121,12 @@ std::optional<Position> off_feature(Random& random, const Outline& outline, Kind
 Ball ball_anywhere(Random& random, const PlacedOutline& placed) {
   const LatticeBox box = bounding_box(placed.outline.outer);
   const std::int64_t margin = box.size() / 2;
-  const double x = static_cast<double>(random.integer(box.low.x - margin, box.high.x + margin)) + random.unit();
-  const double y = static_cast<double>(random.integer(box.low.y - margin, box.high.y + margin)) + random.unit();
+  const auto between = [&random](std::int64_t low, std::int64_t high) {
+    const auto whole = static_cast<double>(random.integer(low, high));
+    return whole + random.unit();
+  };
+  const double x = between(box.low.x - margin, box.high.x + margin);
+  const double y = between(box.low.y - margin, box.high.y + margin);
   const double h = random_height(random);
   const double share = std::abs(random.log_uniform(-7, -1));
   return {placed.frame.at(x, y, h), share * static_cast<double>(box.size()) * placed.frame.unit};
@@ -204,7 +208,9 @@ std::optional<Tangent> tangent_off_edge(Random& random, const Outline& outline) 
   const Quadruple q = pythagorean(random, true);
   const std::int64_t reach = std::abs(q.x);
   return Tangent{{c.here.x + forward.x * step + out.x * reach, c.here.y + forward.y * step + out.y * reach},
-                 q.y, q.length, Kind::Edge};
+                 q.y,
+                 q.length,
+                 Kind::Edge};
 }
 
 /// Off a vertex where the region is convex, by a Pythagorean quadruple.

@@ -22,7 +22,7 @@ template <auto in_frame, auto otherwise, class Result, class Counts>
 Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   if (frame_reaches(ball, parts)) [[likely]] {
     // Subnormal coordinates are scaled up before anything else, which must not meet them flushed to zero.
-    std::optional<FloatingPointState> nearest;
+    std::optional<OwnFloatingPointState> nearest;
     if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
     PolygonQuestion<Counts> question(ball, parts, counts);

@@ -15,6 +15,9 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
+/// A type of this target, so that what std::optional makes of it is, too.
+class OwnFloatingPointState : public FloatingPointState {};
+
 /// One question about a ball and a prepared polygon that has a frame, from the frame's doubles to the exact signs that
 /// those leave unsure.
 template <class Counts>
@@ -91,7 +94,7 @@ class PolygonQuestion {
   Counts& counts_;
   HeightQuery height_;
   std::optional<FrameQuery> query_;
-  std::optional<FloatingPointState> state_;
+  std::optional<OwnFloatingPointState> state_;
   std::optional<ExactEdges<Counts>> exact_;
 };
 

@@ -78,22 +78,28 @@ BallOnArc draw_move(std::uint64_t index) {
   for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
     size = std::max(size, (polygon.vertex(i) - polygon.vertex(0)).norm());
   const auto vector = [&](double scale) {
-    return Eigen::Vector3d(scale * (2 * random.unit() - 1), scale * (2 * random.unit() - 1),
-                           scale * (2 * random.unit() - 1));
+    return Eigen::Vector3d{scale * (2 * random.unit() - 1), scale * (2 * random.unit() - 1),
+                           scale * (2 * random.unit() - 1)};
   };
   const auto corner = [&] {
     return polygon.vertex(
         static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(polygon.vertex_count()) - 1)));
   };
   BallOnArc move;
-  move.radius = size * std::ldexp(1 + random.unit(), -static_cast<int>(random.integer(3, 9)));
-  const Eigen::Vector3d aim =
-      (random.coin() ? corner() : Eigen::Vector3d((corner() + corner()) / 2)) + vector(move.radius);
+  const auto halvings = static_cast<int>(random.integer(3, 9));
+  move.radius = size * std::ldexp(1 + random.unit(), -halvings);
+  const Eigen::Vector3d first = corner(), second = random.coin() ? first : corner();
+  const Eigen::Vector3d aim = (first + second) / 2 + vector(move.radius);
   move.arc = {aim, aim + vector(0.7 * size), vector(1), 20 + 150 * random.unit()};
   move.arc.start = kinematics::point_at(move.arc, 360 - move.arc.degrees * random.unit());
   move.faces.polygons.push_back(polygon);
-  if (random.coin())  // a triangle across it
-    move.faces.triangles.push_back({corner(), corner() + vector(0.5 * size), corner() + vector(0.5 * size)});
+  if (random.coin()) {  // a triangle across it
+    const auto near_a_corner = [&] {
+      const Eigen::Vector3d at = corner();
+      return Eigen::Vector3d(at + vector(0.5 * size));
+    };
+    move.faces.triangles.push_back({corner(), near_a_corner(), near_a_corner()});
+  }
   if (random.coin()) {  // a quadrilateral that is off its plane
     const Eigen::Vector3d at = corner(), u = vector(0.3 * size), v = vector(0.3 * size);
     move.faces.polygons.push_back(Polygon({at, at + u, Eigen::Vector3d(at + u + v + vector(0.03 * size)), at + v}));

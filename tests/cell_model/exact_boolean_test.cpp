@@ -25,7 +25,7 @@ using Operation = cell::Boolean::Operation;
 using workloads::Random;
 
 constexpr std::uint64_t kSeed = 51;
-constexpr std::uint64_t kSolids = TOUCHSTONE_SAMPLES / 4 + 1;
+constexpr std::uint64_t kSolids = TOUCHSTONE_SAMPLES / 4 + 5;
 
 std::size_t holes(const Boundary& boundary) {
   std::size_t sum = 0;

@@ -75,17 +75,21 @@ Solid random_primitive(Random& random) {
   return cylinder(axis, from, length, radius, static_cast<int>(random.integer(3, 12)));
 }
 
+/// Quarter turns about one of the axes.
+static Eigen::Matrix3d random_turns(Random& random, int fewest, int most) {
+  const auto turns = static_cast<int>(random.integer(fewest, most));
+  return cell::quarter_turns(static_cast<int>(random.integer(0, 2)), turns);
+}
+
 Solid random_solid(Random& random) {
   Solid solid = random_primitive(random);
   for (std::int64_t more = random.integer(1, 3); more > 0; --more) {
     Solid part = random_primitive(random);
-    part.pose.rotation =
-        cell::quarter_turns(static_cast<int>(random.integer(0, 2)), static_cast<int>(random.integer(-1, 2)));
+    part.pose.rotation = random_turns(random, -1, 2);
     part.pose.translation = small_point(random);
     const auto operation = static_cast<Boolean::Operation>(random.integer(0, 2));
     solid = combined(operation, {std::move(solid), std::move(part)});
-    solid.pose.rotation =
-        cell::quarter_turns(static_cast<int>(random.integer(0, 2)), static_cast<int>(random.integer(0, 3)));
+    solid.pose.rotation = random_turns(random, 0, 3);
     solid.pose.translation = small_point(random);
   }
   return solid;

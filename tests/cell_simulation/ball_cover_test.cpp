@@ -65,8 +65,7 @@ TEST(BallCover, NoBallReachesFurtherThanTheOverhang) {
     for (std::uint64_t n = 0; n < 20 * TOUCHSTONE_SAMPLES; ++n) {
       Random random(12, n);
       const Ball& ball = balls[below(random, balls.size())];
-      const Eigen::Vector3d direction =
-          Eigen::Vector3d(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1));
+      const Eigen::Vector3d direction{between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)};
       const Eigen::Vector3d point = ball.center + ball.radius * direction.normalized();
       furthest = std::max(furthest, scene.nearest({point, 0})->distance);
     }

@@ -19,10 +19,10 @@ using workloads::Random;
 
 /// A direction in space, in the polygon's plane or along its normal, each with some noise.
 Eigen::Vector3d draw_direction(Random& random, const workloads::Frame& frame) {
-  const auto coordinate = [&] { return 2 * random.unit() - 1; };
+  const Eigen::Vector3d part{2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
   const double in_plane = random.coin() ? 1 : 0x1p-20, off_plane = random.coin() ? 1 : 0x1p-20;
   const Eigen::Vector3d direction =
-      in_plane * (coordinate() * frame.u + coordinate() * frame.v) + off_plane * coordinate() * frame.w;
+      in_plane * (part.x() * frame.u + part.y() * frame.v) + off_plane * part.z() * frame.w;
   return direction.normalized();
 }
 

@@ -195,8 +195,10 @@ mpz_class coordinate(workloads::Random& random, int bits) {
     case 0: return limit - 1;
     case 1: return 1 - limit;
     case 2: return small;
-    default: return mpz_class(std::to_string(random.bits())) % limit * (random.coin() ? 1 : -1);
+    default: break;
   }
+  const mpz_class magnitude = mpz_class(std::to_string(random.bits())) % limit;
+  return random.coin() ? magnitude : mpz_class(-magnitude);
 }
 
 /// Integer<Bits> coordinates through every sign, against the same in rationals.

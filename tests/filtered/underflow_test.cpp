@@ -33,7 +33,7 @@ const std::vector<Polygon>& polygons_at_origin() {
 std::vector<Eigen::Vector3d> directions(workloads::Random& random) {
   std::vector<Eigen::Vector3d> list;
   for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}})
-    list.emplace_back(x * (1 + random.unit()), y * (1 + random.unit()), 1 + random.unit());
+    list.push_back({x * (1 + random.unit()), y * (1 + random.unit()), 1 + random.unit()});
   list.emplace_back(1 + random.unit(), 0, 0);
   return list;
 }

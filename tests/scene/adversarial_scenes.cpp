@@ -165,12 +165,15 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
     case 4:
       for (int row = 0; row < 3; ++row) pose.rotation.row(row) = point(random) / 2;
       break;
-    default:
-      pose.rotation = Eigen::Quaterniond(coordinate(random), coordinate(random), coordinate(random), coordinate(random))
-                          .normalized()
-                          .toRotationMatrix();
+    default: {
+      const Eigen::Quaterniond turn{coordinate(random), coordinate(random), coordinate(random), coordinate(random)};
+      pose.rotation = turn.normalized().toRotationMatrix();
+    }
   }
-  if (random.coin()) pose.translation = std::ldexp(largest, static_cast<int>(random.integer(-40, -2))) * point(random);
+  if (random.coin()) {
+    const Eigen::Vector3d direction = point(random);
+    pose.translation = std::ldexp(largest, static_cast<int>(random.integer(-40, -2))) * direction;
+  }
   return pose;
 }
 

@@ -28,8 +28,8 @@ std::vector<Box> draw_boxes(std::uint64_t index, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const double size = std::ldexp(1.0, std::min(1015, magnitude + static_cast<int>(random.integer(-spread, spread))));
     const auto point = [&] {
-      return Eigen::Vector3d(size * (2 * random.unit() - 1), size * (2 * random.unit() - 1),
-                             size * (2 * random.unit() - 1));
+      return Eigen::Vector3d{size * (2 * random.unit() - 1), size * (2 * random.unit() - 1),
+                             size * (2 * random.unit() - 1)};
     };
     const Eigen::Vector3d a = point(), b = a + point() / 8;
     boxes.push_back({a.cwiseMin(b), a.cwiseMax(b)});
@@ -144,7 +144,7 @@ TEST(BoxTree, IsTheSameInEveryFloatingPointEnvironment) {
     std::vector<Box> boxes, moved;
     for (std::size_t i = 0; i < count; ++i) {
       const double size = i % 3 == 0 ? 1 : 0x1p-170;
-      const Eigen::Vector3d low(size * random.unit(), size * random.unit(), -size * random.unit());
+      const Eigen::Vector3d low{size * random.unit(), size * random.unit(), -size * random.unit()};
       boxes.push_back({low, low + Eigen::Vector3d::Constant(size / 64)});
       moved.push_back({-boxes.back().high, -boxes.back().low});
     }

@@ -20,7 +20,7 @@ using workloads::Random;
 std::optional<Polygon> draw_polygon(std::uint64_t index) {
   Random random(2026, index, 63);
   const auto number = [&random] { return 2 * random.unit() - 1; };
-  const auto point = [&] { return Eigen::Vector3d(number(), number(), number()); };
+  const auto point = [&] { return Eigen::Vector3d{number(), number(), number()}; };
   const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-200, 200)));
   const Eigen::Vector3d u = point(), v = random.coin() ? point() : std::ldexp(1.0, -10) * point();
   const Eigen::Vector3d at = random.coin() ? Eigen::Vector3d(0, 0, 0) : 0x1p20 * point();

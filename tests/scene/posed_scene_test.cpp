@@ -213,14 +213,15 @@ TEST(PosedScene, IsAsBeforeWhenMovedBack) {
   std::vector<Ball> balls;
   for (std::uint64_t i = 0; i < 100; ++i) balls.push_back(draw_ball({models[0]}, 2026, i));
   const auto before = scene.touched(balls);
-  const std::size_t memory = scene.triangle_memory(object);
+  // The tree may be built anew meanwhile, with some nodes more or less.
+  const std::size_t memory = scene.triangle_memory(object), copies = models[0].triangles.size() * sizeof(Triangle);
   for (std::uint64_t step = 0; step < 30; ++step) scene.set_pose(object, draw_pose({models[0]}, 2026, step));
   scene.set_pose(object, {Eigen::Matrix3d::Identity(), {3, 0, 0}});
   EXPECT_NE(scene.touched(balls), before);
-  EXPECT_GT(scene.triangle_memory(object), memory);
+  EXPECT_GT(scene.triangle_memory(object), memory + copies / 2);
   scene.set_pose(object, {});
   EXPECT_EQ(scene.touched(balls), before);
-  EXPECT_EQ(scene.triangle_memory(object), memory);
+  EXPECT_LT(scene.triangle_memory(object), memory + copies / 2);
 }
 
 // Polygons are prepared by whichever thread comes first.

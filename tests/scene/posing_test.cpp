@@ -110,7 +110,7 @@ TEST(Posing, RoundsAlikeInEveryFloatingPointEnvironment) {
 /// A rotation, nearly.
 Eigen::Matrix3d draw_rotation(Random& random) {
   const auto number = [&random] { return 2 * random.unit() - 1; };
-  Eigen::Vector4d q(number(), number(), number(), number());
+  Eigen::Vector4d q{number(), number(), number(), number()};
   q.normalize();
   const double w = q[0], x = q[1], y = q[2], z = q[3];
   return (Eigen::Matrix3d() << 1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),  //
@@ -125,10 +125,11 @@ TEST(Posing, NeedsNoIntegersForRotationsAndTranslationsOfOrdinaryPoints) {
   for (std::uint64_t index = 0; index < 1000 * TOUCHSTONE_SAMPLES; ++index) {
     Random random(2026, index, 62);
     const auto point = [&random] {
-      return Eigen::Vector3d(random.log_uniform(-10, 2), random.log_uniform(-10, 2), random.log_uniform(-10, 2));
+      return Eigen::Vector3d{random.log_uniform(-10, 2), random.log_uniform(-10, 2), random.log_uniform(-10, 2)};
     };
     const bool turned = index % 2 == 0;
-    (void)posed({turned ? draw_rotation(random) : Eigen::Matrix3d::Identity(), point()}, point(), counts);
+    const Pose pose{turned ? draw_rotation(random) : Eigen::Matrix3d::Identity(), point()};
+    (void)posed(pose, point(), counts);
   }
   EXPECT_EQ(counts.decided_by(Stage::Unlimited), 0U);
   EXPECT_EQ(counts.decided_by(Stage::DoubleDouble), 3000U * TOUCHSTONE_SAMPLES);

@@ -193,7 +193,7 @@ TEST(StabilityMotion, IsARotationButForRoundings) {
     const Eigen::Matrix3d matrix = small_rotation(random);
     EXPECT_LT((matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 4e-16);
     EXPECT_NEAR(std::acos((matrix.trace() - 1) / 2) * 180 / M_PI, 1, 0.01);
-    const Eigen::Vector3d point(random.unit(), random.unit(), 1 + random.unit());
+    const Eigen::Vector3d point{random.unit(), random.unit(), 1 + random.unit()};
     for (const std::uint64_t steps : {1U, 10U, 1000U}) {
       const Eigen::Vector3d chained = rotated_in_steps({point}, matrix, steps)[0];
       const Eigen::Vector3d once = posed(pose_in_steps(matrix, steps), point);

@@ -34,7 +34,8 @@ TEST(Distribution, QuantilesOfFewWholeNumbersAreThoseNumbers) {
 TEST(Distribution, CutsNumbersByLessThanASixtyFourth) {
   workloads::Random random(7, 0);
   for (int i = 0; i < 1000; ++i) {
-    const double number = std::ldexp(1 + random.unit(), static_cast<int>(random.integer(-1000, 1000)));
+    const auto exponent = static_cast<int>(random.integer(-1000, 1000));
+    const double number = std::ldexp(1 + random.unit(), exponent);
     const Distribution one = of({number, kInfinity});
     EXPECT_LE(one.quantile(0.5), number);
     EXPECT_GT(one.quantile(0.5), number * (1 - 1.0 / 64));

@@ -57,7 +57,7 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
   angles[kShoulder] += between(-20, 20);
   angles[kElbow] += between(-20, 20);
   const auto joint = static_cast<std::size_t>(random.integer(kBase, kElbow));
-  const double move = between(30, 45) * (random.coin() ? 1 : -1);
+  const double size = between(30, 45), move = random.coin() ? size : -size;
   const Arc arc = chain.arc(angles, joint, move, sphere_center(layout()));
 
   const double at = between(2, arc.degrees - 2);
@@ -68,7 +68,8 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
   const Eigen::Vector3d aside = cosine(turn) * across + sine(turn) * out;
   const Eigen::Vector3d u = cosine(tilt) * aside + sine(tilt) * way, v = way.cross(aside);
   const double half_u = between(30, 80), half_v = between(30, 80);
-  const Eigen::Vector3d middle = center + between(-half_u, half_u) * u + between(-half_v, half_v) * v;
+  const double off_v = between(-half_v, half_v), off_u = between(-half_u, half_u);
+  const Eigen::Vector3d middle = center + off_u * u + off_v * v;
   return {arc, Polygon({middle - half_u * u - half_v * v, middle + half_u * u - half_v * v,
                         middle + half_u * u + half_v * v, middle - half_u * u + half_v * v})};
 }
