@@ -10,15 +10,40 @@ namespace touchstone::python {
 
 namespace py = pybind11;
 
+namespace {
+
+/// Is a number masked, of an array or of those in a list of lists?
+bool has_masked(py::handle numbers, py::handle masked_array, py::handle is_masked) {
+  if (py::isinstance(numbers, masked_array)) return is_masked(numbers).cast<bool>();
+  if (!py::isinstance<py::list>(numbers) && !py::isinstance<py::tuple>(numbers)) return false;
+  for (const py::handle part : numbers)
+    if (has_masked(part, masked_array, is_masked)) return true;
+  return false;
+}
+
+/// Throws for Python's own objects that are no real numbers.
+void expect_real(const py::array& objects) {
+  const py::object real = py::module_::import("numbers").attr("Real");
+  const py::object decimal = py::module_::import("decimal").attr("Decimal");
+  for (const py::handle number : objects.attr("flat"))
+    if (!py::isinstance(number, real) && !py::isinstance(number, decimal))
+      throw py::type_error("real numbers are wanted, not " + py::repr(number).cast<std::string>());
+}
+
+}  // namespace
+
 Doubles doubles_of(py::handle numbers) {
   // NumPy would take words for the numbers that they spell, and drop imaginary parts and masks.
   constexpr std::string_view kRealKinds = "fiubO";
   const auto numpy = py::module_::import("numpy");
-  const py::array array = numpy.attr("asarray")(numbers);
-  if (kRealKinds.find(array.dtype().kind()) == std::string_view::npos)
-    throw py::type_error("real numbers are wanted, not " + py::str(array.dtype()).cast<std::string>());
-  if (py::hasattr(numbers, "mask") && numpy.attr("ma").attr("is_masked")(numbers).cast<bool>())
+  const py::object masked = numpy.attr("ma");
+  if (has_masked(numbers, masked.attr("MaskedArray"), masked.attr("is_masked")))
     throw py::type_error("some of these numbers are masked");
+  const py::array array = numpy.attr("asarray")(numbers);
+  const char kind = array.dtype().kind();
+  if (kRealKinds.find(kind) == std::string_view::npos)
+    throw py::type_error("real numbers are wanted, not " + py::str(array.dtype()).cast<std::string>());
+  if (kind == 'O') expect_real(array);
   return Doubles(array);
 }
 

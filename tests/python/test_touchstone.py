@@ -2,6 +2,8 @@
 """The module of Python gives the answers of C++, takes arrays as they lie, and names what it refuses."""
 
 import contextlib
+import decimal
+import fractions
 import gc
 import io
 import json
@@ -189,6 +191,14 @@ class Refusals(unittest.TestCase):
                         lambda: touchstone.Polygon(SQUARE, [wrong(loop)])):
                 with self.assertRaisesRegex(TypeError, words):
                     ask()
+        for word, wrong in (("'4'", "4"), ("complex|1j", 4 + 1j), ("4j", np.complex128(4j)), ("None", None)):
+            with self.assertRaisesRegex(TypeError, word):
+                touchstone.filtered.contact([fractions.Fraction(1), wrong, 0, 1], square)
+        masked = np.ma.masked_equal(ball, 4)
+        for rows in ([masked, masked], (ball, masked), [4, 0, np.ma.masked, 1]):
+            with self.assertRaisesRegex(TypeError, "masked"):
+                touchstone.filtered.contact(rows, square)
+        self.assertTrue(touchstone.filtered.contact([fractions.Fraction(4), decimal.Decimal(0), np.float32(0), True], square))
         self.assertTrue(touchstone.filtered.contact(np.ma.array(ball), square))
         with self.assertRaises(TypeError):
             touchstone.filtered.contact(ball, SQUARE)
