@@ -10,8 +10,9 @@
 
 namespace touchstone::regress {
 
-/// A standing that others are held against, as a file: JSON, the failures of a family as hexadecimal digits, four cases
-/// a digit, the first case in the highest bit. Equal standings make equal bytes.
+/// A standing that others are held against, as a file: JSON, the cases of a family that a method is wrong about as
+/// hexadecimal digits, four cases a digit, the first case in the highest bit; so, too, those that it is unsure about,
+/// if it is about any of all families. Equal standings make equal bytes.
 struct Baseline {
   Settings settings;
   Standing standing;
@@ -21,7 +22,7 @@ struct Baseline {
 /// Throws std::runtime_error, which names the file and what is wrong with it.
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& file);
 
-/// What is otherwise than in the baseline: of one method and family, the numbers of cases.
+/// Of one method and family, the numbers of the cases whose outcome is better or worse than in the baseline.
 struct Change {
   std::string method, family;
   std::vector<std::size_t> better, worse;

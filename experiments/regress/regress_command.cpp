@@ -36,9 +36,10 @@ struct Options {
 
 std::string command_line(const Options& options) {
   std::string line =
-      fmt::format("touchstone regress --method {} --seed {} --samples {} --threads {}", run::joined(options.methods),
-                  options.settings.seed, options.settings.samples, options.threads);
-  if (!options.baseline.empty()) line += " --baseline " + run::shell_quoted(options.baseline);
+      fmt::format("touchstone regress --method {} --threads {}", run::joined(options.methods), options.threads);
+  line += options.baseline.empty()
+              ? fmt::format(" --seed {} --samples {}", options.settings.seed, options.settings.samples)
+              : " --baseline " + run::shell_quoted(options.baseline);
   if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
   return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
 }
@@ -58,25 +59,29 @@ std::string table_of(const Standing& standing, const Settings& settings) {
   text += "\n";
   for (const auto& [method, families] : standing) {
     text += fmt::format("{:<24}", method);
-    for (const auto family : workloads::all_families())
-      text += fmt::format("{:>14}", cell(summary_of(families.at(std::string(word(family))))));
-    text += "\n";
+    std::size_t unsure = 0;
+    for (const auto family : workloads::all_families()) {
+      const Summary summary = summary_of(families.at(std::string(word(family))));
+      text += fmt::format("{:>14}", cell(summary));
+      unsure += summary.unsure;
+    }
+    text += unsure > 0 ? fmt::format("   and unsure about {} in all\n", unsure) : "\n";
   }
   return text;
 }
 
 std::string standing_text(const Standing& standing) {
-  std::string text = "method,family,wrong,cases,first_offset_exponent\n";
+  std::string text = "method,family,wrong,unsure,cases,first_offset_exponent\n";
   for (const auto& [method, families] : standing)
     for (const auto family : workloads::all_families()) {
       const Summary summary = summary_of(families.at(std::string(word(family))));
-      text += fmt::format("{},{},{},{},{}\n", method, word(family), summary.wrong, summary.cases,
+      text += fmt::format("{},{},{},{},{},{}\n", method, word(family), summary.wrong, summary.unsure, summary.cases,
                           summary.first ? std::to_string(*summary.first) : "");
     }
   return text;
 }
 
-/// The cases on which methods have become wrong, once each, as the judge reads them.
+/// The cases on which methods have become worse, once each, as the judge reads them.
 std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
   std::string text;
   for (const auto family : workloads::all_families()) {
@@ -126,6 +131,7 @@ int run(const Options& options) {
     throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
   const Settings settings = baseline ? baseline->settings : options.settings;
   if (!options.output.empty()) run::make_folder(options.output);
+  if (!options.write.empty()) run::make_folder(std::filesystem::absolute(options.write).parent_path());
 
   const run::Interrupt interrupt;
   std::optional<Standing> standing;
@@ -174,17 +180,22 @@ void add_regress(CLI::App& app, int& status) {
       "relative\n"
       "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
       "answer\n"
-      "is seen. Exit status 1 if a method is wrong about a case that it was right about in the baseline.");
-  command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+      "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
+      "unsure,\n"
+      "or unsure where it was right.");
+  auto* baseline =
+      command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
   command->add_option("--write", options->write, "Write what was found as a baseline");
   run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
       ->check(run::whole_number(1, kMostSamples), "COUNT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes(baseline);
+  baseline->excludes("--seed");
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
-                      "Folder for standing.csv, worse.jsonl (cases that have become wrong, for `judge`) and run.json");
+                      "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -56,8 +56,7 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
                                       unsigned threads, const std::atomic<bool>& stop, const run::Progress& progress) {
   const auto& families = workloads::all_families();
   const std::size_t blocks = kPlaces.size() * settings.samples;
-  // A char a case: threads write side by side.
-  std::vector<std::vector<char>> wrong(methods.size(), std::vector<char>(families.size() * settings.cases()));
+  std::vector<Outcomes> outcomes(methods.size(), Outcomes(families.size() * settings.cases()));
   const std::uint64_t done =
       run::run_blocks(blocks_of(settings), threads, stop, progress, [&](unsigned, std::uint64_t b) {
         const std::size_t family = b / blocks, block = b % blocks;
@@ -70,8 +69,9 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
           const auto prepared = methods[m]->prepare(sample.polygon);
           for (std::size_t i = 0; i < kRadii; ++i) {
             const Ball ball{sample.ball.center, sample.ball.radius * factor(i)};
-            if (prepared->ask(ball, methods::Question::Contact).contact == truth[i]) continue;
-            wrong[m][family * settings.cases() + block * kRadii + i] = 1;
+            const auto said = prepared->ask(ball, methods::Question::Contact).contact;
+            if (said == truth[i]) continue;
+            outcomes[m][family * settings.cases() + block * kRadii + i] = said ? Outcome::Wrong : Outcome::Unsure;
             if (exact::contact(ball, sample.polygon) != truth[i])
               throw std::logic_error(fmt::format("filtered differs from exact: {} family {} case {}", settings.seed,
                                                  word(families[family]), block * kRadii + i));
@@ -83,18 +83,19 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
   Standing standing;
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t f = 0; f < families.size(); ++f) {
-      const auto begin = wrong[m].begin() + static_cast<std::ptrdiff_t>(f * settings.cases());
+      const auto begin = outcomes[m].begin() + static_cast<std::ptrdiff_t>(f * settings.cases());
       standing[std::string(methods[m]->name())][std::string(word(families[f]))] =
-          Failures(begin, begin + static_cast<std::ptrdiff_t>(settings.cases()));
+          Outcomes(begin, begin + static_cast<std::ptrdiff_t>(settings.cases()));
     }
   return standing;
 }
 
-Summary summary_of(const Failures& failures) {
+Summary summary_of(const Outcomes& outcomes) {
   Summary summary;
-  summary.cases = failures.size();
-  for (std::size_t n = 0; n < failures.size(); ++n) {
-    if (!failures[n]) continue;
+  summary.cases = outcomes.size();
+  for (std::size_t n = 0; n < outcomes.size(); ++n) {
+    if (outcomes[n] == Outcome::Unsure) ++summary.unsure;
+    if (outcomes[n] != Outcome::Wrong) continue;
     ++summary.wrong;
     const auto exponent = exponent_of(n);
     if (exponent && (!summary.first || *exponent < *summary.first)) summary.first = exponent;

@@ -14,7 +14,7 @@
 #include "experiments/run/blocks.h"
 #include "experiments/workloads/workload.h"
 
-/// Which cases each method is wrong about, so that a change that alters one answer is seen.
+/// What each method says of each case, so that a change that alters one answer is seen.
 namespace touchstone::regress {
 
 /// The radius is the exact distance's nearest double, times 1 + 2^-k and 1 - 2^-k for each of these k, and itself.
@@ -41,10 +41,12 @@ struct Settings {
 /// Does the method say yes or no at all, or that it is unsure?
 [[nodiscard]] bool answers(const methods::Method& method);
 
-/// Of one family: whether the method's yes or no is other than the exact one, or missing, case by case.
-using Failures = std::vector<bool>;
+/// Of a method's yes or no, held against the exact one; Unsure where it has none. Each is better than those below it.
+enum class Outcome : char { Right, Unsure, Wrong };
+/// Of one family, case by case.
+using Outcomes = std::vector<Outcome>;
 /// By method's name, then by family.
-using Standing = std::map<std::string, std::map<std::string, Failures>>;
+using Standing = std::map<std::string, std::map<std::string, Outcomes>>;
 
 /// Asks every method, each of which `answers`, about every case. The truth is `filtered`'s, and `exact`'s of each case
 /// on which a method differs from it; throws std::logic_error, which names the case, where the two differ. The same for
@@ -58,9 +60,9 @@ using Standing = std::map<std::string, std::map<std::string, Failures>>;
 
 /// How a method stands with a family.
 struct Summary {
-  std::size_t wrong = 0, cases = 0;
+  std::size_t wrong = 0, unsure = 0, cases = 0;
   std::optional<int> first;  ///< the least k of 2^-k at which it is wrong; none where it never is, but at the distance
 };
-[[nodiscard]] Summary summary_of(const Failures& failures);
+[[nodiscard]] Summary summary_of(const Outcomes& outcomes);
 
 }  // namespace touchstone::regress

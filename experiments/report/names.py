@@ -51,9 +51,6 @@ def of_method(name):
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
 BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
 
-# Methods that may say "don't know", which regress counts as wrong.
-UNSURE = {"interval"}
-
 # regress: the engines of the tables, in their order. Method: what it is.
 ENGINES = {
     "filtered": "ours, certified",

@@ -2,7 +2,7 @@
 """Others' engines on the cases of `touchstone regress`."""
 import dataclasses
 
-from names import ENGINES, UNSURE
+from names import ENGINES
 from readings.asked import Asked
 from results import maybe, natural
 
@@ -36,7 +36,8 @@ def rows_by_engine(rows):
 
 
 def rows_of(study):
-    return study.rows("standing.csv", method=str, family=str, wrong=natural, cases=natural, first_offset_exponent=maybe(natural))
+    return study.rows("standing.csv", method=str, family=str, wrong=natural, unsure=natural, cases=natural,
+                      first_offset_exponent=maybe(natural))
 
 
 def cases_of(rows):
@@ -50,11 +51,13 @@ def polygons_of(study, rows):
 
 def asked(study):
     """The balls of a family share polygons. `filtered` is what the study compares with, and `exact` is asked where another
-    differs: so it was tested only if the method exact was asked too. Whether a method that may say "don't know" was wrong,
-    the study does not say."""
+    differs: so it was tested only if the method exact was asked too."""
     rows = rows_of(study)
     polygons = polygons_of(study, rows)
-    methods = dict.fromkeys(row["method"] for row in rows if row["method"] not in UNSURE)
-    counts = {method: sum(row["wrong"] for row in rows if row["method"] == method) for method in methods}
-    return {method: Asked(cases_of(rows), wrong, polygons, "polygons") for method, wrong in counts.items()
-            if method != "filtered" or "exact" in methods}
+    methods = dict.fromkeys(row["method"] for row in rows)
+
+    def asked_of(method):
+        own = [row for row in rows if row["method"] == method]
+        return Asked(cases_of(rows), sum(row["wrong"] for row in own), polygons, "polygons", sum(row["unsure"] for row in own))
+
+    return {method: asked_of(method) for method in methods if method != "filtered" or "exact" in methods}
