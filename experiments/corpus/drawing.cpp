@@ -33,11 +33,11 @@ Stream soak_stream(soak::Family family, std::size_t count) {
   return {.draw = [family](std::uint64_t index) -> std::optional<CorpusCase> {
             soak::Case drawn = soak::draw_case(kSeed, index);
             if (drawn.family != family) return std::nullopt;
-            return CorpusCase{fmt::format("soak-s{}-i{}", kSeed, index),
+            return CorpusCase{soak::name_of_case(kSeed, index),
                               drawn.ball,
                               std::move(drawn.polygon),
                               {std::string(word(family))},
-                              fmt::format("touchstone soak --seed {} --from {} --cases 1", kSeed, index)};
+                              fmt::format("touchstone soak --seed {} --from {} --cases 1 --print", kSeed, index)};
           },
           .count = count};
 }

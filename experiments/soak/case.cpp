@@ -186,6 +186,10 @@ const std::vector<Family>& all_families() {
   return families;
 }
 
+std::string name_of_case(std::uint64_t seed, std::uint64_t index) {
+  return "soak-s" + std::to_string(seed) + "-i" + std::to_string(index);
+}
+
 std::optional<Triangle> Case::triangle() const {
   if (polygon.vertex_count() != 3) return std::nullopt;
   return Triangle{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)};

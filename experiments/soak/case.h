@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct Case {
   /// The polygon as a triangle, if it is one.
   [[nodiscard]] std::optional<Triangle> triangle() const;
 };
+
+/// "soak-s7-i12".
+[[nodiscard]] std::string name_of_case(std::uint64_t seed, std::uint64_t index);
 
 /// Case number `index`: a function of (seed, index) alone. Nine of ten are triangles, of all families alike.
 /// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.

@@ -113,10 +113,10 @@ class Comparison {
   }
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    const std::string id = "soak-s" + std::to_string(seed_) + "-i" + std::to_string(index_);
     const judge::Verdict expected = judge::object_of(methods::PartialAnswer::of(exact::answer(ball, polygon), ""));
-    differences_.push_back({index_, judge::to_line(judge::case_of(
-                                        id, ball, polygon, {std::string(word(case_.family)), question}, expected))});
+    differences_.push_back(
+        {index_, judge::to_line(judge::case_of(name_of_case(seed_, index_), ball, polygon,
+                                               {std::string(word(case_.family)), question}, expected))});
   }
 
   const Contestant& contestant_;

@@ -7,8 +7,10 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "experiments/commands.h"
+#include "experiments/judge/verdict.h"
 #include "experiments/run/course.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
@@ -18,6 +20,7 @@
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 #include "experiments/soak/campaign.h"
+#include "experiments/soak/case.h"
 #include "experiments/soak/output.h"
 
 namespace touchstone::commands {
@@ -29,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 struct Options {
   Settings settings{.threads = run::all_threads()};
   std::string output = "results/soak";
-  bool resume = false;
+  bool resume = false, print = false;
 };
 
 std::string command_line(const Options& options) {
@@ -106,10 +109,20 @@ int run(const Options& options, const run::Processes& processes) {
   return tally.differing() > 0 ? 1 : 0;
 }
 
+int print_cases(const Settings& settings) {
+  for (std::uint64_t index = settings.from; index < settings.from + settings.cases; ++index) {
+    const Case drawn = draw_case(settings.seed, index);
+    fmt::print("{}", judge::to_line(judge::case_of(name_of_case(settings.seed, index), drawn.ball, drawn.polygon,
+                                                   {std::string(word(drawn.family))})));
+  }
+  return 0;
+}
+
 int run_soak(const Options& options) {
   const Settings& settings = options.settings;
   if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
     throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
+  if (options.print) return run::run_alone([&] { return print_cases(settings); });
   return run::run_together([&](const run::Processes& processes) { return run(options, processes); });
 }
 
@@ -131,6 +144,8 @@ void add_soak(CLI::App& app, int& status) {
   command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
       ->capture_default_str();
   run::add_resume(*command, options->resume);
+  command->add_flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them")
+      ->excludes("--resume");
   command->callback([options, &status] { status = run_soak(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
@@ -329,6 +330,25 @@ TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
 
 int run_command(std::vector<std::string> arguments) {
   return run_tests::run_command(commands::add_soak, "soak", std::move(arguments));
+}
+
+TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
+  const auto ran =
+      run_tests::run_captured(commands::add_soak, "soak", {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  std::string line;
+  for (std::uint64_t index = 7; index < 12; ++index) {
+    ASSERT_TRUE(std::getline(lines, line));
+    const judge::Case read = judge::read_case(line);
+    const Case drawn = draw_case(2, index);
+    EXPECT_EQ(read.id, "soak-s2-i" + std::to_string(index));
+    const auto& shapes = std::get<judge::Shapes>(read.content);
+    EXPECT_EQ(shapes.ball.center, drawn.ball.center);
+    EXPECT_EQ(shapes.ball.radius, drawn.ball.radius);
+    EXPECT_EQ(shapes.polygon, drawn.polygon);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
 }
 
 TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
