@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "experiments/workloads/doubles.h"
 
@@ -16,18 +17,44 @@ Verdict number(double value) {
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
 }
 
-/// The same for every number within a value.
-Verdict plain(const nlohmann::json& value) {
-  if (value.is_number_float()) return number(value.get<double>());
+/// Do numbers below this key stand for the doubles nearest to them? Those of other keys are indices.
+bool holds_doubles(std::string_view key) { return key == "point" || key == "distance" || key == "off_plane"; }
+
+/// The same for every number within a value; integers are kept where they are no doubles.
+Verdict plain(const nlohmann::json& value, bool doubles) {
+  if (value.is_number_float() || (doubles && value.is_number())) return number(value.get<double>());
   if (!value.is_structured()) return value;
   Verdict copy = value.is_array() ? Verdict::array() : Verdict::object();
   for (const auto& [key, member] : value.items()) {
     if (value.is_array())
-      copy.push_back(plain(member));
+      copy.push_back(plain(member, doubles));
     else
-      copy[key] = plain(member);
+      copy[key] = plain(member, doubles);
   }
   return copy;
+}
+
+bool is_negative_integer(const nlohmann::json& value) {
+  return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() < 0;
+}
+
+/// The library takes integers of either sign for equal that have the same bits.
+bool same_number(const nlohmann::json& a, const nlohmann::json& b, bool doubles) {
+  if (doubles) return a.get<double>() == b.get<double>();
+  return is_negative_integer(a) == is_negative_integer(b) && a == b;
+}
+
+bool same_value(const nlohmann::json& a, const nlohmann::json& b, bool doubles) {
+  if (a.is_number() && b.is_number()) return same_number(a, b, doubles);
+  const auto same_members = [doubles](const nlohmann::json& x, const nlohmann::json& y) {
+    return same_value(x, y, doubles);
+  };
+  if (a.is_array() && b.is_array()) return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_members);
+  if (!a.is_object() || !b.is_object()) return a == b;
+  return a.size() == b.size() && std::all_of(a.items().begin(), a.items().end(), [&](const auto& member) {
+           const auto found = b.find(member.key());
+           return found != b.end() && same_value(member.value(), *found, doubles);
+         });
 }
 
 constexpr std::array<std::string_view, 10> kAnswerKeys{"plane",   "plane_tangent", "foot",  "edges_hit", "relation",
@@ -107,7 +134,8 @@ Verdict object_of(const methods::PartialAnswer& answer) {
 Verdict answer_in(const nlohmann::json& reply) {
   Verdict answer = Verdict::object();
   const auto copy = [&](std::string_view key) {
-    if (const auto found = reply.find(key); found != reply.end()) answer[std::string(key)] = plain(*found);
+    if (const auto found = reply.find(key); found != reply.end())
+      answer[std::string(key)] = plain(*found, holds_doubles(key));
   };
   for (const std::string_view key : kAnswerKeys) copy(key);
   copy("error");
@@ -148,7 +176,7 @@ std::vector<std::string> differences(const nlohmann::json& expected, const Verdi
     if (key == "error" && value == nlohmann::json(true) && answered != given.end()) continue;
     if (answered == given.end())
       found.push_back(key + ": expected " + text(value) + ", not given");
-    else if (*answered != value)
+    else if (!same_value(value, *answered, holds_doubles(key)))
       found.push_back(key + ": expected " + text(value) + ", found " + text(*answered));
   }
   return found;

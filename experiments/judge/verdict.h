@@ -38,7 +38,8 @@ using Verdict = nlohmann::ordered_json;
 void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radius);
 
 /// What of `expected` the verdict does not meet, a sentence for each key: `relation: expected "touching", found
-/// "separate"`. Compared by value (0 = -0, integers and decimals alike), nested objects whole.
+/// "separate"`. Compared by value, nested objects whole: numbers of `point`, `distance` and `off_plane` as the doubles
+/// nearest to them (0 = -0), others as whole numbers, for which 1.0 is 1.
 [[nodiscard]] std::vector<std::string> differences(const nlohmann::json& expected, const Verdict& verdict);
 
 /// A case in the contract's form; `expected` may be null, then it is left out.

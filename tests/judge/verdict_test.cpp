@@ -34,7 +34,45 @@ TEST(Verdict, WhatIsNoFiniteNumberIsNull) {
 }
 
 TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
-  EXPECT_EQ(to_line(verdict_of("a\"b", "m", methods::PartialAnswer{})), R"({"id":"a\"b","method":"m"})" "\n");
+  EXPECT_EQ(to_line(verdict_of("a\"b", "m", methods::PartialAnswer{})), R"({"id":"a\"b","method":"m"})"
+                                                                        "\n");
+}
+
+/// Does a reply meet what is expected of it?
+bool meets(const std::string& expected, const std::string& reply) {
+  return differences(nlohmann::json::parse(expected), answer_in(nlohmann::json::parse(reply))).empty();
+}
+
+TEST(Verdict, CoordinatesAndLengthsAreComparedAsTheDoublesThatTheyMean) {
+  const std::string low = R"({"point":[-9223372036854775808,0,0]})", high = R"({"point":[9223372036854775808,0,0]})";
+  EXPECT_FALSE(meets(low, high));
+  EXPECT_FALSE(meets(high, low));
+  EXPECT_TRUE(meets(low, low));
+  for (const std::string key : {"distance", "off_plane"}) {
+    const auto of = [&](const std::string& number) { return "{\"" + key + "\":" + number + "}"; };
+    EXPECT_FALSE(meets(of("18446744073709551615"), of("-1")));
+    EXPECT_FALSE(meets(of("-1"), of("18446744073709551615")));
+    EXPECT_TRUE(meets(of("9007199254740993"), of("9007199254740992")));
+    EXPECT_TRUE(meets(of("9007199254740993"), of("9007199254740992.0")));
+    EXPECT_TRUE(meets(of("18446744073709551615"), of("18446744073709551616")));
+    EXPECT_FALSE(meets(of("9007199254740994"), of("9007199254740992")));
+    EXPECT_FALSE(meets(of("0"), of("null")));
+  }
+}
+
+TEST(Verdict, IndicesAreComparedAsWholeNumbers) {
+  EXPECT_FALSE(meets(R"({"edges_hit":[18446744073709551615]})", R"({"edges_hit":[-1]})"));
+  EXPECT_FALSE(meets(R"({"edges_hit":[9007199254740993]})", R"({"edges_hit":[9007199254740992]})"));
+  EXPECT_FALSE(meets(R"({"edges_hit":[1]})", R"({"edges_hit":[1,2]})"));
+  EXPECT_FALSE(meets(R"({"nearest":{"kind":"edge","index":1}})", R"({"nearest":{"kind":"edge","index":2}})"));
+  EXPECT_FALSE(meets(R"({"nearest":{"kind":"edge"}})", R"({"nearest":{"kind":"edge","index":2}})"));
+  EXPECT_TRUE(meets(R"({"nearest":{"kind":"edge","index":1}})", R"({"nearest":{"kind":"edge","index":1.0}})"));
+}
+
+TEST(Verdict, LengthsOfAReplyAreWrittenAsTheDoublesThatTheyMean) {
+  EXPECT_EQ(
+      to_line(answer_in(nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
+      "{\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
 }
 
 }  // namespace
