@@ -117,7 +117,7 @@ Status judge_with_engine(const Order& order) {
     if (std::holds_alternative<Rejection>(line.read->content)) continue;
     const auto reply = entry->sent ? replies.next_reply() : std::nullopt;
     if (reply)
-      proceedings.give_reply(*line.read, *reply);
+      proceedings.give_reply(*line.read, read_reply(*reply));
     else
       ++missing;
   }

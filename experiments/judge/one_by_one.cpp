@@ -116,7 +116,7 @@ Status judge_one_by_one(const Order& order) {
       proceedings.worsen(ExpectationNotMet);
     }
     if (reply)
-      proceedings.give_reply(*line.read, *reply);
+      proceedings.give_reply(*line.read, read_reply(*reply));
     else
       proceedings.give_no_reply(*line.read, reason);
     return true;

@@ -13,19 +13,6 @@ namespace {
 
 std::string name(const Case& question) { return question.id.value_or("without id"); }
 
-/// What an engine's reply says; nothing if it is no verdict on the case of this id.
-std::optional<Verdict> answer_of(const std::string& reply, const std::string& id) {
-  try {
-    const StrictJson read = read_strict_json(reply);
-    if (read.too_deep || !read.value.is_object()) return std::nullopt;
-    const auto found = read.value.find("id");
-    if (found == read.value.end() || *found != id) return std::nullopt;
-    return answer_in(read.value);
-  } catch (const NotJson&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 void Proceedings::complain(const std::string& sentence) { fmt::print(order_.complaints, "{}\n", sentence); }
@@ -64,14 +51,15 @@ void Proceedings::give_own(const Case& question) {
   }
 }
 
-void Proceedings::give_reply(const Case& question, const std::string& reply) {
+void Proceedings::give_reply(const Case& question, const Reply& reply) {
   Verdict verdict = Verdict::object();
   verdict["id"] = *question.id;
   verdict["method"] = order_.engine;
-  if (const auto answer = answer_of(reply, *question.id)) {
-    verdict.update(*answer);
+  if (reply.id == question.id && reply.answer) {
+    verdict.update(*reply.answer);
   } else {
-    complain(fmt::format("case {}: method {}: not a verdict on this case: {}", *question.id, order_.engine, reply));
+    complain(
+        fmt::format("case {}: method {}: not a verdict on this case: {}", *question.id, order_.engine, reply.echo));
     worsen(ExpectationNotMet);
   }
   print(verdict);

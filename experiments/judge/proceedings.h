@@ -5,6 +5,7 @@
 
 #include "experiments/judge/case.h"
 #include "experiments/judge/judge.h"
+#include "experiments/judge/reply.h"
 #include "experiments/judge/verdict.h"
 
 namespace touchstone::judge {
@@ -20,7 +21,7 @@ class Proceedings {
   /// The verdicts of the order's own methods, or of a rejection.
   void give_own(const Case& question);
   /// The verdict of the engine on a case that is not rejected.
-  void give_reply(const Case& question, const std::string& reply);
+  void give_reply(const Case& question, const Reply& reply);
   /// The engine gave no verdict on a case that is not rejected.
   void give_no_reply(const Case& question, const std::string& reason);
   [[nodiscard]] Status status() const { return status_; }

@@ -235,6 +235,18 @@ TEST(JudgeEngine, IsReadByTheSameRulesAsCases) {
   }
 }
 
+TEST(JudgeEngine, GivesNoVerdictWhereAKeyStandsTwice) {
+  const std::string expecting = with(kTouching, R"(,"expected":{"contact":true})");
+  for (const char* reply : {R"({"id":"t","contact":false,"contact":true})", R"({"id":"u","id":"t","contact":true})",
+                            R"({"id":"t","contact":true,"nearest":{"kind":"edge","kind":"face"}})"}) {
+    const Result result = run(expecting, parrot(reply));
+    EXPECT_EQ(result.status, ExpectationNotMet) << reply;
+    EXPECT_NE(result.complaints.find("stands twice in one object: {"), std::string::npos) << result.complaints;
+    EXPECT_NE(result.complaints.find("contact: expected true, not given"), std::string::npos) << result.complaints;
+    EXPECT_EQ(result.complaints.rfind("case t: method cat", 0), 0U) << result.complaints;
+  }
+}
+
 TEST(JudgeEngine, HasItsZerosWrittenWithoutASign) {
   const Result result = run(with(kTouching, R"(,"expected":{"distance":1,"point":[-0.0,1,1]})"),
                             parrot(R"({"id":"t","distance":-0.0,"point":[-0.0,0,1e400]})"));
