@@ -31,9 +31,9 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 /// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
 /// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
 /// its replies back makes the cases wait in memory). Ids are not checked for being unique.
-/// With a time limit the engine is sent one case after the other: what is late, or ends without a verdict, is reported
-/// with its case, ended with what it started, and started anew for the next one.
-/// Throws std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
+/// With a time limit the engine is sent one case after the other: one that is late, ends, or prints anything but one
+/// line that is a verdict on the case, is reported with the case, ended with what it started, and started anew for the
+/// next. Throws std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

@@ -50,7 +50,7 @@ void add_judge(CLI::App& app, int& status) {
   command
       ->add_option("--time-limit", options->time_limit,
                    "Seconds for each verdict of the engine, which is then sent one case after the other, and started "
-                   "anew where it ends or is late")
+                   "anew where it ends, is late or prints anything but its verdict")
       ->check(check_seconds, "SECONDS")
       ->needs(command->get_option("--exec"));
   command->add_flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");

@@ -17,9 +17,7 @@ namespace {
 class Restarted {
  public:
   explicit Restarted(const Order& order) : order_(order) {}
-  ~Restarted() {
-    if (engine_) engine_->kill();
-  }
+  ~Restarted() { stop(); }
 
   /// Its reply to one case; nothing, and why, where there is none. One that had ended before it read the case is
   /// started anew and asked again: `ended_before` says how it ended, where not well.
@@ -35,8 +33,7 @@ class Restarted {
       if (reply) return reply;
       if (late) {
         reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(order_.time_limit->count()));
-        engine_->kill();
-        engine_.reset();
+        stop();
         return std::nullopt;
       }
       engine_->end_input();
@@ -51,8 +48,18 @@ class Restarted {
     }
   }
 
-  /// Has it printed more than one line for the last case? Forgets what.
-  [[nodiscard]] bool has_surplus() { return engine_ && engine_->drop_unread(); }
+  /// Has it printed more than one line for the last case? Then it is ended, and what it printed is forgotten.
+  [[nodiscard]] bool has_surplus() {
+    const bool surplus = engine_ && engine_->drop_unread();
+    if (surplus) stop();
+    return surplus;
+  }
+
+  /// Ends it; the next case starts it anew.
+  void stop() {
+    if (engine_) engine_->kill();
+    engine_.reset();
+  }
 
   /// How it ended, once it has nothing more to read; it has the time limit for that.
   [[nodiscard]] std::string end() {
@@ -61,8 +68,7 @@ class Restarted {
     bool late = false;
     const bool surplus = engine_->receive_by(in_time(), late).has_value();
     if (late) {
-      engine_->kill();
-      engine_.reset();
+      stop();
       return "does not end with its input";
     }
     const std::string ending = ending_of(*engine_);
@@ -96,7 +102,12 @@ class Restarted {
 Status judge_one_by_one(const Order& order) {
   Proceedings proceedings(order);
   Restarted engine(order);
+  std::optional<Case> last;  // that the engine was asked about
+  const auto complain_of_surplus = [&] {
+    if (engine.has_surplus()) proceedings.blame_engine(*last, "printed more than a line");
+  };
   read_lines(order.files, [&](Line&& line) {
+    complain_of_surplus();
     if (!line.read) {
       proceedings.complain(line.complaint);
       proceedings.worsen(InputRejected);
@@ -104,23 +115,22 @@ Status judge_one_by_one(const Order& order) {
     }
     proceedings.give_own(*line.read);
     if (std::holds_alternative<Rejection>(line.read->content)) return true;
-    if (engine.has_surplus()) {
-      proceedings.complain(
-          fmt::format("engine {}: printed more than a line before case {}", order.engine, *line.read->id));
-      proceedings.worsen(ExpectationNotMet);
-    }
+    last = std::move(line.read);
     std::string reason, ended_before;
-    const auto reply = engine.ask(line.text, reason, ended_before);
+    const auto text = engine.ask(line.text, reason, ended_before);
     if (!ended_before.empty()) {
-      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *line.read->id));
+      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *last->id));
       proceedings.worsen(ExpectationNotMet);
     }
-    if (reply)
-      proceedings.give_reply(*line.read, read_reply(*reply));
-    else
-      proceedings.give_no_reply(*line.read, reason);
+    if (!text) {
+      proceedings.give_no_reply(*last, reason);
+      return true;
+    }
+    // Once out of step, it would be so about every later case.
+    if (!proceedings.give_reply(*last, read_reply(*text))) engine.stop();
     return true;
   });
+  complain_of_surplus();
   if (const std::string ending = engine.end(); !ending.empty()) {
     proceedings.complain(fmt::format("engine {}: {}", order.engine, ending));
     proceedings.worsen(ExpectationNotMet);

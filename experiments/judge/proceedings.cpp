@@ -51,22 +51,21 @@ void Proceedings::give_own(const Case& question) {
   }
 }
 
-void Proceedings::give_reply(const Case& question, const Reply& reply) {
+bool Proceedings::give_reply(const Case& question, const Reply& reply) {
+  const bool is_verdict = reply.id == question.id && reply.answer;
+  if (!is_verdict) blame_engine(question, "not a verdict on this case: " + reply.echo);
   Verdict verdict = Verdict::object();
   verdict["id"] = *question.id;
   verdict["method"] = order_.engine;
-  if (reply.id == question.id && reply.answer) {
-    verdict.update(*reply.answer);
-  } else {
-    complain(
-        fmt::format("case {}: method {}: not a verdict on this case: {}", *question.id, order_.engine, reply.echo));
-    worsen(ExpectationNotMet);
-  }
+  if (is_verdict) verdict.update(*reply.answer);
   print(verdict);
   compare(question, verdict);
+  return is_verdict;
 }
 
-void Proceedings::give_no_reply(const Case& question, const std::string& reason) {
+void Proceedings::give_no_reply(const Case& question, const std::string& reason) { blame_engine(question, reason); }
+
+void Proceedings::blame_engine(const Case& question, const std::string& reason) {
   complain(fmt::format("case {}: method {}: {}", *question.id, order_.engine, reason));
   worsen(ExpectationNotMet);
 }

@@ -20,10 +20,12 @@ class Proceedings {
   void worsen(Status status);
   /// The verdicts of the order's own methods, or of a rejection.
   void give_own(const Case& question);
-  /// The verdict of the engine on a case that is not rejected.
-  void give_reply(const Case& question, const Reply& reply);
+  /// The verdict of the engine on a case that is not rejected. False if the reply is none.
+  bool give_reply(const Case& question, const Reply& reply);
   /// The engine gave no verdict on a case that is not rejected.
   void give_no_reply(const Case& question, const std::string& reason);
+  /// Says what the engine did wrong with a case that is not rejected.
+  void blame_engine(const Case& question, const std::string& reason);
   [[nodiscard]] Status status() const { return status_; }
 
  private:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
@@ -360,6 +361,40 @@ TEST(JudgeEngineWithATimeLimit, ReportsWhatItPrintsBesidesAndAtItsEnd) {
       run(numbered(1), within("echo '{\"id\":\"t0\",\"relation\":\"touching\"}'; tail -f /dev/null", 500));
   EXPECT_EQ(deaf.status, ExpectationNotMet);
   EXPECT_NE(deaf.complaints.find("does not end with its input"), std::string::npos) << deaf.complaints;
+}
+
+/// How often an engine was started that adds a letter to this file.
+std::size_t starts_in(const std::string& file) {
+  std::ifstream stream(file);
+  return std::string(std::istreambuf_iterator<char>(stream), {}).size();
+}
+
+TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindACaseForWhichItPrintsMoreThanALine) {
+  const std::string starts = write_file("starts", "");
+  const std::string twice =
+      "python3 -uc \"import sys,json,os; open('" + starts +
+      "','a').write('s')\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
+      " os.write(1,(json.dumps({'id':id,'relation':'touching'})+chr(10)+('more'+chr(10))*(id=='t0')).encode())\"";
+  const Result result = run(numbered(3), within("exec " + twice));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_EQ(result.complaints, "case t0: method exec " + twice + ": printed more than a line\n");
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
+  EXPECT_EQ(starts_in(starts), 2U);
+}
+
+// It says every verdict but its first one too late.
+TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindAVerdictOnAnotherCase) {
+  const std::string behind =
+      "python3 -uc \"import sys,json; last=None\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
+      " print(json.dumps({'id':last or id,'relation':'touching'})); last=id\"";
+  const Result result = run(numbered(3), within("exec " + behind));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_NE(result.complaints.find("case t1: method"), std::string::npos) << result.complaints;
+  EXPECT_NE(result.complaints.find("not a verdict on this case: {\"id\": \"t0\""), std::string::npos)
+      << result.complaints;
+  EXPECT_EQ(result.complaints.find("case t2"), std::string::npos) << result.complaints;
+  EXPECT_NE(result.verdicts.find("\"relation\":\"touching\"", result.verdicts.find("\"t2\"")), std::string::npos)
+      << result.verdicts;
 }
 
 // A name that cannot be written as JSON: an exception while the sender runs.
