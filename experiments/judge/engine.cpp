@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +15,8 @@
 #include <cstdint>
 #include <limits>
 #include <system_error>
+
+#include "experiments/judge/interruption.h"
 
 extern "C" {  // which the header of glibc 2.36 forgets
 #include <sys/pidfd.h>
@@ -41,9 +44,12 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-
     close(input[1]);
     throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
   }
+  const pid_t judge = getpid();
   process_ = fork();
   if (process_ == 0) {
     setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != judge) _exit(127);  // it ended before
     dup2(input[1], STDIN_FILENO);
     dup2(output[1], STDOUT_FILENO);
     std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and stop_reading relies on it
@@ -55,7 +61,10 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-
   close(output[1]);
   input_ = input[0];
   output_ = output[0];
-  if (process_ > 0) setpgid(process_, process_);  // here too: whichever of both comes first
+  if (process_ > 0) {
+    setpgid(process_, process_);  // here too: whichever of both comes first
+    set_engine_group(process_);
+  }
   if (process_ < 0) {
     close(input_);
     close(output_);
@@ -64,8 +73,8 @@ Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-
 }
 
 Engine::~Engine() {
-  end_input();
   stop_reading();
+  kill();
   (void)wait();
   close(input_);
 }
@@ -200,6 +209,11 @@ std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
 
 std::string Engine::wait() {
   if (process_ < 0) return {};
+  siginfo_t end;
+  while (waitid(P_PID, static_cast<id_t>(process_), &end, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
+  }
+  kill();  // what it has started; the group is its own until its status is taken
+  set_engine_group(0);
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }

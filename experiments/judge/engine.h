@@ -16,12 +16,13 @@ class Engine {
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// Starts `command` in a shell, in a group of processes of its own. Throws std::system_error if no process can be
+  /// Starts `command` in a shell, in a group of processes of its own, which an Interruption kills. The shell is killed
+  /// with the thread that starts it. Throws std::system_error if no process can be
   /// had.
   explicit Engine(const std::string& command);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
-  /// Ends the input, stops reading, waits for the program.
+  /// Ends the program, and those that it has started, at once.
   ~Engine();
 
   /// Sends a line; false if the program no longer reads.
@@ -46,7 +47,8 @@ class Engine {
   void kill();
   /// Of a program that has ended: did it leave unread what was sent?
   [[nodiscard]] bool left_unread() const;
-  /// Waits for the end of the program: how it ended, as in `exit status 3` or `signal 11`; empty if well.
+  /// Waits for the end of the program, and ends those that it has started and left: how it ended, as in `exit status 3`
+  /// or `signal 11`; empty if well.
   [[nodiscard]] std::string wait();
   /// The same, waiting no longer than `time`: nothing where it has not ended by then.
   [[nodiscard]] std::optional<std::string> wait_within(std::chrono::milliseconds time);

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "experiments/judge/engine.h"
+#include "experiments/judge/interruption.h"
 #include "experiments/judge/proceedings.h"
 #include "experiments/judge/waiting.h"
 
@@ -94,6 +95,7 @@ Status judge_with_engine(const Order& order) {
   Waiting waiting;
   std::exception_ptr failure;
   std::jthread sender([&] {
+    leave_interruptions_to_others();
     try {
       send_lines(order, engine, waiting);
     } catch (...) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
+#include "experiments/judge/interruption.h"
 #include "experiments/judge/judge.h"
 #include "experiments/run/options.h"
 
@@ -63,6 +64,7 @@ void add_judge(CLI::App& app, int& status) {
     if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
+    const judge::Interruption interruption;
     status = judge::judge(order);
   });
 }

@@ -8,6 +8,8 @@
 #include <exception>
 #include <system_error>
 
+#include "experiments/judge/interruption.h"
+
 namespace touchstone::judge {
 namespace {
 
@@ -72,6 +74,7 @@ void Proceedings::blame_engine(const Case& question, const std::string& reason) 
 
 void Proceedings::print(const Verdict& verdict) {
   const std::string line = to_line(verdict);
+  const Writing whole;
   const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();
   if (!written || std::fflush(order_.verdicts) != 0)
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: processes.py TOUCHSTONE
+
+No process of an engine outlives the judge: neither where it is interrupted or killed, nor where the engine ended by
+itself. Every one of them inherits the end of a pipe, which is closed with the last. Exit status 1 otherwise.
+"""
+
+import os
+import select
+import signal
+import subprocess
+import sys
+
+CASE = b'{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
+SECONDS = 60  # until what does not end is taken for a fault
+LEFT_BEHIND = "sleep 1000 >/dev/null & "
+
+
+def start(program, engine, *options):
+    """The judge, whose input stays open, and the pipe; `{pipe}` in the engine is its other end."""
+    reader, writer = os.pipe()
+    engine = engine.format(pipe=f"/proc/self/fd/{writer}")
+    judge = subprocess.Popen([program, "judge", "--method", "fast", "--exec", engine, *options], pass_fds=[writer],
+                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    os.close(writer)
+    judge.stdin.write(CASE)
+    judge.stdin.flush()
+    return judge, reader
+
+
+def all_have_ended(reader):
+    while select.select([reader], [], [], SECONDS)[0]:
+        if not os.read(reader, 1):
+            return True
+    return False
+
+
+def check_signal(program, which, status, engine, options):
+    judge, reader = start(program, engine + "echo > {pipe}; exec sleep 1000", *options)
+    os.read(reader, 1)  # the engine runs
+    verdict = judge.stdout.readline()  # and the judge waits for it
+    judge.send_signal(which)
+    what = f"{which.name}, options {options}, engine {engine!r}"
+    if not verdict.startswith(b'{"id":"a","method":"fast"') or not verdict.endswith(b"}\n"):
+        sys.exit(f"{what}: {verdict}")
+    if judge.wait(SECONDS) != status:
+        sys.exit(f"{what}: exit status {judge.returncode}")
+    if not all_have_ended(reader):
+        sys.exit(f"{what}: the engine goes on")
+
+
+def check_engine_that_ends(program, options):
+    judge, reader = start(program, LEFT_BEHIND + "read line; echo '{{\"id\":\"a\"}}'", *options)
+    judge.stdin.close()
+    if judge.wait(SECONDS) != 0 or not all_have_ended(reader):
+        sys.exit(f"an engine that ends, options {options}: exit status {judge.returncode}, or what it started goes on")
+
+
+def main(program):
+    for options in [], ["--time-limit", "1000"]:
+        check_signal(program, signal.SIGINT, 130, LEFT_BEHIND, options)
+        check_signal(program, signal.SIGTERM, 130, LEFT_BEHIND, options)
+        check_signal(program, signal.SIGKILL, -signal.SIGKILL, "", options)
+        check_engine_that_ends(program, options)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
