@@ -18,6 +18,8 @@ using namespace std::chrono_literals;
 
 // Output that nobody asked for is kept up to this size, then the engine is cut off.
 constexpr std::size_t kMostUnasked = std::size_t{1} << 20;
+// So many verdicts on cases that do not wait are passed over for one that does.
+constexpr int kMostForeign = 16;
 
 /// The sender's side: cases go to the engine, and wait for their replies.
 void send_lines(const Order& order, Engine& engine, Waiting& waiting) {
@@ -39,7 +41,8 @@ void send_lines(const Order& order, Engine& engine, Waiting& waiting) {
 /// The receiver's side.
 class Replies {
  public:
-  Replies(Engine& engine, Waiting& waiting) : engine_(engine), waiting_(waiting) {}
+  Replies(Engine& engine, Waiting& waiting, Proceedings& proceedings)
+      : engine_(engine), waiting_(waiting), proceedings_(proceedings) {}
 
   /// Waits for a line. The engine's output is read meanwhile: it might read no more before it is rid of it.
   std::optional<Waiting::Entry> next_line() {
@@ -49,23 +52,61 @@ class Replies {
     return waiting_.pop();
   }
 
-  /// The reply to the next case that was sent.
-  std::optional<std::string> next_reply() {
-    if (ended_) return std::nullopt;
-    waiting_.await_reply(true);
-    auto reply = engine_.receive();
-    waiting_.await_reply(false);
-    ended_ = !reply;
-    return reply;
+  /// The engine's verdict on a case that was sent, or that it gave none: its next verdict is on a case that was sent
+  /// later, or it has ended. A line that is a verdict on neither is told with this case; a second one that names no
+  /// case is left for the next.
+  void settle(const Case& question) {
+    bool told = false, unnamed = false;
+    for (int foreign = 0; foreign < kMostForeign && has_next();) {
+      if (next_->id == question.id) {
+        proceedings_.give_reply(question, *next_);
+        next_.reset();
+        return;
+      }
+      if (next_->id ? waiting_.is_asked(*next_->id) : unnamed) break;
+      proceedings_.blame_engine(question, *next_);
+      told = true;
+      if (next_->id)
+        ++foreign;
+      else
+        unnamed = true;
+      next_.reset();
+    }
+    if (told)
+      proceedings_.give_no_reply(question);
+    else
+      settle_without(question);
   }
+
+  /// The same for one that was not sent, since the engine read no more.
+  void settle_without(const Case& question) {
+    ++missing_;
+    proceedings_.blame_engine(question, "no verdict");
+    proceedings_.give_no_reply(question);
+  }
+
+  /// On how many cases has it said nothing?
+  [[nodiscard]] std::size_t missing() const { return missing_; }
 
   /// After the last case: has the engine said more than it was asked?
   [[nodiscard]] bool has_surplus() {
-    if (!ended_ && !surplus_ && engine_.receive()) cut_off();
+    if (!surplus_ && has_next()) cut_off();
     return surplus_;
   }
 
  private:
+  /// Waits for its next line, unless there is one that was not settled.
+  bool has_next() {
+    if (!next_ && !ended_) {
+      waiting_.await_reply(true);
+      const auto line = engine_.receive();
+      waiting_.await_reply(false);
+      if (line) next_ = read_reply(*line);
+      ended_ = !line;
+    }
+    return next_.has_value();
+  }
+
   void cut_off() {
     engine_.stop_reading();
     surplus_ = true;
@@ -73,6 +114,9 @@ class Replies {
 
   Engine& engine_;
   Waiting& waiting_;
+  Proceedings& proceedings_;
+  std::optional<Reply> next_;
+  std::size_t missing_ = 0;
   bool ended_ = false, surplus_ = false;
 };
 
@@ -106,8 +150,7 @@ Status judge_with_engine(const Order& order) {
   });
   const Release release{waiting, engine};
 
-  Replies replies(engine, waiting);
-  std::size_t missing = 0;
+  Replies replies(engine, waiting, proceedings);
   while (const auto entry = replies.next_line()) {
     const Line& line = entry->line;
     if (!line.read) {
@@ -117,11 +160,10 @@ Status judge_with_engine(const Order& order) {
     }
     proceedings.give_own(*line.read);
     if (std::holds_alternative<Rejection>(line.read->content)) continue;
-    const auto reply = entry->sent ? replies.next_reply() : std::nullopt;
-    if (reply)
-      proceedings.give_reply(*line.read, read_reply(*reply));
+    if (entry->sent)
+      replies.settle(*line.read);
     else
-      ++missing;
+      replies.settle_without(*line.read);
   }
   sender.join();
   if (failure) std::rethrow_exception(failure);
@@ -132,9 +174,9 @@ Status judge_with_engine(const Order& order) {
   }
   std::string ending = engine.wait();
   if (replies.has_surplus()) ending.clear();  // it was cut off
-  if (missing > 0 || !ending.empty()) {
+  if (replies.missing() > 0 || !ending.empty()) {
     proceedings.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
-                                     ending.empty() ? "" : "ended with " + ending + "; ", missing));
+                                     ending.empty() ? "" : "ended with " + ending + "; ", replies.missing()));
     proceedings.worsen(ExpectationNotMet);
   }
   return proceedings.status();

@@ -30,10 +30,12 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 ///
 /// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
 /// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
-/// its replies back makes the cases wait in memory). Ids are not checked for being unique.
-/// With a time limit the engine is sent one case after the other: one that is late, ends, or prints anything but one
-/// line that is a verdict on the case, is reported with the case, ended with what it started, and started anew for the
-/// next. Throws std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
+/// its replies back, or answers about other cases, makes the cases wait in memory). Ids are not checked for being
+/// unique. An engine's replies are told apart by their ids, in the order of the cases: one on a later case means that
+/// those before it got none. A case without a verdict is a complaint, and its line has no answer. With a time limit the
+/// engine is sent one case after the other: one that is late, ends, or prints anything but one line that is a verdict
+/// on the case, is reported with the case, ended with what it started, and started anew for the next. Throws
+/// std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

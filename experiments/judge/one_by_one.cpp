@@ -123,7 +123,8 @@ Status judge_one_by_one(const Order& order) {
       proceedings.worsen(ExpectationNotMet);
     }
     if (!text) {
-      proceedings.give_no_reply(*last, reason);
+      proceedings.blame_engine(*last, reason);
+      proceedings.give_no_reply(*last);
       return true;
     }
     // Once out of step, it would be so about every later case.

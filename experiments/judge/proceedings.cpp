@@ -55,21 +55,30 @@ void Proceedings::give_own(const Case& question) {
 
 bool Proceedings::give_reply(const Case& question, const Reply& reply) {
   const bool is_verdict = reply.id == question.id && reply.answer;
-  if (!is_verdict) blame_engine(question, "not a verdict on this case: " + reply.echo);
-  Verdict verdict = Verdict::object();
-  verdict["id"] = *question.id;
-  verdict["method"] = order_.engine;
-  if (is_verdict) verdict.update(*reply.answer);
-  print(verdict);
-  compare(question, verdict);
+  if (!is_verdict) blame_engine(question, reply);
+  give_answer(question, is_verdict ? *reply.answer : Verdict::object());
   return is_verdict;
 }
 
-void Proceedings::give_no_reply(const Case& question, const std::string& reason) { blame_engine(question, reason); }
+void Proceedings::give_no_reply(const Case& question) { give_answer(question, Verdict::object()); }
+
+void Proceedings::blame_engine(const Case& question, const Reply& reply) {
+  blame_engine(question, "not a verdict on this case: " + reply.echo);
+}
 
 void Proceedings::blame_engine(const Case& question, const std::string& reason) {
   complain(fmt::format("case {}: method {}: {}", *question.id, order_.engine, reason));
   worsen(ExpectationNotMet);
+}
+
+/// What the engine answers; nothing where it gives no verdict.
+void Proceedings::give_answer(const Case& question, const Verdict& answer) {
+  Verdict verdict = Verdict::object();
+  verdict["id"] = *question.id;
+  verdict["method"] = order_.engine;
+  verdict.update(answer);
+  print(verdict);
+  compare(question, verdict);
 }
 
 void Proceedings::print(const Verdict& verdict) {

@@ -20,15 +20,18 @@ class Proceedings {
   void worsen(Status status);
   /// The verdicts of the order's own methods, or of a rejection.
   void give_own(const Case& question);
-  /// The verdict of the engine on a case that is not rejected. False if the reply is none.
+  /// The verdict of the engine on a case that is not rejected. False, having blamed it, if the reply is none.
   bool give_reply(const Case& question, const Reply& reply);
-  /// The engine gave no verdict on a case that is not rejected.
-  void give_no_reply(const Case& question, const std::string& reason);
+  /// The same where the engine gave no verdict: a line without an answer. What it did wrong is to be said besides.
+  void give_no_reply(const Case& question);
   /// Says what the engine did wrong with a case that is not rejected.
   void blame_engine(const Case& question, const std::string& reason);
+  /// The same of a line that is not its verdict on the case.
+  void blame_engine(const Case& question, const Reply& reply);
   [[nodiscard]] Status status() const { return status_; }
 
  private:
+  void give_answer(const Case& question, const Verdict& answer);
   void print(const Verdict& verdict);
   void compare(const Case& question, const Verdict& verdict);
 

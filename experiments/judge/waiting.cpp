@@ -5,10 +5,20 @@
 
 namespace touchstone::judge {
 
+namespace {
+
+/// The id of a case about which the engine is asked.
+std::optional<std::string> asked_id(const Waiting::Entry& entry) {
+  return entry.sent && entry.line.read ? entry.line.read->id : std::nullopt;
+}
+
+}  // namespace
+
 bool Waiting::push(Entry&& entry) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return room(); });
   if (abandoned_) return false;
+  if (auto id = asked_id(entry)) asked_.insert(std::move(*id));
   entries_.push_back(std::move(entry));
   changed_.notify_all();
   return true;
@@ -35,12 +45,18 @@ bool Waiting::wait_for(std::chrono::milliseconds time) {
   return changed_.wait_for(lock, time, [this] { return has_news(); });
 }
 
+bool Waiting::is_asked(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  return asked_.contains(id);
+}
+
 std::optional<Waiting::Entry> Waiting::pop() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return has_news(); });
   if (entries_.empty()) return std::nullopt;
   Entry entry = std::move(entries_.front());
   entries_.pop_front();
+  if (const auto id = asked_id(entry)) asked_.erase(asked_.find(*id));
   changed_.notify_all();
   return entry;
 }

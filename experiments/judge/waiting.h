@@ -6,6 +6,8 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <unordered_set>
 
 #include "experiments/judge/input_lines.h"
 
@@ -34,6 +36,8 @@ class Waiting {
 
   /// Waits for a line or the end of them, no longer than `time`. False if there is neither.
   [[nodiscard]] bool wait_for(std::chrono::milliseconds time);
+  /// Does a line wait that is a case of this id, about which the engine is asked?
+  [[nodiscard]] bool is_asked(const std::string& id);
   /// The next line, waiting for it; nothing at the end.
   [[nodiscard]] std::optional<Entry> pop();
   /// For the receiver: it begins or ends to wait for a reply.
@@ -48,6 +52,7 @@ class Waiting {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Entry> entries_;
+  std::unordered_multiset<std::string> asked_;  ///< ids of the entries about which the engine is asked
   bool closed_ = false, abandoned_ = false, awaiting_reply_ = false, may_grow_ = true;
 };
 

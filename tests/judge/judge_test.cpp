@@ -16,6 +16,8 @@
 namespace touchstone::judge {
 namespace {
 
+using namespace std::string_literals;
+
 constexpr auto kTouching =
     R"({"id":"t","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]}%s})";
 constexpr auto kCollinear =
@@ -291,9 +293,10 @@ TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItCrashesOn) {
     const std::string said = ending[0] == 0 ? "ended without a verdict" : std::string("ended with ") + ending;
     EXPECT_NE(result.complaints.find("case t1: method exec"), std::string::npos) << result.complaints;
     EXPECT_NE(result.complaints.find(said), std::string::npos) << result.complaints;
-    EXPECT_EQ(std::count(result.complaints.begin(), result.complaints.end(), '\n'), 5)
-        << result.complaints;  // kMoody has 4
-    EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
+    EXPECT_NE(result.complaints.find("relation: expected \"touching\", not given"), std::string::npos);
+    EXPECT_EQ(std::count(result.complaints.begin(), result.complaints.end(), '\n'), 10)
+        << result.complaints;  // both have kMoody, which has 4
+    EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4) << result.verdicts;
   }
 }
 
@@ -301,7 +304,7 @@ TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItHangsOn) {
   const Result result = run(numbered(3), within(with(kMoody, "id=='t1' and signal.pause()"), 2000));
   EXPECT_EQ(result.status, ExpectationNotMet);
   EXPECT_NE(result.complaints.find("no verdict within 2 s"), std::string::npos) << result.complaints;
-  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2) << result.verdicts;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
 }
 
 // More than a socket holds, so that sending it waits for who reads.
@@ -335,7 +338,7 @@ TEST(JudgeEngineWithATimeLimit, DoesNotHideBehindAGoodEndThatItReadACase) {
   EXPECT_EQ(result.status, ExpectationNotMet);
   for (const char* lost : {"case t1: method exec", "case t3: method exec", "ended without a verdict"})
     EXPECT_NE(result.complaints.find(lost), std::string::npos) << lost << ": " << result.complaints;
-  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2) << result.verdicts;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4) << result.verdicts;
 }
 
 TEST(JudgeEngineWithATimeLimit, HasItsDeathBehindAVerdictToldApartFromTheNextCase) {
@@ -361,6 +364,63 @@ TEST(JudgeEngineWithATimeLimit, ReportsWhatItPrintsBesidesAndAtItsEnd) {
       run(numbered(1), within("echo '{\"id\":\"t0\",\"relation\":\"touching\"}'; tail -f /dev/null", 500));
   EXPECT_EQ(deaf.status, ExpectationNotMet);
   EXPECT_NE(deaf.complaints.find("does not end with its input"), std::string::npos) << deaf.complaints;
+}
+
+/// The ids of the verdicts that have an answer, and of those that have none, in their order.
+std::pair<std::string, std::string> answered_and_not(const std::string& verdicts) {
+  std::pair<std::string, std::string> ids;
+  std::istringstream lines(verdicts);
+  for (std::string line; std::getline(lines, line);) {
+    const auto verdict = nlohmann::json::parse(line);
+    (verdict.contains("relation") ? ids.first : ids.second) += verdict["id"].get<std::string>() + " ";
+  }
+  return ids;
+}
+
+TEST(JudgeEngine, HasEveryCaseNamedOnWhichItGivesNoVerdict) {
+  const Result result = run(numbered(4), engine("exec " + with(kMoody, "id=='t2' and os._exit(3)")));
+  EXPECT_EQ(result.status, ExpectationNotMet);
+  EXPECT_EQ(answered_and_not(result.verdicts), std::pair("t0 t1 "s, "t2 t3 "s));
+  for (const char* said : {"case t2: method", ": no verdict\n", "case t3: method", "not given",
+                           "ended with exit status 3; 2 case(s) without a verdict"})
+    EXPECT_NE(result.complaints.find(said), std::string::npos) << said << ": " << result.complaints;
+  EXPECT_EQ(result.complaints.find("case t1"), std::string::npos) << result.complaints;
+}
+
+TEST(JudgeEngine, LosesNoOtherVerdictWithTheOneThatItSkips) {
+  std::string others;
+  for (int i = 1; i < 220; ++i) others += "t" + std::to_string(i) + " ";
+  const std::string command = "exec " + with(kMoody, "if id=='t0': continue");
+  const Result result = run(numbered(220), engine(command));
+  EXPECT_EQ(answered_and_not(result.verdicts), std::pair(others, "t0 "s));
+  EXPECT_EQ(result.complaints, "case t0: method " + command + ": no verdict\n" + "case t0: method " + command +
+                                   ": relation: expected \"touching\", not given\n" + "engine " + command +
+                                   ": 1 case(s) without a verdict\n");
+}
+
+TEST(JudgeEngine, LosesNoVerdictWithLinesThatAreNone) {
+  for (const char* mood : {"print('noise') if id=='t0' else None", "print('noise')",
+                           "print(json.dumps({'id':'t0','relation':'touching'})) if id!='t0' else None"}) {
+    const Result result = run(numbered(3), engine("exec " + with(kMoody, mood)));
+    EXPECT_EQ(result.status, ExpectationNotMet);
+    EXPECT_EQ(answered_and_not(result.verdicts), std::pair("t0 t1 t2 "s, ""s)) << result.complaints;
+    EXPECT_NE(result.complaints.find("not a verdict on this case: "), std::string::npos) << result.complaints;
+  }
+}
+
+TEST(JudgeEngine, HasEachLineThatNamesNoCaseToldWithItsOwn) {
+  const Result result = run(numbered(3), engine("sed s/.*/what/"));
+  EXPECT_EQ(answered_and_not(result.verdicts), std::pair(""s, "t0 t1 t2 "s));
+  for (const char* id : {"t0", "t1", "t2"})
+    EXPECT_NE(result.complaints.find("case " + std::string(id) + ": method sed s/.*/what/: not a verdict on this case"),
+              std::string::npos)
+        << result.complaints;
+}
+
+TEST(JudgeEngine, IsGivenUpWhereItAnswersAboutOtherCasesForEver) {
+  const Result result = run(numbered(3), engine("yes '{\"id\":\"other\"}'"));
+  EXPECT_EQ(answered_and_not(result.verdicts), std::pair(""s, "t0 t1 t2 "s));
+  EXPECT_NE(result.complaints.find("printed more lines than there were cases"), std::string::npos);
 }
 
 /// How often an engine was started that adds a letter to this file.

@@ -44,6 +44,24 @@ TEST(Waiting, DoesNotGrowForAnEngineThatReadsNoMore) {
   EXPECT_FALSE(waiting.has_room());
 }
 
+TEST(Waiting, KnowsTheCasesThatWaitForTheEngine) {
+  Waiting waiting;
+  const auto push = [&](const char* id, bool sent) {
+    Line line;
+    line.read = Case{.id = id, .expected = {}, .content = Rejection{}};
+    ASSERT_TRUE(waiting.push({std::move(line), sent}));
+  };
+  push("twice", true);
+  push("twice", true);
+  push("not sent", false);
+  EXPECT_FALSE(waiting.is_asked("not sent"));
+  for (int left = 2; left > 0; --left) {
+    EXPECT_TRUE(waiting.is_asked("twice"));
+    EXPECT_TRUE(waiting.pop());
+  }
+  EXPECT_FALSE(waiting.is_asked("twice"));
+}
+
 TEST(Waiting, HandsOverEveryLineInOrder) {
   constexpr std::size_t lines = 4 * Waiting::kMost;
   Waiting waiting;
