@@ -71,11 +71,12 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
     fmt::print(stderr, "touchstone: {}\n", line.complaint);
     return std::nullopt;
   }
-  const std::string id = line.read->id.value_or("without id");
   if (const auto* rejection = std::get_if<Rejection>(&line.read->content)) {
-    fmt::print(stderr, "touchstone: case {}: rejected: {}: {}\n", id, word(rejection->code), rejection->message);
+    const std::string name = line.read->id ? "case " + *line.read->id : line.place;
+    fmt::print(stderr, "touchstone: {}: rejected: {}: {}\n", name, word(rejection->code), rejection->message);
     return std::nullopt;
   }
+  const std::string& id = *line.read->id;
   const auto& [ball, polygon] = std::get<judge::Shapes>(line.read->content);
   try {
     const corpus::SameFailure failure(method, ball, polygon, key);

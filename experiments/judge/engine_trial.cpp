@@ -55,16 +55,16 @@ class Replies {
   /// The engine's verdict on a case that was sent, or that it gave none: its next verdict is on a case that was sent
   /// later, or it has ended. A line that is a verdict on neither is told with this case; a second one that names no
   /// case is left for the next.
-  void settle(const Case& question) {
+  void settle(const Line& line) {
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
-      if (next_->id == question.id) {
-        proceedings_.give_reply(question, *next_);
+      if (next_->id == line.read->id) {
+        proceedings_.give_reply(line, *next_);
         next_.reset();
         return;
       }
       if (next_->id ? waiting_.is_asked(*next_->id) : unnamed) break;
-      proceedings_.blame_engine(question, *next_);
+      proceedings_.blame_engine(line, *next_);
       told = true;
       if (next_->id)
         ++foreign;
@@ -73,16 +73,16 @@ class Replies {
       next_.reset();
     }
     if (told)
-      proceedings_.give_no_reply(question);
+      proceedings_.give_no_reply(line);
     else
-      settle_without(question);
+      settle_without(line);
   }
 
   /// The same for one that was not sent, since the engine read no more.
-  void settle_without(const Case& question) {
+  void settle_without(const Line& line) {
     ++missing_;
-    proceedings_.blame_engine(question, "no verdict");
-    proceedings_.give_no_reply(question);
+    proceedings_.blame_engine(line, "no verdict");
+    proceedings_.give_no_reply(line);
   }
 
   /// On how many cases has it said nothing?
@@ -158,12 +158,12 @@ Status judge_with_engine(const Order& order) {
       proceedings.worsen(InputRejected);
       continue;
     }
-    proceedings.give_own(*line.read);
+    proceedings.give_own(line);
     if (std::holds_alternative<Rejection>(line.read->content)) continue;
     if (entry->sent)
-      replies.settle(*line.read);
+      replies.settle(line);
     else
-      replies.settle_without(*line.read);
+      replies.settle_without(line);
   }
   sender.join();
   if (failure) std::rethrow_exception(failure);

@@ -15,16 +15,16 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
   std::string text;
   for (std::size_t number = 1; std::getline(stream, text); ++number) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    Line line{.text = text, .read = {}, .complaint = {}};
+    Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
     try {
       line.read = read_case(text);
     } catch (const NotJson& error) {
-      line.complaint = fmt::format("{}: line {}: not JSON: {}", name, number, error.what());
+      line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
     }
     if (!take(std::move(line))) return false;
   }
   if (!stream.bad()) return true;
-  return take({.text = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
+  return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
 }
 
 }  // namespace
@@ -33,8 +33,9 @@ void read_lines(const std::vector<std::string>& files, const Take& take) {
   if (files.empty()) read_stream(std::cin, "standard input", take);
   for (const std::string& file : files) {
     std::ifstream stream(file);
-    const bool go_on = stream ? read_stream(stream, file, take)
-                              : take({.text = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
+    const bool go_on =
+        stream ? read_stream(stream, file, take)
+               : take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
     if (!go_on) return;
   }
 }

@@ -13,6 +13,7 @@ namespace touchstone::judge {
 /// A line of input: a case, or why there is none.
 struct Line {
   std::string text;
+  std::string place;  ///< `FILE: line NUMBER`; empty for a file that cannot be read
   std::optional<Case> read;
   std::string complaint;  ///< a line that is not JSON, a file that cannot be read
 };

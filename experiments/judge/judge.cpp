@@ -12,7 +12,7 @@ Status judge(const Order& order) {
   Proceedings proceedings(order);
   read_lines(order.files, [&](Line&& line) {
     if (line.read) {
-      proceedings.give_own(*line.read);
+      proceedings.give_own(line);
     } else {
       proceedings.complain(line.complaint);
       proceedings.worsen(InputRejected);

@@ -102,7 +102,7 @@ class Restarted {
 Status judge_one_by_one(const Order& order) {
   Proceedings proceedings(order);
   Restarted engine(order);
-  std::optional<Case> last;  // that the engine was asked about
+  std::optional<Line> last;  // that the engine was asked about
   const auto complain_of_surplus = [&] {
     if (engine.has_surplus()) proceedings.blame_engine(*last, "printed more than a line");
   };
@@ -113,13 +113,13 @@ Status judge_one_by_one(const Order& order) {
       proceedings.worsen(InputRejected);
       return true;
     }
-    proceedings.give_own(*line.read);
+    proceedings.give_own(line);
     if (std::holds_alternative<Rejection>(line.read->content)) return true;
-    last = std::move(line.read);
+    last = std::move(line);
     std::string reason, ended_before;
-    const auto text = engine.ask(line.text, reason, ended_before);
+    const auto text = engine.ask(last->text, reason, ended_before);
     if (!ended_before.empty()) {
-      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *last->id));
+      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *last->read->id));
       proceedings.worsen(ExpectationNotMet);
     }
     if (!text) {

@@ -13,7 +13,7 @@
 namespace touchstone::judge {
 namespace {
 
-std::string name(const Case& question) { return question.id.value_or("without id"); }
+std::string name(const Line& line) { return line.read->id ? "case " + *line.read->id : line.place; }
 
 }  // namespace
 
@@ -21,20 +21,28 @@ void Proceedings::complain(const std::string& sentence) { fmt::print(order_.comp
 
 void Proceedings::worsen(Status status) { status_ = std::max(status_, status); }
 
-void Proceedings::give_own(const Case& question) {
-  if (const auto* rejection = std::get_if<Rejection>(&question.content)) {
-    const bool rejection_expected = question.expected && question.expected->contains("error");
-    const auto give_rejection = [&](std::string_view method) {
-      const Verdict verdict = verdict_of(question.id, method, *rejection);
-      print(verdict);
-      if (rejection_expected) compare(question, verdict);
-    };
-    for (const auto* method : order_.methods) give_rejection(method->name());
-    if (!order_.engine.empty()) give_rejection(order_.engine);
-    if (!rejection_expected) {
-      complain(fmt::format("case {}: rejected: {}: {}", name(question), word(rejection->code), rejection->message));
-      worsen(InputRejected);
-    }
+void Proceedings::give_rejection(const Line& line) {
+  const Case& question = *line.read;
+  Rejection rejection = std::get<Rejection>(question.content);
+  const std::string reason = rejection.message;
+  if (!question.id) rejection.message = fmt::format("{}: {}", line.place, reason);
+  const bool expected = question.expected && question.expected->contains("error");
+  const auto give = [&](std::string_view method) {
+    const Verdict verdict = verdict_of(question.id, method, rejection);
+    print(verdict);
+    if (expected) compare(line, verdict);
+  };
+  for (const auto* method : order_.methods) give(method->name());
+  if (!order_.engine.empty()) give(order_.engine);
+  if (expected) return;
+  complain(fmt::format("{}: rejected: {}: {}", name(line), word(rejection.code), reason));
+  worsen(InputRejected);
+}
+
+void Proceedings::give_own(const Line& line) {
+  const Case& question = *line.read;
+  if (std::holds_alternative<Rejection>(question.content)) {
+    give_rejection(line);
     return;
   }
   const auto& [ball, polygon] = std::get<Shapes>(question.content);
@@ -43,42 +51,42 @@ void Proceedings::give_own(const Case& question) {
     try {
       answer = method->prepare(polygon)->ask(ball, methods::Question::Answer);
     } catch (const std::exception& error) {  // of another's engine, which others' verdicts shall not suffer from
-      complain(fmt::format("case {}: method {}: ended with: {}", name(question), method->name(), error.what()));
+      complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
     Verdict verdict = verdict_of(*question.id, method->name(), answer);
     if (order_.explain) explain(verdict, answer, ball.radius);
     print(verdict);
-    compare(question, verdict);
+    compare(line, verdict);
   }
 }
 
-bool Proceedings::give_reply(const Case& question, const Reply& reply) {
-  const bool is_verdict = reply.id == question.id && reply.answer;
-  if (!is_verdict) blame_engine(question, reply);
-  give_answer(question, is_verdict ? *reply.answer : Verdict::object());
+bool Proceedings::give_reply(const Line& line, const Reply& reply) {
+  const bool is_verdict = reply.id == line.read->id && reply.answer;
+  if (!is_verdict) blame_engine(line, reply);
+  give_answer(line, is_verdict ? *reply.answer : Verdict::object());
   return is_verdict;
 }
 
-void Proceedings::give_no_reply(const Case& question) { give_answer(question, Verdict::object()); }
+void Proceedings::give_no_reply(const Line& line) { give_answer(line, Verdict::object()); }
 
-void Proceedings::blame_engine(const Case& question, const Reply& reply) {
-  blame_engine(question, "not a verdict on this case: " + reply.echo);
+void Proceedings::blame_engine(const Line& line, const Reply& reply) {
+  blame_engine(line, "not a verdict on this case: " + reply.echo);
 }
 
-void Proceedings::blame_engine(const Case& question, const std::string& reason) {
-  complain(fmt::format("case {}: method {}: {}", *question.id, order_.engine, reason));
+void Proceedings::blame_engine(const Line& line, const std::string& reason) {
+  complain(fmt::format("{}: method {}: {}", name(line), order_.engine, reason));
   worsen(ExpectationNotMet);
 }
 
 /// What the engine answers; nothing where it gives no verdict.
-void Proceedings::give_answer(const Case& question, const Verdict& answer) {
+void Proceedings::give_answer(const Line& line, const Verdict& answer) {
   Verdict verdict = Verdict::object();
-  verdict["id"] = *question.id;
+  verdict["id"] = *line.read->id;
   verdict["method"] = order_.engine;
   verdict.update(answer);
   print(verdict);
-  compare(question, verdict);
+  compare(line, verdict);
 }
 
 void Proceedings::print(const Verdict& verdict) {
@@ -90,10 +98,10 @@ void Proceedings::print(const Verdict& verdict) {
 }
 
 /// Holds a verdict against what the case expects.
-void Proceedings::compare(const Case& question, const Verdict& verdict) {
-  if (!question.expected) return;
-  for (const std::string& difference : differences(*question.expected, verdict)) {
-    complain(fmt::format("case {}: method {}: {}", name(question), verdict["method"].get<std::string>(), difference));
+void Proceedings::compare(const Line& line, const Verdict& verdict) {
+  if (!line.read->expected) return;
+  for (const std::string& difference : differences(*line.read->expected, verdict)) {
+    complain(fmt::format("{}: method {}: {}", name(line), verdict["method"].get<std::string>(), difference));
     worsen(ExpectationNotMet);
   }
 }

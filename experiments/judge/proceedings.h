@@ -3,14 +3,15 @@
 
 #include <string>
 
-#include "experiments/judge/case.h"
+#include "experiments/judge/input_lines.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/reply.h"
 #include "experiments/judge/verdict.h"
 
 namespace touchstone::judge {
 
-/// Prints verdicts and complaints, and remembers the worst. Throws std::system_error if verdicts cannot be written.
+/// Prints verdicts on lines that are cases, and complaints, and remembers the worst. Throws std::system_error if
+/// verdicts cannot be written.
 class Proceedings {
  public:
   /// Keeps `order`, which must outlive it.
@@ -19,21 +20,22 @@ class Proceedings {
   void complain(const std::string& sentence);
   void worsen(Status status);
   /// The verdicts of the order's own methods, or of a rejection.
-  void give_own(const Case& question);
+  void give_own(const Line& line);
   /// The verdict of the engine on a case that is not rejected. False, having blamed it, if the reply is none.
-  bool give_reply(const Case& question, const Reply& reply);
+  bool give_reply(const Line& line, const Reply& reply);
   /// The same where the engine gave no verdict: a line without an answer. What it did wrong is to be said besides.
-  void give_no_reply(const Case& question);
+  void give_no_reply(const Line& line);
   /// Says what the engine did wrong with a case that is not rejected.
-  void blame_engine(const Case& question, const std::string& reason);
+  void blame_engine(const Line& line, const std::string& reason);
   /// The same of a line that is not its verdict on the case.
-  void blame_engine(const Case& question, const Reply& reply);
+  void blame_engine(const Line& line, const Reply& reply);
   [[nodiscard]] Status status() const { return status_; }
 
  private:
-  void give_answer(const Case& question, const Verdict& answer);
+  void give_rejection(const Line& line);
+  void give_answer(const Line& line, const Verdict& answer);
   void print(const Verdict& verdict);
-  void compare(const Case& question, const Verdict& verdict);
+  void compare(const Line& line, const Verdict& verdict);
 
   const Order& order_;
   Status status_ = AllMet;

@@ -153,6 +153,23 @@ TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2);
 }
 
+TEST(Judge, NamesFileAndLineOfACaseWithoutAnId) {
+  const std::string deep = std::string(100, '[') + std::string(100, ']');
+  for (const std::string& malformed :
+       {std::string("{\"ball\":{}}"), std::string("[]"), std::string("17"), std::string("{\"id\":7}"), deep}) {
+    const Result result = run(with(kTouching, "") + "\n" + malformed);
+    EXPECT_EQ(result.status, InputRejected) << malformed;
+    EXPECT_NE(result.complaints.find("cases.jsonl: line 2: rejected: malformed-case: "), std::string::npos)
+        << result.complaints;
+    EXPECT_NE(result.verdicts.find(R"({"id":null,"method":"exact","error":"malformed-case","message":")"),
+              std::string::npos);
+    EXPECT_NE(result.verdicts.find("cases.jsonl: line 2: "), std::string::npos) << result.verdicts;
+  }
+  EXPECT_NE(
+      run(R"({"expected":{"error":"zero-normal"}})").complaints.find("cases.jsonl: line 1: method exact: error: "),
+      std::string::npos);
+}
+
 TEST(Judge, NamesAFileThatCannotBeReadAndGoesOn) {
   Order order;
   order.files = {"/nowhere/at/all.jsonl", testing::TempDir(), write_file("last.jsonl", with(kTouching, ""))};
