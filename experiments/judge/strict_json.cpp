@@ -49,8 +49,9 @@ StrictJson parse(std::string_view text, const std::vector<std::size_t>& overflow
 }  // namespace
 
 StrictJson read_strict_json(std::string_view text) {
-  // The library takes this byte for the end of the text.
+  // The library takes this byte for the end of the text, and passes over a mark.
   if (text.find('\0') != std::string_view::npos) throw NotJson("a NUL byte");
+  if (text.starts_with("\xEF\xBB\xBF")) throw NotJson("a byte order mark");
   try {
     return parse(text, {});
   } catch (const json::out_of_range& error) {

@@ -62,6 +62,14 @@ TEST(ReadCase, TakesANulByteForNoEndOfTheLine) {
   EXPECT_THROW((void)read_case(good + std::string("\0", 1)), NotJson);
 }
 
+TEST(ReadCase, TakesNoByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF", good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
+  for (const std::string& line :
+       {mark + good, mark, " " + mark + good, good + mark, good.substr(0, 1) + mark + good.substr(1)})
+    EXPECT_THROW((void)read_case(line), NotJson) << line;
+  EXPECT_EQ(read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
+}
+
 TEST(ReadCase, LetsIdsAndTagsBeAnyString) {
   const std::string odd = R"("id":"\u0000beyond the finite doubles","tags":["\u0000beyond the finite doubles"],)";
   const std::string shape = std::string(kBall) + "," + kTriangle;

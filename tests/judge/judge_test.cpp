@@ -153,6 +153,16 @@ TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 2);
 }
 
+TEST(Judge, NamesFileAndLineOfAByteOrderMark) {
+  const std::string marked = "\xEF\xBB\xBF" + with(kTouching, "");
+  const Result result = run(marked + "\n" + with(kTouching, "") + "\n" + marked);
+  EXPECT_EQ(result.status, InputRejected);
+  for (const char* line :
+       {"cases.jsonl: line 1: not JSON: a byte order mark\n", "cases.jsonl: line 3: not JSON: a byte order mark\n"})
+    EXPECT_NE(result.complaints.find(line), std::string::npos) << result.complaints;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 1);
+}
+
 TEST(Judge, NamesFileAndLineOfACaseWithoutAnId) {
   const std::string deep = std::string(100, '[') + std::string(100, ']');
   for (const std::string& malformed :
@@ -249,7 +259,8 @@ Order parrot(const std::string& reply) {
 
 TEST(JudgeEngine, IsReadByTheSameRulesAsCases) {
   const std::string deep = R"({"id":"t","point":)" + std::string(100'000, '[') + std::string(100'000, ']') + "}";
-  for (const std::string& reply : {deep, std::string("{\"id\":\"t\"}\0garbage", 18)}) {
+  for (const std::string& reply :
+       {deep, std::string("{\"id\":\"t\"}\0garbage", 18), std::string("\xEF\xBB\xBF{\"id\":\"t\"}")}) {
     const Result result = run(with(kTouching, ""), parrot(reply));
     EXPECT_NE(result.complaints.find("not a verdict on this case"), std::string::npos) << reply.substr(0, 40);
   }
