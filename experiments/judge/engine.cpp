@@ -108,25 +108,31 @@ bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
 
 void Engine::end_input() { shutdown(input_, SHUT_WR); }
 
-/// The first line of what is unread, whose first bytes, so many, have no end of a line.
-std::optional<std::string> Engine::take_line(std::size_t searched) {
-  const std::size_t end = unread_.find('\n', received_ + searched);
-  if (end == std::string::npos) return std::nullopt;
-  std::string line = unread_.substr(received_, end - received_);
+/// The first line of what is unread, whose first bytes, so many, have no end of a line. Drops one that is too long.
+std::optional<std::string> Engine::take_line(std::size_t& searched) {
+  const std::size_t found = unread_.find('\n', received_ + searched);
+  const std::size_t end = std::min(found, unread_.size());
+  searched = end - received_;
+  if (searched > kLongestLine) {
+    too_long_ = true;
+    stop_reading();
+    received_ = unread_.size();
+    searched = 0;
+  }
+  if (too_long_ || found == std::string::npos) return std::nullopt;
+  std::string line = unread_.substr(received_, searched);
   received_ = end + 1;
   return line;
 }
 
 std::optional<std::string> Engine::receive() {
-  for (std::size_t searched = 0;;) {
+  std::size_t searched = 0;
+  do {
     if (auto line = take_line(searched)) return line;
-    searched = unread_.size() - received_;
-    if (searched > kLongestLine) stop_reading();
-    if (!read_some()) break;
-  }
+  } while (read_some());
   std::string rest = unread_.substr(received_);
   received_ = unread_.size();
-  if (rest.empty() || rest.size() > kLongestLine) return std::nullopt;
+  if (rest.empty()) return std::nullopt;
   return rest;
 }
 
@@ -134,8 +140,6 @@ std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
   late = false;
   for (std::size_t searched = 0;;) {
     if (auto line = take_line(searched)) return line;
-    searched = unread_.size() - received_;
-    if (searched > kLongestLine) stop_reading();
     const int left = milliseconds_until(deadline);
     if (output_ >= 0 && (left == 0 || !has_more_within(std::chrono::milliseconds(left)))) {
       late = true;

@@ -14,6 +14,7 @@ namespace touchstone::judge {
 class Engine {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
+  static constexpr const char* kTooLong = "printed a line longer than 64 MiB";
   using Deadline = std::chrono::steady_clock::time_point;
 
   /// Starts `command` in a shell, in a group of processes of its own, which an Interruption kills. The shell is killed
@@ -31,12 +32,14 @@ class Engine {
   bool send_by(Deadline deadline, const std::string& line, bool& late);
   /// No more lines will be sent.
   void end_input();
-  /// The next line that it prints, without its end; nothing when the program has closed its output or prints a line
-  /// longer than kLongestLine.
+  /// The next line that it prints, without its end; nothing when the program has closed its output, or prints a line
+  /// longer than kLongestLine, behind which nothing more is read.
   [[nodiscard]] std::optional<std::string> receive();
   /// The same, waiting no longer than until `deadline`: nothing, with `late` true, where there was no whole line by
   /// then.
   [[nodiscard]] std::optional<std::string> receive_by(Deadline deadline, bool& late);
+  /// Has it printed a line longer than kLongestLine?
+  [[nodiscard]] bool too_long() const { return too_long_; }
   /// Drops what it has printed by now and was not received. Was there a line?
   [[nodiscard]] bool drop_unread();
   /// Takes in what it has printed, without waiting. Does that come to `most` bytes that were not received?
@@ -56,12 +59,13 @@ class Engine {
  private:
   bool read_some();
   [[nodiscard]] bool has_more_within(std::chrono::milliseconds time) const;
-  [[nodiscard]] std::optional<std::string> take_line(std::size_t searched);
+  [[nodiscard]] std::optional<std::string> take_line(std::size_t& searched);
 
   pid_t process_;
   int input_, output_;  ///< output_ is -1 when nothing more is read
   std::string unread_;  ///< what was taken in; received are the bytes before received_
   std::size_t received_ = 0;
+  bool too_long_ = false;
 };
 
 }  // namespace touchstone::judge

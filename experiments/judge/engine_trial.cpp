@@ -56,6 +56,7 @@ class Replies {
   /// later, or it has ended. A line that is a verdict on neither is told with this case; a second one that names no
   /// case is left for the next.
   void settle(const Line& line) {
+    const bool had_ended = ended_;
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
       if (next_->id == line.read->id) {
@@ -71,6 +72,10 @@ class Replies {
       else
         unnamed = true;
       next_.reset();
+    }
+    if (engine_.too_long() && !had_ended) {
+      proceedings_.blame_engine(line, Engine::kTooLong);
+      told = true;
     }
     if (told)
       proceedings_.give_no_reply(line);
@@ -90,7 +95,8 @@ class Replies {
 
   /// After the last case: has the engine said more than it was asked?
   [[nodiscard]] bool has_surplus() {
-    if (!surplus_ && has_next()) cut_off();
+    const bool had_ended = ended_;
+    if (!surplus_ && (has_next() || (engine_.too_long() && !had_ended))) cut_off();
     return surplus_;
   }
 
@@ -173,7 +179,7 @@ Status judge_with_engine(const Order& order) {
     proceedings.worsen(ExpectationNotMet);
   }
   std::string ending = engine.wait();
-  if (replies.has_surplus()) ending.clear();  // it was cut off
+  if (replies.has_surplus() || engine.too_long()) ending.clear();  // it was cut off
   if (replies.missing() > 0 || !ending.empty()) {
     proceedings.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
                                      ending.empty() ? "" : "ended with " + ending + "; ", replies.missing()));

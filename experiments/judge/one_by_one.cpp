@@ -36,6 +36,11 @@ class Restarted {
         stop();
         return std::nullopt;
       }
+      if (engine_->too_long()) {
+        reason = Engine::kTooLong;
+        stop();
+        return std::nullopt;
+      }
       engine_->end_input();
       const std::string ending = ending_of(*engine_);
       const bool unread = !sent || engine_->left_unread();
@@ -66,7 +71,7 @@ class Restarted {
     if (!engine_) return {};
     engine_->end_input();
     bool late = false;
-    const bool surplus = engine_->receive_by(in_time(), late).has_value();
+    const bool surplus = engine_->receive_by(in_time(), late) || engine_->too_long();
     if (late) {
       stop();
       return "does not end with its input";

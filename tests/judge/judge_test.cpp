@@ -451,6 +451,22 @@ TEST(JudgeEngine, IsGivenUpWhereItAnswersAboutOtherCasesForEver) {
   EXPECT_NE(result.complaints.find("printed more lines than there were cases"), std::string::npos);
 }
 
+TEST(JudgeEngine, IsToldToHavePrintedATooLongLine) {
+  const std::string endless = "tr '\\0' x </dev/zero";
+  for (const Order& order : {engine(endless), within(endless)}) {
+    const Result result = run(numbered(1), order);
+    EXPECT_EQ(result.status, ExpectationNotMet);
+    EXPECT_EQ(result.complaints, "case t0: method " + endless + ": printed a line longer than 64 MiB\n" +
+                                     "case t0: method " + endless + ": relation: expected \"touching\", not given\n");
+  }
+}
+
+TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
+  EXPECT_NE(run(with(kTouching, ""), parrot("\x1b[31m" + std::string(100'000, 'x')))
+                .complaints.find("not a verdict on this case: \\x1b[31m" + std::string(195, 'x') + "...\n"),
+            std::string::npos);
+}
+
 /// How often an engine was started that adds a letter to this file.
 std::size_t starts_in(const std::string& file) {
   std::ifstream stream(file);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace touchstone::judge {
+
+/// The beginning of bytes that another program printed, for a sentence: 200 bytes at most, and `...` if there are more;
+/// control characters, and bytes that are not UTF-8, as in `\x1b`.
+[[nodiscard]] std::string legible(std::string_view bytes);
+
+}  // namespace touchstone::judge
