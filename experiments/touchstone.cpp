@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
 #include "experiments/commands.h"
 
+namespace {
+
+/// Opens the standard streams that are closed, lest a file or socket take their place: for the wrong direction, so that
+/// reading and writing them stay errors. False if that cannot be done.
+bool occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_open = fcntl(stream, F_GETFD) >= 0;
+    if (!is_open && open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  if (!occupy_standard_streams()) return 2;
   CLI::App app("touchstone: does a ball touch a polygon, where, and how sure is the answer?");
   app.require_subcommand(1);
   int status = 0;

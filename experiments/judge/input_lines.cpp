@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 
@@ -23,7 +24,9 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
     }
     if (!take(std::move(line))) return false;
   }
-  if (!stream.bad()) return true;
+  // What goes wrong with it is known to C's stream alone.
+  const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
+  if (!failed) return true;
   return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
 }
 

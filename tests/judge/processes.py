@@ -2,7 +2,8 @@
 """Usage: processes.py TOUCHSTONE
 
 No process of an engine outlives the judge: neither where it is interrupted or killed, nor where the engine ended by
-itself. Every one of them inherits the end of a pipe, which is closed with the last. Exit status 1 otherwise.
+itself. Every one of them inherits the end of a pipe, which is closed with the last. And a judge whose standard input is
+closed, or cannot be read, says so and ends. Exit status 1 otherwise.
 """
 
 import os
@@ -56,7 +57,18 @@ def check_engine_that_ends(program, options):
         sys.exit(f"an engine that ends, options {options}: exit status {judge.returncode}, or what it started goes on")
 
 
+def check_unreadable_input(program, redirection):
+    for options in "", "--exec cat", "--exec cat --time-limit 9":
+        command = f"judge {options} {redirection}"
+        done = subprocess.run(["sh", "-c", f"exec {program} {command}"], capture_output=True, text=True,
+                              timeout=SECONDS)
+        if (done.returncode, done.stderr) != (2, "standard input: cannot be read to its end\n"):
+            sys.exit(f"{command}: exit status {done.returncode}: {done.stderr}")
+
+
 def main(program):
+    check_unreadable_input(program, "<&-")
+    check_unreadable_input(program, "</")
     for options in [], ["--time-limit", "1000"]:
         check_signal(program, signal.SIGINT, 130, LEFT_BEHIND, options)
         check_signal(program, signal.SIGTERM, 130, LEFT_BEHIND, options)
