@@ -22,7 +22,8 @@ std::size_t length_of_character(std::uint32_t first) {
   return first < 0xf5 ? 4 : 0;
 }
 
-/// How many bytes the character has with which the text begins; 0 if that is a control character or not UTF-8.
+/// How many bytes the character has with which the text begins; 0 if that is a control character, a byte order mark or
+/// not UTF-8.
 std::size_t length_of_printable(std::string_view text) {
   const std::uint32_t first = byte(text.front());
   const std::size_t length = length_of_character(first);
@@ -34,8 +35,8 @@ std::size_t length_of_printable(std::string_view text) {
     code = code << 6 | (byte(next) & 0x3f);
   }
   constexpr std::uint32_t least[] = {0xa0, 0x800, 0x10000};  // of two, three and four bytes; controls lie below
-  const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-  return code >= least[length - 2] && code <= 0x10ffff && !is_surrogate ? length : 0;
+  const bool is_surrogate = code >= 0xd800 && code < 0xe000, is_byte_order_mark = code == 0xfeff;
+  return code >= least[length - 2] && code <= 0x10ffff && !is_surrogate && !is_byte_order_mark ? length : 0;
 }
 
 }  // namespace

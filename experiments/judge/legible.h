@@ -7,7 +7,7 @@
 namespace touchstone::judge {
 
 /// The beginning of bytes that another program printed, for a sentence: 200 bytes at most, and `...` if there are more;
-/// control characters, and bytes that are not UTF-8, as in `\x1b`.
+/// control characters, byte order marks and bytes that are not UTF-8 as in `\x1b`.
 [[nodiscard]] std::string legible(std::string_view bytes);
 
 }  // namespace touchstone::judge

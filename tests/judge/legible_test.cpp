@@ -17,6 +17,7 @@ TEST(Legible, ShowsControlCharactersAndWhatIsNotUtf8AsBytes) {
   for (const auto& [bytes, shown] : {std::pair{"\x1b[31mred\x07", R"(\x1b[31mred\x07)"},
                                      {"a\tb\x7f", R"(a\x09b\x7f)"},
                                      {"\xc2\x9b", R"(\xc2\x9b)"},
+                                     {"\xef\xbb\xbf{}", R"(\xef\xbb\xbf{})"},
                                      {"\xff\xfe", R"(\xff\xfe)"},
                                      {"\xc0\xaf", R"(\xc0\xaf)"},
                                      {"\xe0\x80\xaf", R"(\xe0\x80\xaf)"},
