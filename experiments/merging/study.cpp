@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/workloads/finite.h"
 #include "experiments/workloads/random.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
@@ -19,6 +20,7 @@ namespace touchstone::merging {
 namespace {
 
 using Eigen::Vector3d;
+using workloads::finite;
 using workloads::Random;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -196,7 +198,7 @@ Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t s
   };
   Vector3d low = mesh.vertices[0], high = low;
   for (const Vector3d& vertex : mesh.vertices) low = low.cwiseMin(vertex), high = high.cwiseMax(vertex);
-  const double size = (high - low).maxCoeff();
+  const double size = finite((high - low).maxCoeff());
 
   // A merged face is drawn as often as it has faces.
   std::uint32_t face = 0;
@@ -214,7 +216,8 @@ Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t s
     for (int k = 0; k < 3; ++k) direction[k] = 2 * random.unit() - 1;
   while (!(direction.squaredNorm() <= 1 && direction.squaredNorm() > 0));
   const double length = size * std::abs(random.log_uniform(-11, -2));
-  return {a + s * (b - a) + t * (c - a) + length / direction.norm() * direction, length * (0.5 + random.unit())};
+  const Vector3d point = a + s * finite(b - a) + t * finite(c - a);
+  return {finite(point + finite(length / direction.norm()) * direction), length * (0.5 + random.unit())};
 }
 
 MeshResult study(const Settings& settings, std::string name, const Mesh& mesh) {

@@ -77,7 +77,8 @@ struct MeshResult {
 };
 
 /// A ball near the surface: a point of a random face, moved by 2^-11 to 2^-1 of the mesh's size; the radius is between
-/// half and one and a half times that. A function of the arguments. Requires a face that is not rejected.
+/// half and one and a half times that. Always finite: what would overflow becomes the largest double. A function of the
+/// arguments. Requires a face that is not rejected.
 [[nodiscard]] Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t seed, std::uint64_t index);
 
 /// Merges, and asks the scenes. `nearest` is asked about every tenth ball. Nothing but times and memory differs between

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "experiments/judge/strict_json.h"
+#include "experiments/workloads/finite.h"
 #include "experiments/workloads/random.h"
 #include "geometry/io/text_number.h"
 
@@ -94,7 +95,7 @@ std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name)
   return balls;
 }
 
-/// The mean, without overflow.
+/// A mean, without overflow but for rounding.
 Vector3d between(const Vector3d& a, const Vector3d& b, double share) { return (1 - share) * a + share * b; }
 
 Vector3d in_cube(Random& random) { return {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1}; }
@@ -128,16 +129,19 @@ Ball RandomBalls::near_a_face(std::uint64_t seed, std::uint64_t index) const {
   const Triangle& t = corners_[static_cast<std::size_t>(random.integer(0, last))];
   const double share = random.unit(), other = random.unit();
   const Vector3d point = between(between(t.a, t.b, share), t.c, other);
-  const double size = std::max((t.b - t.a).cwiseAbs().maxCoeff(), (t.c - t.a).cwiseAbs().maxCoeff());
-  const Vector3d offset = std::ldexp(size, -static_cast<int>(random.integer(0, 6))) * in_cube(random);
-  return {point + offset, 2 * random.unit() * offset.cwiseAbs().maxCoeff()};
+  const double size = workloads::finite(std::max((t.b - t.a).cwiseAbs().maxCoeff(), (t.c - t.a).cwiseAbs().maxCoeff()));
+  const Vector3d direction = in_cube(random);
+  const Vector3d offset = std::ldexp(size, -static_cast<int>(random.integer(0, 6))) * direction;
+  return {workloads::finite(point + offset), workloads::finite(2 * random.unit() * offset.cwiseAbs().maxCoeff())};
 }
 
 Ball RandomBalls::anywhere(std::uint64_t seed, std::uint64_t index) const {
   Random random(seed, index, 81);
   const Vector3d half = box_.high / 2 - box_.low / 2;
-  const Vector3d center = between(box_.low, box_.high, 0.5) + (1.25 * half).cwiseProduct(in_cube(random));
-  return {center, std::ldexp(half.maxCoeff() * random.unit(), -static_cast<int>(random.integer(0, 7)))};
+  const Vector3d reach = workloads::finite(1.25 * half);
+  const Vector3d center = between(box_.low, box_.high, 0.5) + reach.cwiseProduct(in_cube(random));
+  const int exponent = -static_cast<int>(random.integer(0, 7));
+  return {workloads::finite(center), std::ldexp(half.maxCoeff() * random.unit(), exponent)};
 }
 
 }  // namespace touchstone::scenes

@@ -26,7 +26,8 @@ struct NamedBall {
 [[nodiscard]] std::vector<NamedBall> read_balls(const std::string& file);
 
 /// Random balls for a scene: every other one near a point of a random face, with a radius of up to twice its distance
-/// from that point; the others anywhere in or near the box of all faces.
+/// from that point; the others anywhere in or near the box of all faces. All are finite: what would lie beyond the
+/// finite doubles becomes the largest of them.
 class RandomBalls {
  public:
   /// Requires one face at least.

@@ -75,6 +75,14 @@ TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
   EXPECT_LT(touching, 95);
 }
 
+// Spans of coordinates overflow.
+TEST(MergeStudy, DrawsFiniteBallsWhereTheMeshsExtentIsNotFinite) {
+  const double far = 1.7e308;
+  const Mesh mesh{{{-far, -far, 0}, {far, -far, 0}, {far, far, 1}}, {{0, 1, 2}}};
+  const mesh::MergedMesh merged = mesh::merge_faces(mesh);
+  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_FALSE(find_fault(merging::draw_ball(mesh, merged, 1, i))) << i;
+}
+
 TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
   const run_tests::Scratch scratch;
   const std::vector<MeshResult> once{study(kQuick, "a, b", plate_and_cube())};

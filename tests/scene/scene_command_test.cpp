@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "experiments/commands.h"
+#include "experiments/run/interrupt.h"
 #include "experiments/run/write_file.h"
 #include "experiments/scenes/balls.h"
 #include "experiments/scenes/unit.h"
@@ -285,6 +294,15 @@ TEST(RandomBalls, TouchAndMiss) {
   EXPECT_LT(touching[0], 195);
   EXPECT_GT(touching[1], 5);
   EXPECT_LT(touching[1], 150);
+}
+
+// Spans of coordinates, and what is added to them, overflow.
+TEST(RandomBalls, AreFiniteWhereTheScenesExtentIsNot) {
+  const double far = 1.7e308, most = std::numeric_limits<double>::max();
+  for (const double x : {far, most}) {
+    const scenes::RandomBalls random({{{{{-x, -x, 0}, {x, -x, 0}, {x, x, 1}}}, {}}});
+    for (std::uint64_t i = 0; i < 2000; ++i) EXPECT_FALSE(find_fault(random.draw(1, i).ball)) << i;
+  }
 }
 
 }  // namespace
