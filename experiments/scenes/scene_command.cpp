@@ -3,15 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "experiments/commands.h"
@@ -184,29 +185,44 @@ std::string summary(const SceneOptions& options, const Units& units, const Loade
   return text;
 }
 
-/// The lines go to a file of the folder, or to standard output.
+/// The lines go to a file of the folder, or to standard output. Throws std::runtime_error, which names it, as soon as
+/// it is known that something could not be written.
 class Lines {
  public:
+  /// The file is opened, or refused; what it holds is kept, since it may be that of the balls.
   explicit Lines(const std::string& folder) {
     if (folder.empty()) return;
-    path_ = std::filesystem::path(folder) / "answers.jsonl";
-    file_.open(path_, std::ios::binary);
+    name_ = (std::filesystem::path(folder) / "answers.jsonl").string();
+    own_.reset(std::fopen(name_.c_str(), "ab"));
+    if (!own_) cannot_write();
+  }
+  /// Empties the file.
+  void begin() {
+    if (own_ && std::freopen(name_.c_str(), "wb", own_.get()) == nullptr) {
+      (void)own_.release();  // closed already
+      cannot_write();
+    }
   }
   void write(const std::string& line) {
-    if (path_.empty())
-      std::fwrite(line.data(), 1, line.size(), stdout);
-    else
-      file_ << line;
+    // glibc counts what is still in the buffer as written where emptying the buffer fails, but sets the error.
+    if (std::fwrite(line.data(), 1, line.size(), stream()) != line.size() || std::ferror(stream()) != 0) cannot_write();
   }
   void close() {
-    const bool written = path_.empty() ? std::fflush(stdout) == 0 : (file_.close(), !file_.fail());
-    if (!written)
-      throw std::runtime_error((path_.empty() ? "standard output" : path_.string()) + ": cannot be written");
+    if (std::fflush(stream()) != 0 || (own_ && std::fclose(own_.release()) != 0)) cannot_write();
   }
 
  private:
-  std::filesystem::path path_;
-  std::ofstream file_;
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  [[nodiscard]] std::FILE* stream() const { return own_ ? own_.get() : stdout; }
+  [[noreturn]] void cannot_write() const {
+    throw std::runtime_error(name_ + ": cannot be written: " + std::generic_category().message(errno));
+  }
+
+  std::string name_ = "standard output";
+  std::unique_ptr<std::FILE, Close> own_;
 };
 
 /// Asks about the balls a leg at a time and writes the answers as they come.
@@ -243,6 +259,7 @@ int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
   if (!options.output.empty()) run::make_folder(options.output);
+  Lines lines(options.output);
   const Units units = units_of(options);
   (void)methods::find_methods({options.method});
   if (options.method == "all") throw std::invalid_argument("--method takes one method");
@@ -257,7 +274,7 @@ int run(const SceneOptions& options) {
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
   const run::Interrupt interrupt;
-  Lines lines(options.output);
+  lines.begin();
   const Sums sums = ask(options, objects, scene, order, source, interrupt.requested(), lines);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
@@ -267,8 +284,8 @@ int run(const SceneOptions& options) {
     const std::filesystem::path folder = options.output;
     run::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
     run::write_file(folder / "left-out.txt", loaded->left_out);
-    run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls, 0, options.threads,
-                                   seconds, 1, interrupted});
+    run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
+                                   source.count - sums.balls, options.threads, seconds, 1, interrupted});
     fmt::print("Results: {}\n", folder.string());
     std::fflush(stdout);
   }

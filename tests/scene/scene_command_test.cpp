@@ -278,6 +278,82 @@ TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
             std::string::npos);
 }
 
+TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
+  const std::string reason = ": cannot be written: No space left on device";
+  for (const char* count : {"1", "2000"}) {
+    std::filesystem::create_directories(path("full"));
+    std::filesystem::remove(path("full/answers.jsonl"));
+    std::filesystem::create_symlink("/dev/full", path("full/answers.jsonl"));
+    const Ran file = touchstone_scene({path("cube.obj"), "--random", count, "--output", path("full")});
+    EXPECT_EQ(file.status, 2);
+    EXPECT_TRUE(file.err.ends_with(path("full/answers.jsonl") + reason)) << file.err;
+    EXPECT_FALSE(std::filesystem::exists(path("full/run.json")));
+  }
+
+  // Longer than any buffer, so that nothing is left to be written at the end.
+  std::string many;
+  for (int i = 0; i < 4000; ++i) many += "f 1 2 3\n";
+  const std::string mesh = write("many.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + many);
+  const std::string balls = write("ball.txt", "0 0 0 1\n");
+  std::fflush(stdout);
+  const int kept = ::dup(STDOUT_FILENO), full = ::open("/dev/full", O_WRONLY);
+  ASSERT_GE(full, 0);
+  ::dup2(full, STDOUT_FILENO);
+  std::string said;
+  try {
+    (void)run_tests::run_command(commands::add_scene, "scene", {mesh, "--balls", balls});
+  } catch (const std::exception& error) {
+    said = error.what();
+  }
+  ::dup2(kept, STDOUT_FILENO);
+  std::clearerr(stdout);
+  ::close(kept);
+  ::close(full);
+  EXPECT_EQ(said, "standard output" + reason);
+}
+
+TEST_F(SceneCommand, RefusesAFileOfAnswersThatCannotBeOpenedBeforeItReadsTheMeshes) {
+  std::filesystem::create_directories(path("results/answers.jsonl"));
+  const Ran run = touchstone_scene({path("absent.obj"), "--random", "1", "--output", path("results")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, path("results/answers.jsonl") + ": cannot be written: Is a directory");
+}
+
+TEST_F(SceneCommand, TakesItsOwnFileOfAnswersForBallsAndReplacesIt) {
+  const std::string file = path("results/answers.jsonl");
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "30", "--output", path("results")}).status, 0);
+  const std::string once = text_of(file);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--balls", file, "--output", path("results")}).status, 0);
+  EXPECT_EQ(text_of(file), once);
+  EXPECT_EQ(touchstone_scene({path("absent.obj"), "--balls", file, "--output", path("results")}).status, 2);
+  EXPECT_EQ(text_of(file), once) << "a run that is refused loses no results";
+}
+
+// Answers go to a pipe, which holds the command up until it has been interrupted.
+TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
+  std::filesystem::create_directories(path("results"));
+  ASSERT_EQ(::mkfifo(path("results/answers.jsonl").c_str(), 0600), 0);
+  std::thread reader([file = path("results/answers.jsonl")] {
+    const int pipe = ::open(file.c_str(), O_RDONLY);
+    char bytes[4096];
+    while (::read(pipe, bytes, sizeof bytes) <= 0) {  // it is opened twice
+    }
+    ::kill(::getpid(), SIGINT);
+    while (::read(pipe, bytes, sizeof bytes) > 0) {
+    }
+    ::close(pipe);
+  });
+  const Ran run = touchstone_scene({path("cube.obj"), "--random", "1000000", "--output", path("results")});
+  reader.join();
+  EXPECT_EQ(run.status, run::kInterrupted) << run.err;
+  const auto record = nlohmann::json::parse(text_of(path("results/run.json")));
+  const auto asked = record["samples_asked"].get<int>(), done = record["samples_done"].get<int>();
+  EXPECT_EQ(record["interrupted"], true);
+  EXPECT_EQ(asked, 1'000'000);
+  EXPECT_LT(done, asked);
+  EXPECT_EQ(record["samples_missing"], asked - done);
+}
+
 // Half the balls lie near a face; a fair share touches something and a fair share does not.
 TEST(RandomBalls, TouchAndMiss) {
   const std::vector<scene::Faces> objects{{{{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}}, {{0, 0, 9}, {8, 0, 9}, {0, 8, 9}}}, {}}};
