@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "experiments/commands.h"
 #include "experiments/merging/output.h"
@@ -53,6 +55,13 @@ std::string short_name(const std::filesystem::path& file, std::map<std::string, 
 
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
+/// What is wrong in the file, and so was not read.
+void tell_left_out(const std::string& file, const ReadMesh& mesh) {
+  for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
+  if (mesh.parts_left_out > mesh.left_out.size())
+    fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", file, mesh.parts_left_out - mesh.left_out.size());
+}
+
 /// Faces that are no polygons, and so were not merged.
 void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
   for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
@@ -73,15 +82,18 @@ int run(const MergeOptions& options) {
   std::vector<MeshResult> results;
   std::map<std::string, int> seen;
   bool all_right = true;
+  std::size_t done = 0;  // files, those too that cannot be read
   {
     run::ProgressLine line("merge", options.files.size());
-    std::uint64_t done = 0;
     for (const std::string& file : options.files) {
       if (interrupt.requested()) break;
       try {
         const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
-        for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
-        results.push_back(study(options.settings, short_name(file, seen), mesh.mesh));
+        tell_left_out(file, mesh);
+        std::optional<MeshResult> result =
+            study(options.settings, short_name(file, seen), mesh.mesh, interrupt.requested());
+        if (!result) break;
+        results.push_back(std::move(*result));
         tell_rejected(file, mesh, results.back().rejected);
         all_right = all_right && (options.skip_bad || results.back().rejected.empty());
       } catch (const BrokenMesh& broken) {
@@ -91,7 +103,8 @@ int run(const MergeOptions& options) {
       line(++done);
     }
   }
-  if (results.empty() && !interrupt.requested()) return kBadInput;
+  const bool interrupted = done < options.files.size();
+  if (results.empty() && !interrupted) return kBadInput;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   write_counts(folder, results);
@@ -102,14 +115,14 @@ int run(const MergeOptions& options) {
                                  .samples_done = results.size(),
                                  .samples_missing = options.files.size() - results.size(),
                                  .seconds = seconds,
-                                 .interrupted = interrupt.requested()});
+                                 .interrupted = interrupted});
   fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
              table(options.settings, results), results.size(), options.files.size(), seconds,
              options.settings.tolerance, options.settings.balls, options.settings.seed, folder.string());
   std::fflush(stdout);
-  if (interrupt.requested() && results.size() < options.files.size()) {
-    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(),
-               results.size(), options.files.size());
+  if (interrupted) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
+               options.files.size());
     return run::kInterrupted;
   }
   return all_right ? 0 : kBadInput;

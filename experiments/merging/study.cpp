@@ -105,16 +105,19 @@ class Contender {
 /// Written to, so that answers are computed.
 volatile std::uint64_t sink;
 
-/// All contenders in turn, so that the machine's moods meet all alike.
+/// All contenders in turn, so that the machine's moods meet all alike. Where it is stopped, there are no times.
 void time_question(Question question, std::vector<Contender>& contenders, const std::vector<Ball>& balls,
-                   unsigned repetitions) {
+                   unsigned repetitions, const std::atomic<bool>& stop) {
   std::vector<std::vector<double>> times(contenders.size());
   for (unsigned repetition = 0; repetition < repetitions; ++repetition)
     for (std::size_t k = 0; k < contenders.size(); ++k) {
       const std::size_t turn = (k + repetition) % contenders.size();
       const auto begin = std::chrono::steady_clock::now();
       std::uint64_t sum = 0;
-      for (const Ball& ball : balls) sum += contenders[turn].ask(question, ball);
+      for (const Ball& ball : balls) {
+        if (stop) return;
+        sum += contenders[turn].ask(question, ball);
+      }
       times[turn].push_back(1e9 * seconds_since(begin) / static_cast<double>(balls.size()));
       sink = sum;
     }
@@ -126,13 +129,14 @@ void time_question(Question question, std::vector<Contender>& contenders, const 
 }
 
 Differences differences(const std::vector<Contender>& contenders, const std::vector<Ball>& balls,
-                        const std::vector<Ball>& few) {
+                        const std::vector<Ball>& few, const std::atomic<bool>& stop) {
   Differences result;
   const auto note = [&result](Question question, bool differs) {
     ++result.asked[static_cast<std::size_t>(question)];
     result.differ[static_cast<std::size_t>(question)] += differs ? 1 : 0;
   };
   for (const Ball& ball : balls) {
+    if (stop) return {};
     const Answers expected = contenders[0].answers(ball);
     for (std::size_t k = 1; k < contenders.size(); ++k) {
       const Answers found = contenders[k].answers(ball);
@@ -141,6 +145,7 @@ Differences differences(const std::vector<Contender>& contenders, const std::vec
     }
   }
   for (const Ball& ball : few) {
+    if (stop) return {};
     const double expected = contenders[0].distance(ball);
     for (std::size_t k = 1; k < contenders.size(); ++k) {
       const double found = contenders[k].distance(ball);
@@ -220,26 +225,32 @@ Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t s
   return {finite(point + finite(length / direction.norm()) * direction), length * (0.5 + random.unit())};
 }
 
-MeshResult study(const Settings& settings, std::string name, const Mesh& mesh) {
+std::optional<MeshResult> study(const Settings& settings, std::string name, const Mesh& mesh,
+                                const std::atomic<bool>& stop) {
   MeshResult result{.name = std::move(name), .counts = {}, .rejected = {}, .differences = {}};
   const auto begin = std::chrono::steady_clock::now();
-  const mesh::MergedMesh merged = mesh::merge_faces(mesh, settings.tolerance);
+  const std::optional<mesh::MergedMesh> merged = mesh::merge_faces(mesh, settings.tolerance, stop);
+  if (!merged) return std::nullopt;
   result.merge_seconds = seconds_since(begin);
-  result.counts = count(mesh, merged);
-  result.rejected = merged.rejected;
-  if (settings.balls == 0 || merged.faces.empty()) return result;
+  result.counts = count(mesh, *merged);
+  result.rejected = merged->rejected;
+  if (settings.balls == 0 || merged->faces.empty()) return result;
 
   std::vector<Ball> balls, few;
   for (std::uint64_t i = 0; i < settings.balls; ++i) {
-    balls.push_back(draw_ball(mesh, merged, settings.seed, i));
+    if (stop) return std::nullopt;
+    balls.push_back(draw_ball(mesh, *merged, settings.seed, i));
     if (i % 10 == 0) few.push_back(balls.back());
   }
   std::vector<Contender> contenders;
-  for (const std::size_t least : {std::numeric_limits<std::size_t>::max(), std::size_t{2}, settings.least})
-    contenders.emplace_back(mesh, merged, least);
+  for (const std::size_t least : {std::numeric_limits<std::size_t>::max(), std::size_t{2}, settings.least}) {
+    if (stop) return std::nullopt;
+    contenders.emplace_back(mesh, *merged, least);
+  }
   for (const Question question : kQuestions)
-    time_question(question, contenders, question == Question::Nearest ? few : balls, settings.repetitions);
-  result.differences = differences(contenders, balls, few);
+    time_question(question, contenders, question == Question::Nearest ? few : balls, settings.repetitions, stop);
+  result.differences = differences(contenders, balls, few, stop);
+  if (stop) return std::nullopt;
   for (std::size_t k = 0; k < contenders.size(); ++k) result.measured[k] = contenders[k].measured();
   return result;
 }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,7 +83,8 @@ struct MeshResult {
 [[nodiscard]] Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t seed, std::uint64_t index);
 
 /// Merges, and asks the scenes. `nearest` is asked about every tenth ball. Nothing but times and memory differs between
-/// two runs.
-[[nodiscard]] MeshResult study(const Settings& settings, std::string name, const Mesh& mesh);
+/// two runs. Nothing where `stop` was set before it was done: it is looked at for each face, polygon and ball.
+[[nodiscard]] std::optional<MeshResult> study(const Settings& settings, std::string name, const Mesh& mesh,
+                                              const std::atomic<bool>& stop);
 
 }  // namespace touchstone::merging

@@ -26,8 +26,9 @@ namespace {
 
 /// What single faces are, whatever their neighbours.
 struct Faces {
-  explicit Faces(const Mesh& mesh) : accepted(mesh.faces.size()), planes(mesh.faces.size()) {
-    for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) look_at(mesh, face);
+  /// Those that were not come to before `stop` was set are not accepted.
+  Faces(const Mesh& mesh, const std::atomic<bool>& stop) : accepted(mesh.faces.size()), planes(mesh.faces.size()) {
+    for (std::uint32_t face = 0; face < mesh.faces.size() && !stop; ++face) look_at(mesh, face);
   }
 
   std::vector<bool> accepted;
@@ -58,19 +59,21 @@ struct Faces {
 
 class Merger {
  public:
-  Merger(const Mesh& welded, double tolerance)
+  Merger(const Mesh& welded, double tolerance, const std::atomic<bool>& stop)
       : mesh_(welded),
         tolerance_(tolerance),
-        faces_(welded),
+        stop_(stop),
+        faces_(welded, stop),
         graph_(welded, faces_.accepted),
         parts_(graph_, welded.faces.size()) {}
 
-  MergedMesh run() {
+  std::optional<MergedMesh> run() {
     grow();
     MergedMesh result;
     for (std::uint32_t part = 0; part < parts_.count(); ++part) {
       // The part's first group keeps its number, so it is looked at again.
       for (;;) {
+        if (stop_) return std::nullopt;
         auto outcome = polygon_of(part);
         if (auto* face = std::get_if<MergedFace>(&outcome)) {
           result.faces.push_back(std::move(*face));
@@ -83,6 +86,7 @@ class Merger {
     std::ranges::sort(result.faces, {}, [](const MergedFace& face) { return face.faces.front(); });
     result.edges = counts();
     result.rejected = std::move(faces_.rejected);
+    if (stop_) return std::nullopt;
     return result;
   }
 
@@ -106,7 +110,7 @@ class Merger {
         return true;
       };
       parts_.grow(seed, [&](std::uint32_t face) {
-        return faces_.planes[face] && std::ranges::all_of(mesh_.faces[face], on_it) &&
+        return !stop_ && faces_.planes[face] && std::ranges::all_of(mesh_.faces[face], on_it) &&
                faces_.planes[face]->turn(axis) == turn;
       });
     }
@@ -237,6 +241,7 @@ class Merger {
 
   const Mesh& mesh_;
   double tolerance_;
+  const std::atomic<bool>& stop_;
   Faces faces_;
   FaceGraph graph_;
   Parts parts_;
@@ -245,11 +250,16 @@ class Merger {
 }  // namespace
 
 MergedMesh merge_faces(const Mesh& mesh, double tolerance) {
+  const std::atomic<bool> never = false;
+  return merge_faces(mesh, tolerance, never).value();
+}
+
+std::optional<MergedMesh> merge_faces(const Mesh& mesh, double tolerance, const std::atomic<bool>& stop) {
   if (!(tolerance >= 0) || std::isinf(tolerance))
     throw std::invalid_argument("the tolerance of a merge must be a finite number that is not negative, not " +
                                 std::to_string(tolerance));
   const FloatingPointState nearest;
-  return Merger(weld(mesh), tolerance).run();
+  return Merger(weld(mesh), tolerance, stop).run();
 }
 
 }  // namespace touchstone::mesh

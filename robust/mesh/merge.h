@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/shapes/mesh.h"
@@ -71,5 +73,9 @@ struct MergedMesh {
 ///
 /// Throws std::invalid_argument for a tolerance that is negative or not finite. Cost: about 10 us a face.
 [[nodiscard]] MergedMesh merge_faces(const Mesh& mesh, double tolerance = 0);
+
+/// The same; nothing where `stop` was set, by a signal or another thread, before it was done. It is looked at for each
+/// face and polygon.
+[[nodiscard]] std::optional<MergedMesh> merge_faces(const Mesh& mesh, double tolerance, const std::atomic<bool>& stop);
 
 }  // namespace touchstone::mesh

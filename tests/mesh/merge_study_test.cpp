@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include "experiments/commands.h"
 #include "experiments/merging/output.h"
 #include "experiments/merging/study.h"
+#include "experiments/run/interrupt.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
 #include "tests/mesh/random_meshes.h"
 #include "tests/run/address_sanitizer.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
+#include "tests/run/unwatched.h"
 
 namespace touchstone::mesh_tests {
 namespace {
@@ -35,8 +44,12 @@ Mesh plate_and_cube() {
   return mesh;
 }
 
+MeshResult studied(const merging::Settings& settings, const char* name, const Mesh& mesh) {
+  return study(settings, name, mesh, run_tests::kNeverStop).value();
+}
+
 TEST(MergeStudy, AsksScenesThatAnswerAlike) {
-  const MeshResult result = study(kQuick, "plate and cube", plate_and_cube());
+  const MeshResult result = studied(kQuick, "plate and cube", plate_and_cube());
   EXPECT_EQ(result.counts.faces, 42U);
   EXPECT_EQ(result.counts.polygons, 7U);
   EXPECT_EQ(result.counts.holes, 1U);
@@ -57,7 +70,7 @@ TEST(MergeStudy, AsksScenesThatAnswerAlike) {
 TEST(MergeStudy, SeesAnswersThatDiffer) {
   merging::Settings rough = kQuick;
   rough.tolerance = 0.2;
-  const MeshResult result = study(rough, "dented", shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
+  const MeshResult result = studied(rough, "dented", shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
   EXPECT_LT(result.counts.polygons, 36U);
   EXPECT_GT(result.differences.differ[2], 0U);
   EXPECT_GT(result.differences.distance, 0);
@@ -85,8 +98,8 @@ TEST(MergeStudy, DrawsFiniteBallsWhereTheMeshsExtentIsNotFinite) {
 
 TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
   const run_tests::Scratch scratch;
-  const std::vector<MeshResult> once{study(kQuick, "a, b", plate_and_cube())};
-  const std::vector<MeshResult> again{study(kQuick, "a, b", plate_and_cube())};
+  const std::vector<MeshResult> once{studied(kQuick, "a, b", plate_and_cube())};
+  const std::vector<MeshResult> again{studied(kQuick, "a, b", plate_and_cube())};
   write_counts(scratch.path, once);
   const std::string text = run_tests::text_of(scratch.path / "merge.csv");
   write_counts(scratch.path, again);
@@ -99,6 +112,50 @@ TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
     const auto names = std::ranges::count(header, ',');
     while (std::getline(lines, line)) EXPECT_EQ(std::ranges::count(line, ','), names + 1) << line;  // one in "a, b"
   }
+}
+
+TEST(MergeStudy, GivesNothingOnceItIsStopped) {
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(study(kQuick, "plate and cube", plate_and_cube(), stop));
+  EXPECT_FALSE(mesh::merge_faces(plate_and_cube(), 0, stop));
+}
+
+// So many balls take far longer than the thread needs to see that interrupts are heeded.
+TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::atomic<bool> ended = false;
+  std::thread interrupting([&ended] {
+    struct sigaction now {};
+    while (!ended && ::sigaction(SIGINT, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::this_thread::yield();
+    if (!ended) ::kill(::getpid(), SIGINT);
+  });
+  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
+                                           {mesh, "--compare", "10000000", "--output", scratch.path.string()});
+  ended = true;
+  interrupting.join();
+  EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
+  EXPECT_NE(ran.err.find("interrupted: " + scratch.path.string() + " covers the first 0 of 1 meshes"),
+            std::string::npos)
+      << ran.err;
+  const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "run.json"));
+  EXPECT_EQ(record["interrupted"], true);
+  EXPECT_EQ(record["samples_asked"], 1);
+  EXPECT_EQ(record["samples_done"], 0);
+  EXPECT_EQ(record["samples_missing"], 1);
+}
+
+TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  std::string bad;
+  for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
+  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
+                                           {mesh, "--compare", "0", "--skip-bad", "--output", scratch.path.string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
 }
 
 TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
