@@ -20,10 +20,10 @@ struct Unit {
 [[nodiscard]] Unit find_unit(std::string_view name);
 
 /// A length in another unit: the exact ratio, rounded once to the nearest double; the length itself where the units
-/// are equal. Requires a length that is 0 or from 1e-280 to 1e300 in magnitude, and round to nearest.
+/// are equal. Infinite where that rounds beyond the finite doubles. Requires a finite length, and round to nearest.
 [[nodiscard]] double converted(double length, const Unit& from, const Unit& to);
 
-/// Every coordinate, as above. Throws std::range_error where one leaves the finite doubles.
+/// Every coordinate, as above. Throws std::range_error, which names the vertex, where one leaves the finite doubles.
 void convert(Mesh& mesh, const Unit& from, const Unit& to);
 
 }  // namespace touchstone::scenes

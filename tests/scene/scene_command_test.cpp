@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
 #include <fcntl.h>
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -216,6 +218,42 @@ TEST(Unit, RoundsOnce) {
         static_cast<std::uint64_t>(product / 5 >> 22) | (product % (std::uint64_t{5} << 22) != 0 ? 1 : 0);
     EXPECT_EQ(converted(static_cast<double>(whole), inch, mm), static_cast<double>(quotient) * 4) << whole;
   }
+}
+
+// Against GMP's rationals: the quotient lies no farther from the result than from either neighbour.
+TEST(Unit, RoundsOnceWhereDoublesEnd) {
+  const auto mm = scenes::find_unit("mm"), m = scenes::find_unit("m"), inch = scenes::find_unit("inch"),
+             foot = scenes::find_unit("foot"), um = scenes::find_unit("um");
+  EXPECT_EQ(scenes::converted(5.043809979959526e-305, mm, m), 5.043809979959527e-308);
+  EXPECT_EQ(scenes::converted(1e308, mm, foot), 1e308 / 304.8);
+  EXPECT_TRUE(std::isinf(scenes::converted(1e308, m, mm)));
+  std::uint64_t bits = 54321;
+  for (int i = 0; i < 20'000; ++i) {
+    bits = bits * 6364136223846793005U + 1442695040888963407U;
+    const double mantissa = 1 + static_cast<double>(bits >> 12) * 0x1p-52;
+    const double length = std::ldexp(i % 2 == 0 ? mantissa : -mantissa, i % 4 < 2 ? -1074 + i % 97 : 1023 - i % 29);
+    for (const auto& [from, to] : {std::pair{mm, m}, {inch, foot}, {mm, foot}, {um, inch}, {foot, um}}) {
+      const double result = scenes::converted(length, from, to);
+      if (std::isinf(result)) continue;
+      const mpq_class exact = mpq_class(length) * from.micrometres / to.micrometres;
+      const auto off = [&](double x) -> mpq_class { return abs(mpq_class(x) - exact); };
+      const double lower = std::nextafter(result, -HUGE_VAL), upper = std::nextafter(result, HUGE_VAL);
+      if (std::isfinite(lower)) {
+        EXPECT_LE(off(result), off(lower)) << length;
+      }
+      if (std::isfinite(upper)) {
+        EXPECT_LE(off(result), off(upper)) << length;
+      }
+    }
+  }
+}
+
+TEST_F(SceneCommand, NamesTheFileAndVertexThatOverflowInTheUnitOfTheScene) {
+  const std::string big = write("big.obj", "v 0 0 0\nv 1e308 0 0\nv 0 1e308 0\nf 1 2 3\n");
+  const Ran run = touchstone_scene({big, "--random", "1", "--unit", "m", "--scene-unit", "mm"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, big + ": vertex 1 leaves the finite doubles from m to mm");
+  EXPECT_EQ(touchstone_scene({big, "--random", "1", "--unit", "mm", "--scene-unit", "foot"}).status, 0);
 }
 
 TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
