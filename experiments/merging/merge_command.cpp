@@ -108,6 +108,7 @@ int run(const MergeOptions& options) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   write_counts(folder, results);
+  write_polygons(folder, results);
   write_times(folder, results);
   run::write_run_record(folder, {.command = command_line(options),
                                  .seed = options.settings.seed,

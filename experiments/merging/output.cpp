@@ -125,6 +125,19 @@ void write_counts(const std::filesystem::path& folder, const std::vector<MeshRes
   run::write_file(folder / "merge.csv", text);
 }
 
+void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
+  std::string text = "mesh,polygon,faces,edges,holes,off_plane\n";
+  for (const MeshResult& result : results) {
+    const std::string mesh = run::csv_field(result.name);
+    for (std::size_t i = 0; i < result.polygons.size(); ++i) {
+      const PolygonCounts& polygon = result.polygons[i];
+      text +=
+          fmt::format("{},{},{},{},{},{}\n", mesh, i, polygon.faces, polygon.edges, polygon.holes, polygon.off_plane);
+    }
+  }
+  run::write_file(folder / "polygons.csv", text);
+}
+
 void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
   std::string text =
       "mesh,merge_seconds,scene,triangles,polygons,memory_bytes,build_seconds,any_ns,all_ns,nearest_ns\n";

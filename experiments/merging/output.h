@@ -12,6 +12,9 @@ namespace touchstone::merging {
 /// merge.csv: a line a mesh, what merging made of it and how many answers differ; the same bytes for the same settings
 /// and meshes. Throws std::runtime_error where it cannot be written.
 void write_counts(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
+/// polygons.csv: a line a polygon, by its lowest face: of how many faces of the mesh it is made, and how far these are
+/// off its plane. Throws as above.
+void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
 /// merge-times.csv: a line a mesh and kind of scene: faces, memory and times. Throws as above.
 void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results);
 

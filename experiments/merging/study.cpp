@@ -227,12 +227,15 @@ Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t s
 
 std::optional<MeshResult> study(const Settings& settings, std::string name, const Mesh& mesh,
                                 const std::atomic<bool>& stop) {
-  MeshResult result{.name = std::move(name), .counts = {}, .rejected = {}, .differences = {}};
+  MeshResult result{.name = std::move(name), .counts = {}, .polygons = {}, .rejected = {}, .differences = {}};
   const auto begin = std::chrono::steady_clock::now();
   const std::optional<mesh::MergedMesh> merged = mesh::merge_faces(mesh, settings.tolerance, stop);
   if (!merged) return std::nullopt;
   result.merge_seconds = seconds_since(begin);
   result.counts = count(mesh, *merged);
+  for (const mesh::MergedFace& face : merged->faces)
+    result.polygons.push_back(
+        {face.faces.size(), face.polygon.vertex_count(), face.polygon.loop_count() - 1, face.off_plane});
   result.rejected = merged->rejected;
   if (settings.balls == 0 || merged->faces.empty()) return result;
 

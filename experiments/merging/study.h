@@ -54,6 +54,13 @@ struct Counts {
   Counts& operator+=(const Counts& other);
 };
 
+/// A merged face.
+struct PolygonCounts {
+  std::size_t faces = 0;  ///< of the mesh
+  std::size_t edges = 0, holes = 0;
+  double off_plane = 0;  ///< as MergedFace has it
+};
+
 /// A scene of one kind.
 struct Measured {
   std::size_t triangles = 0, polygons = 0;
@@ -71,6 +78,7 @@ struct Differences {
 struct MeshResult {
   std::string name;
   Counts counts;
+  std::vector<PolygonCounts> polygons;  ///< by their lowest face of the mesh
   std::vector<mesh::RejectedFace> rejected;
   double merge_seconds = 0;
   std::array<Measured, kKinds.size()> measured{};  ///< zeros where scenes are not compared

@@ -158,6 +158,27 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
 }
 
+TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
+  const auto polygons = [&](const char* tolerance) {
+    const auto ran =
+        run_tests::run_captured(commands::add_merge, "merge",
+                                {mesh, "--compare", "0", "--tolerance", tolerance, "--output", scratch.path.string()});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    std::string text = run_tests::text_of(scratch.path / "polygons.csv");
+    const std::string name = scratch.path.filename().string() + "/mesh";
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) text.replace(at, name.size(), "m");
+    return text;
+  };
+  const std::string heading = "mesh,polygon,faces,edges,holes,off_plane\n";
+  EXPECT_EQ(polygons("0"), heading + "m,0,1,3,0,0\nm,1,1,3,0,0\nm,2,1,3,0,0\n");
+  const std::string merged = polygons("0.5");
+  EXPECT_TRUE(merged.starts_with(heading + "m,0,2,4,0,0.")) << merged;
+  EXPECT_TRUE(merged.ends_with("m,1,1,3,0,0\n")) << merged;
+}
+
 TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
