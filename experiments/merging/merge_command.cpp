@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "experiments/commands.h"
 #include "experiments/merging/output.h"
 #include "experiments/merging/study.h"
+#include "experiments/real_input/named_meshes.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
 #include "experiments/run/processes.h"
@@ -44,15 +44,6 @@ std::string command_line(const MergeOptions& options) {
   return line;
 }
 
-/// The file without its extension and the folder that it lies in, numbered where several have the same:
-/// `puma/puma_link1`.
-std::string short_name(const std::filesystem::path& file, std::map<std::string, int>& seen) {
-  const auto folder = file.parent_path().filename();
-  const std::string name = (folder.empty() || folder == "." ? file.stem() : folder / file.stem()).string();
-  const int number = ++seen[name];
-  return number == 1 ? name : fmt::format("{}#{}", name, number);
-}
-
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
 /// What is wrong in the file, and so was not read.
@@ -80,7 +71,7 @@ int run(const MergeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const run::Interrupt interrupt;
   std::vector<MeshResult> results;
-  std::map<std::string, int> seen;
+  const std::vector<std::string> names = real_input::short_names(options.files);
   bool all_right = true;
   std::size_t done = 0;  // files, those too that cannot be read
   {
@@ -90,8 +81,7 @@ int run(const MergeOptions& options) {
       try {
         const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
         tell_left_out(file, mesh);
-        std::optional<MeshResult> result =
-            study(options.settings, short_name(file, seen), mesh.mesh, interrupt.requested());
+        std::optional<MeshResult> result = study(options.settings, names[done], mesh.mesh, interrupt.requested());
         if (!result) break;
         results.push_back(std::move(*result));
         tell_rejected(file, mesh, results.back().rejected);
@@ -136,7 +126,7 @@ void add_merge(CLI::App& app, int& status) {
       "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
   auto options = std::make_shared<MergeOptions>();
   Settings& settings = options->settings;
-  command->add_option("MESH", options->files, "Mesh files")->required();
+  run::add_meshes(*command, options->files, "Mesh files");
   command
       ->add_option("--tolerance", settings.tolerance,
                    "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")

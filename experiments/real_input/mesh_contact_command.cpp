@@ -108,7 +108,7 @@ void add_mesh_contact(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("mesh-contact", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
-  command->add_option("MESH", options->files, "Mesh files")->required();
+  run::add_meshes(*command, options->files, "Mesh files");
   run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")

@@ -9,8 +9,11 @@
 
 namespace touchstone::real_input {
 
-/// A mesh file as it was read. The name is the file without its extension and the folder that it lies in, numbered
-/// where several have the same: `puma/puma_link1`, `puma/puma_link1#2`.
+/// What files are called: without the extension, with the folder that they lie in; where several have the same name,
+/// the second and later ones get the next number that leaves no two alike: `puma/puma_link1`, `puma/puma_link1#2`.
+[[nodiscard]] std::vector<std::string> short_names(const std::vector<std::string>& files);
+
+/// A mesh file as it was read.
 struct NamedFile {
   std::string name, file;
   ReadMesh content;

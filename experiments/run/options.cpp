@@ -1,18 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/options.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "experiments/run/whole_number.h"
 
 namespace touchstone::run {
+namespace {
+
+/// The bytes that are no ASCII as \xNN.
+std::string escaped(const std::string& text) {
+  std::string legible;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    legible += byte < 0x80 ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+  }
+  return legible;
+}
+
+std::string check_utf8(const std::string& name) {
+  try {
+    (void)nlohmann::json(name).dump();
+    return {};
+  } catch (const nlohmann::json::exception&) {
+    return "the name of a file is not UTF-8: " + escaped(name);
+  }
+}
+
+}  // namespace
 
 void add_names(CLI::App& command, const std::string& option, std::vector<std::string>& names,
                const std::string& about) {
   auto* added = command.add_option(option, names, about)->delimiter(',')->allow_extra_args(false);
   if (!names.empty()) added->capture_default_str();
+}
+
+void add_meshes(CLI::App& command, std::vector<std::string>& files, const std::string& about) {
+  command.add_option("MESH", files, about)->required()->check(check_utf8);
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& about) {

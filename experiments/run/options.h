@@ -15,6 +15,9 @@ namespace touchstone::run {
 /// Names, separated by commas: one argument, so that what stands behind it is another's.
 void add_names(CLI::App& command, const std::string& option, std::vector<std::string>& names, const std::string& about);
 
+/// MESH: files, one at least. Names are data of JSON, so that one that is not UTF-8 is refused.
+void add_meshes(CLI::App& command, std::vector<std::string>& files, const std::string& about);
+
 /// --seed: any whole number without a sign.
 void add_seed(CLI::App& command, std::uint64_t& seed,
               const std::string& about = "Any number; the same gives the same bytes");

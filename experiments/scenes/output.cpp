@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "experiments/judge/verdict.h"
 
@@ -73,7 +75,11 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Questio
   if (question == Question::Any) line["touches"] = !answer.touched.empty();
   if (question == Question::All) {
     line["touched"] = Verdict::array();
-    for (const FaceId id : answer.touched) line["touched"].push_back(face(id, objects));
+    // The scene numbers triangles first, the mesh does not.
+    std::vector<FaceId> touched = answer.touched;
+    std::ranges::sort(touched, {},
+                      [&](FaceId id) { return std::pair(id.object, objects[id.object].numbers[id.face]); });
+    for (const FaceId id : touched) line["touched"].push_back(face(id, objects));
   }
   if (question == Question::Nearest) {
     line["nearest"] = nullptr;

@@ -53,7 +53,7 @@ std::string command_line(const SceneOptions& options) {
     line += " --balls " + run::shell_quoted(options.balls);
   line += options.any ? " --any" : options.nearest ? " --nearest" : " --all";
   line += fmt::format(" --method {} --threads {}", options.method, options.threads);
-  if (!options.objects.empty()) line += " --objects " + run::shell_quoted(run::joined(options.objects));
+  for (const std::string& names : options.objects) line += " --objects " + run::shell_quoted(names);
   if (!options.units.empty()) line += " --unit " + run::joined(options.units);
   if (!options.scene_unit.empty()) line += " --scene-unit " + options.scene_unit;
   if (options.counts) line += " --counts";
@@ -125,15 +125,21 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   return loaded;
 }
 
+/// The objects that --objects names, ascending; all where it names none.
 std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector<Object>& objects) {
   std::vector<std::uint32_t> numbers;
   std::vector<std::string> names;
   for (const Object& object : objects) names.push_back(object.name);
-  for (const std::string& name : options.objects) {
+  const auto choose = [&](const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
-    numbers.push_back(static_cast<std::uint32_t>(found - names.begin()));
+    if (found != names.end()) numbers.push_back(static_cast<std::uint32_t>(found - names.begin()));
+    return found != names.end();
+  };
+  for (const std::string& word : options.objects) {
+    if (choose(word)) continue;  // a name may hold commas
+    for (const std::string& name : CLI::detail::split(word, ','))
+      if (!choose(name))
+        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
   }
   if (options.objects.empty()) {
     numbers.resize(objects.size());
@@ -301,8 +307,7 @@ void add_scene(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
       "scene", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
   auto options = std::make_shared<SceneOptions>();
-  command->add_option("MESH", options->files, "Mesh files; each is an object named by folder and file, as arm/link1")
-      ->required();
+  run::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
   auto* source = command->add_option_group("balls");
   source->add_option("--balls", options->balls,
                      "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a "
@@ -321,7 +326,10 @@ void add_scene(CLI::App& app, int& status) {
                    "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
                    "against filtered")
       ->capture_default_str();
-  run::add_names(*command, "--objects", options->objects, "Ask about these only: names, separated by commas");
+  command
+      ->add_option("--objects", options->objects,
+                   "Ask about these only: a name, or names separated by commas; may be given several times")
+      ->allow_extra_args(false);
   run::add_names(*command, "--unit", options->units,
                  "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
                  "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "

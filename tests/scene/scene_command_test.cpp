@@ -256,6 +256,50 @@ TEST_F(SceneCommand, NamesTheFileAndVertexThatOverflowInTheUnitOfTheScene) {
   EXPECT_EQ(touchstone_scene({big, "--random", "1", "--unit", "mm", "--scene-unit", "foot"}).status, 0);
 }
 
+// In the scene the triangles come first.
+TEST_F(SceneCommand, ListsTouchedFacesByTheirNumbersInTheMesh) {
+  const std::string mesh = write("mixed.off", "OFF 4 3 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n3 0 1 2\n4 3 2 1 0\n");
+  const Ran run = touchstone_scene({mesh, "--balls", write("balls.txt", "1.5 0.5 0 1\n")});
+  std::vector<int> faces;
+  const auto line = lines_of(run).at(0);
+  for (const auto& face : line["touched"]) faces.push_back(face["face"].get<int>());
+  EXPECT_EQ(faces, (std::vector<int>{0, 1, 2}));
+}
+
+TEST_F(SceneCommand, NumbersFilesOfOneNameSoThatNoTwoObjectsAreCalledAlike) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const Ran run = touchstone_scene({write("b.obj", triangle), write("b.off", off), write("b#2.off", off), "--balls",
+                                    write("balls.txt", "0 0 0 1\n")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::vector<std::string> names;
+  const auto line = lines_of(run).at(0);
+  for (const auto& face : line["touched"]) names.push_back(face["object"].get<std::string>());
+  EXPECT_EQ(names, (std::vector<std::string>{object("b"), object("b#3"), object("b#2")}));
+}
+
+TEST_F(SceneCommand, TakesNamesOfObjectsThatHoldCommas) {
+  const std::string comma = write("co,mma.obj", kCube);
+  const auto touched = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> arguments{comma, path("cube.obj"), path("roof.off"), "--balls",
+                                       write("balls.txt", "0 0 3 9\n")};
+    for (const std::string& name : names) arguments.insert(arguments.end(), {"--objects", name});
+    const Ran run = touchstone_scene(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return lines_of(run).at(0)["touched"].size();
+  };
+  EXPECT_EQ(touched({object("co,mma")}), 6U);
+  EXPECT_EQ(touched({object("co,mma"), object("roof")}), 9U);
+  EXPECT_EQ(touched({object("cube") + "," + object("roof")}), 9U);
+}
+
+TEST_F(SceneCommand, RefusesAFileNameThatIsNotUtf8AndNamesIt) {
+  const Ran run = touchstone_scene({write("bad\xff.obj", kCube), "--random", "1"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("the name of a file is not UTF-8: " + path("bad\\xff.obj")), std::string::npos) << run.err;
+}
+
 TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   const auto fault = [&](const std::string& text) {
     const Ran run = touchstone_scene({path("cube.obj"), "--balls", write("balls", "0 0 0 1\n" + text + "\n")});
