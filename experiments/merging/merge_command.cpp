@@ -17,6 +17,7 @@
 #include "experiments/run/options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
+#include "experiments/run/real_number.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
@@ -130,7 +131,7 @@ void add_merge(CLI::App& app, int& status) {
   command
       ->add_option("--tolerance", settings.tolerance,
                    "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")
-      ->check(CLI::Range(0.0, 1e300))
+      ->check(run::real_number(0, 1e300))
       ->capture_default_str();
   command->add_option("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes")
       ->check(run::whole_number(0, 10'000'000))

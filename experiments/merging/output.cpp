@@ -38,9 +38,9 @@ std::string counts_table(const std::vector<MeshResult>& results) {
   return text;
 }
 
-/// The geometric mean of a cost beside that of the scene of faces.
+/// The geometric mean of a cost beside that of the scene of faces; "-" where no mesh has one.
 template <class Cost>
-double mean_ratio(const std::vector<MeshResult>& results, Kind kind, const Cost& cost) {
+std::string mean_ratio(const std::vector<MeshResult>& results, Kind kind, const Cost& cost) {
   double sum = 0, count = 0;
   for (const MeshResult& result : results) {
     const double base = cost(result.measured[0]);
@@ -48,7 +48,7 @@ double mean_ratio(const std::vector<MeshResult>& results, Kind kind, const Cost&
     sum += std::log(cost(result.measured[static_cast<std::size_t>(kind)]) / base);
     ++count;
   }
-  return std::exp(sum / count);
+  return count > 0 ? fmt::format("{:.2f}", std::exp(sum / count)) : "-";
 }
 
 std::string costs_table(const std::vector<MeshResult>& results) {
@@ -65,8 +65,8 @@ std::string costs_table(const std::vector<MeshResult>& results) {
     const auto query = [&](std::size_t i) {
       return mean_ratio(results, kind, [i](const Measured& m) { return m.nanoseconds[i]; });
     };
-    text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10.2f}{:>10.2f}{:>11.2f}{:>10.2f}{:>12.2f}\n", "mean ratio to faces",
-                        word(kind), "", "", query(0), query(1), query(2),
+    text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10}{:>10}{:>11}{:>10}{:>12}\n", "mean ratio to faces", word(kind), "",
+                        "", query(0), query(1), query(2),
                         mean_ratio(results, kind, [](const Measured& m) { return static_cast<double>(m.memory); }),
                         mean_ratio(results, kind, [](const Measured& m) { return m.seconds; }));
   }
@@ -153,7 +153,8 @@ void write_times(const std::filesystem::path& folder, const std::vector<MeshResu
 
 std::string table(const Settings& settings, const std::vector<MeshResult>& results) {
   std::string text = counts_table(results);
-  const bool compared = settings.balls > 0 && !results.empty();
+  const bool compared =
+      std::ranges::any_of(results, [](const MeshResult& result) { return result.differences.asked[0] > 0; });
   if (compared) text += costs_table(results) + differences_lines(results);
   text += kLegend;
   if (compared) text += fmt::format(fmt::runtime(kCostsLegend), settings.least, settings.repetitions);

@@ -179,6 +179,24 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   EXPECT_TRUE(merged.ends_with("m,1,1,3,0,0\n")) << merged;
 }
 
+TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIs) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\n");
+  const auto ran = run_tests::run_captured(commands::add_merge, "merge", {mesh, "--output", scratch.path.string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.out.find("nan"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("0 of 0,"), std::string::npos) << ran.out;
+}
+
+TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
+  for (const char* tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"})
+    EXPECT_EQ(run_tests::run_captured(commands::add_merge, "merge", {"absent.obj", "--tolerance", tolerance})
+                  .err.find("--tolerance: \"" + std::string(tolerance) + "\" is no"),
+              0U)
+        << tolerance;
+}
+
 TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
