@@ -198,13 +198,18 @@ class TextValues {
 
   [[nodiscard]] Place place() const { return lines_.place(); }
   double take_number(Scalar) { return lines_.take_number(); }
-  std::int64_t take_count(const Property&) { return lines_.take_count(); }
-  void take_corners(const Property&, std::int64_t count, std::vector<std::int64_t>& corners) {
-    lines_.take_corners(count, corners);
+  std::int64_t take_count(const Property& list) { return lines_.take_count(written(*list.count_type)); }
+  void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
+    lines_.take_corners(count, corners, written(list.type));
   }
   void skip(Scalar, std::int64_t count) { lines_.skip_fields(count); }
 
  private:
+  static TextReader::Whole written(Scalar type) {
+    const bool whole = type != Scalar::Float32 && type != Scalar::Float64;
+    return whole ? TextReader::Whole::Digits : TextReader::Whole::Decimal;
+  }
+
   TextReader& lines_;
 };
 

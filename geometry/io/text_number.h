@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -55,6 +56,16 @@ inline std::optional<double> nearest_double(std::string_view field) {
     if (field.starts_with('-')) value = -value;
   }
   return value;
+}
+
+/// The whole number that the field is, also where it is written as a decimal, `3.0` or `1e3`: then as the nearest
+/// double, below 1e15, up to which whole doubles are exact.
+inline std::optional<std::int64_t> whole_decimal(std::string_view field) {
+  constexpr double kLimit = 1e15;
+  if (const auto whole = whole_number(field)) return whole;
+  const std::optional<double> value = nearest_double(field);
+  if (!value || !(std::abs(*value) < kLimit) || *value != std::floor(*value)) return std::nullopt;
+  return static_cast<std::int64_t>(*value);
 }
 
 }  // namespace touchstone::io

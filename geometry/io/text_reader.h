@@ -94,28 +94,31 @@ class TextReader {
     return point;
   }
 
+  /// How whole numbers may be written: as digits, or as any decimal, `3.0`.
+  enum class Whole { Digits, Decimal };
+
   /// The next field as a whole number; `what` says of what kind.
-  std::int64_t take_whole(const char* what) {
+  std::int64_t take_whole(const char* what, Whole written = Whole::Digits) {
     const std::string_view field = take();
     if (field.empty()) broken(std::string("the line ends where a ") + what + " is expected");
-    const std::optional<std::int64_t> value = whole_number(field);
+    const std::optional<std::int64_t> value = written == Whole::Digits ? whole_number(field) : whole_decimal(field);
     if (!value) broken(quoted(field) + " is not a " + what);
     return *value;
   }
 
   /// The next field as a whole number that is not negative.
-  std::int64_t take_count() {
-    const std::int64_t count = take_whole("count");
+  std::int64_t take_count(Whole written = Whole::Digits) {
+    const std::int64_t count = take_whole("count", written);
     if (count < 0) broken("the count " + std::to_string(count) + " is negative");
     return count;
   }
 
   /// The next `count` fields as vertex numbers, in place of what `corners` held.
-  void take_corners(std::int64_t count, std::vector<std::int64_t>& corners) {
+  void take_corners(std::int64_t count, std::vector<std::int64_t>& corners, Whole written = Whole::Digits) {
     corners.clear();
     for (std::int64_t i = 0; i < count; ++i) {
       if (rest_.empty()) broken("expected " + std::to_string(count) + " vertex numbers, found " + std::to_string(i));
-      corners.push_back(take_whole("vertex number"));
+      corners.push_back(take_whole("vertex number", written));
     }
   }
 

@@ -86,6 +86,18 @@ TEST(ReadPly, ReadsListsOfAnyTypes) {
   reads_lists_of<double, float>("float64", "float32");
 }
 
+TEST(ReadPly, ReadsWholeNumbersWrittenAsDecimalsWhereTheHeaderSaysSo) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  const auto header = [](const std::string& types) {
+    return ply_header("ascii",
+                      vertex_element("float") + "element face 1\nproperty list " + types + " vertex_indices\n");
+  };
+  EXPECT_EQ(read(".ply", header("uchar float") + vertices + "3 0.0 1.0 2e0\n").faces, (Faces{{0, 1, 2}}));
+  EXPECT_EQ(read(".ply", header("double double") + vertices + "3.0 2 1 0\n").faces, (Faces{{2, 1, 0}}));
+  EXPECT_THROW((void)read(".ply", header("uchar float") + vertices + "3 0.0 1.5 2.0\n"), BrokenMesh);
+  EXPECT_THROW((void)read(".ply", header("uchar int") + vertices + "3 0.0 1.0 2.0\n"), BrokenMesh);
+}
+
 TEST(ReadPly, ReadsCoordinatesOfWholeNumbers) {
   const std::string header =
       ply_header("binary_big_endian", "element vertex 1\nproperty short x\nproperty uchar y\nproperty int z\n");
