@@ -18,8 +18,7 @@ class Engine {
   using Deadline = std::chrono::steady_clock::time_point;
 
   /// Starts `command` in a shell, in a group of processes of its own, which an Interruption kills. The shell is killed
-  /// with the thread that starts it. Throws std::system_error if no process can be
-  /// had.
+  /// with the thread that starts it. Throws std::system_error if no process can be had.
   explicit Engine(const std::string& command);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

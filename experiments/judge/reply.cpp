@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/reply.h"
 
-#include "experiments/judge/legible.h"
 #include "experiments/judge/strict_json.h"
+#include "experiments/run/legible.h"
 
 namespace touchstone::judge {
 
 Reply read_reply(const std::string& line) {
-  Reply reply{.id = {}, .answer = {}, .echo = legible(line)};
+  Reply reply{.id = {}, .answer = {}, .echo = run::legible(line)};
   try {
     const StrictJson read = read_strict_json(line);
     if (!read.value.is_object()) return reply;
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
     if (read.duplicate_key)
-      reply.echo = "the key \"" + legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
+      reply.echo = "the key \"" + run::legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
       reply.answer = answer_in(read.value);
   } catch (const NotJson&) {

@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/options.h"
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "experiments/run/legible.h"
 #include "experiments/run/whole_number.h"
 
 namespace touchstone::run {
 namespace {
-
-/// The bytes that are no ASCII as \xNN.
-std::string escaped(const std::string& text) {
-  std::string legible;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    legible += byte < 0x80 ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
-  }
-  return legible;
-}
 
 std::string check_utf8(const std::string& name) {
   try {
     (void)nlohmann::json(name).dump();
     return {};
   } catch (const nlohmann::json::exception&) {
-    return "the name of a file is not UTF-8: " + escaped(name);
+    return "the name of a file is not UTF-8: " + legible(name);
   }
 }
 

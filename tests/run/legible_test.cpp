@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/legible.h"
+#include "experiments/run/legible.h"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-namespace touchstone::judge {
+namespace touchstone::run {
 namespace {
 
 TEST(Legible, KeepsWhatCanBePrinted) {
@@ -36,4 +36,4 @@ TEST(Legible, ShowsABeginningOfWhatIsLong) {
 }
 
 }  // namespace
-}  // namespace touchstone::judge
+}  // namespace touchstone::run

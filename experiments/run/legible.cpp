@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/legible.h"
+#include "experiments/run/legible.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>
 
-namespace touchstone::judge {
+namespace touchstone::run {
 namespace {
 
 constexpr std::size_t kMostShown = 200;
@@ -56,4 +56,4 @@ std::string legible(std::string_view bytes) {
   return i < bytes.size() ? text + "..." : text;
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::run
