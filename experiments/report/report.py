@@ -121,7 +121,7 @@ def reproducing(results):
     return f"""<section><h2 id="reproducing">The same again</h2>
 <p>On a Debian 12 machine, in a clone of the repository:</p>
 <pre tabindex="0"><code>./reproduce          # the studies with small samples, and this page
-./reproduce --full   # all studies with their full samples: about an hour</code></pre>
+./reproduce --full   # all studies with their full samples: about half an hour</code></pre>
 <p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page
 comes out the same
 (times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte,
