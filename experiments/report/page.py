@@ -69,7 +69,12 @@ def rounded(value, digits=2):
 
 
 def percent(share, digits=2):
-    return f"{rounded(100 * share, digits)} %"
+    return f"{rounded(100 * share, digits)}\u00a0%"  # on one line
+
+
+def multiple(ratio, digits=2):
+    """3.5 ×: so many times."""
+    return f"{rounded(ratio, digits)}\u00a0×"
 
 
 def power(base, exponent):

@@ -20,7 +20,7 @@ TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Pa
 REPORT = SOURCE / "experiments/report/report.py"
 sys.path.insert(0, str(SOURCE / "experiments/report"))
 
-from page import percent, rounded, share_of_size, upper_limit
+from page import rounded, share_of_size, upper_limit
 from report import CHAPTERS, page
 from results import DataError, study_in
 
@@ -269,7 +269,7 @@ class Report(unittest.TestCase):
         self.assertIn(f"of {trials:,} final answers were wrong", self.page.text)
         edited(path, lambda row: row.update(wrong="0") if row["test"] == "contact" and row["method"] == "fast" and row["place"] != "edge" else None)
         edited(path, lambda row: row.update(wrong="3") if row["test"] == "contact" and row["method"] == "fast" and row["place"] == "edge" else None)
-        self.assertIn(f"careful plain doubles (fast) {percent(3 / trials)}", self.changed().text)
+        self.assertIn(f"careful plain doubles (fast) {rounded(100 * 3 / trials)} %", self.changed().text)
         edited(path, lambda row: row.update(wrong="0"))
         self.assertIn("final answers were wrong: none of those asked", self.changed().text)
 
@@ -291,7 +291,7 @@ class Report(unittest.TestCase):
         sentence = f"filtered, in {answers:,} answers about 200 polygons, outlines, faces and cases of 1 study"
         text = Page(report(only)[0]).text
         self.assertIn(sentence, text)
-        self.assertIn(f"at most {percent(upper_limit(200))} (95 % limit)", text)
+        self.assertIn(f"at most {rounded(100 * upper_limit(200))} % (95 % limit)", text)
 
     def test_outlines_that_are_asked_about_in_both_placements_count_once(self):
         for study in ("near-edge", "tradeoff"):

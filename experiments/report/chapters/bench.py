@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench`: times of the certified path beside those of plain doubles and CGAL's kernels."""
-from page import code, count, escaped, percent, rounded, table, words
+from page import code, count, escaped, multiple, percent, power, rounded, table, words
 from readings.bench import TRIANGLES, contests, polygons
 
 TITLE = "Certainty, timed"
@@ -19,10 +19,10 @@ def finding(study):
     every = contests(study)
     sizes = polygons(every)
     most = max(sizes)
-    return (f"<b>Time.</b> Contact of a ball and a triangle took {code('filtered')} {rounded(ratio_of(every['random-triangles', '']), 3)} × the time "
-            f"of {code('fast')} with balls anywhere and {rounded(ratio_of(every['half-near', '']), 3)} × with half of them at "
-            f"2<sup>−50</sup> from contact; of a small ball and a prepared polygon of {count(most)} vertices "
-            f"{rounded(ratio_of(sizes[most]), 2)} ×.")
+    return (f"<b>Time.</b> Contact of a ball and a triangle took {code('filtered')} {multiple(ratio_of(every['random-triangles', '']), 3)} the time "
+            f"of {code('fast')} with balls anywhere and {multiple(ratio_of(every['half-near', '']), 3)} with half of them at "
+            f"{power('2', -50)} from contact; of a small ball and a prepared polygon of {count(most)} vertices "
+            f"{multiple(ratio_of(sizes[most]))}.")
 
 
 def line(about, contestants):
@@ -30,8 +30,8 @@ def line(about, contestants):
     ratio, goal, wrong = ours["ratio"], ours.get("goal"), fast.get("wrong")
     aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
     return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
-            f"{rounded(ratio['median'], 3)} ×<br><small>{rounded(ratio['lower_quartile'], 3)} to {rounded(ratio['upper_quartile'], 3)}</small>", aim,
-            *(f"{rounded(ratio_of(contestants, other))} ×" if other in contestants and "ratio" in contestants[other] else "" for other in OTHERS),
+            f"{multiple(ratio['median'], 3)}<br><small>{rounded(ratio['lower_quartile'], 3)} to {rounded(ratio['upper_quartile'], 3)}</small>", aim,
+            *(multiple(ratio_of(contestants, other)) if other in contestants and "ratio" in contestants[other] else "" for other in OTHERS),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
 
 

@@ -11,15 +11,15 @@ TITLE = "Other engines on the same questions"
 
 
 def shown(text):
-    """2^-28 as 2⁻²⁸."""
-    return re.sub(r"2\^(-\d+)", lambda match: power("2", match[1]), escaped(text))
+    """2^-28 as 2⁻²⁸, and 5 % on one line."""
+    return re.sub(r"2\^(-\d+)", lambda match: power("2", match[1]), escaped(text)).replace(" %", "\u00a0%")
 
 
 def finding(study):
     rows = rows_of(study)
     lines = overall(rows, polygons_of(study, rows))
     others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
-    wrong = [f"{code(name)} {share}" for name, _, share, _, _ in others if not share.startswith("0 of")]
+    wrong = [f"{code(name)} {shown(share)}" for name, _, share, _, _ in others if not share.startswith("0 of")]
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
     cases = cases_of(rows)
     text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "

@@ -2,7 +2,7 @@
 """The chapter of `touchstone merge`: a mesh's coplanar faces as polygons."""
 import math
 
-from page import count, counted, escaped, percent, rounded, table, upper_limit, words
+from page import count, counted, escaped, multiple, percent, rounded, table, upper_limit, words
 from results import finite, natural
 
 TITLE = "Coplanar faces merged into polygons"
@@ -48,12 +48,12 @@ def chapter(study):
     means = {scene: mean([own[scene] for own in by_mesh.values() if scene in own]) for scene in SCENES
              if any(scene in own for own in by_mesh.values())}
     follows = (f" <b>What follows:</b> on average (geometric) "
-               f"{words(f'{scene} {rounded(ratio)} ×' for scene, ratio in means.items())}: asking is "
+               f"{words(f'{scene} {multiple(ratio)}' for scene, ratio in means.items())}: asking is "
                f"{'no quicker for merging' if min(means.values()) >= 1 else 'quicker where few faces are merged into one' if means.get('merged', 0) >= 1 else 'quicker'}."
                if means else "")
     return text + table(
         "Meshes; the last columns: time of “touches any?” as a multiple of that of the mesh's own faces (below 1 is a gain). "
         f"merged: a scene of all polygons; mixed: polygons only where one stands for many faces.{follows}", ["mesh", "faces", "polygons", "holes", *SCENES],
         [[escaped(row["mesh"]), count(row["faces"]), count(row["polygons"]), count(row["holes"]),
-          *(f"{rounded(by_mesh[row['mesh']][scene])} ×" if scene in by_mesh.get(row["mesh"], {}) else "not timed" for scene in SCENES)]
+          *(multiple(by_mesh[row['mesh']][scene]) if scene in by_mesh.get(row["mesh"], {}) else "not timed" for scene in SCENES)]
          for row in rows_of(study)], range(1, 6))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench --scene`: whole scenes, beside other libraries."""
 from names import BALLS, QUESTIONS
-from page import code, count, escaped, percent, picture, rounded, smaller, table, words
+from page import code, count, escaped, multiple, percent, picture, rounded, smaller, table, words
 from readings.scenes import OURS, Data
 
 TITLE = "Whole scenes"
@@ -36,7 +36,7 @@ thread.</p>"""
             own = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
             body.append([escaped(library), *(
                 "not asked" if q not in own else f"{rounded(own[q]['nanoseconds'] / 1000)} µs"
-                + (f"<br><small>{rounded(own[q]['nanoseconds'] / ours[q])} ×</small>" if library != OURS and q in ours else "")
+                + (f"<br><small>{multiple(own[q]['nanoseconds'] / ours[q])}</small>" if library != OURS and q in ours else "")
                 + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
                 for q in questions)])
         text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, "
@@ -51,7 +51,7 @@ thread.</p>"""
                 times = {row["triangles"]: row["nanoseconds"] for row in data.queries if (row["scene"], row["library"], row["balls"], row["question"]) ==
                          (scene, library, "near", "any")}
                 if small in times and size in times and small < size:
-                    growth.append(f"{escaped(library)} {rounded(times[size] / times[small])} ×")
+                    growth.append(f"{escaped(library)} {multiple(times[size] / times[small])}")
             follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: "
                        f"touches any?” grows by {words(growth)}." if growth else "")
             text += picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each "

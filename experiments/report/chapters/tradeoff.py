@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone tradeoff`: run time against error."""
 from names import PLACEMENTS
-from page import bar, code, count, counted, percent, picture, rounded, smaller, table, words
+from page import bar, code, count, counted, multiple, percent, picture, smaller, table, words
 from readings.tradeoff import Data, asked
 
 TITLE = "What being right costs"
@@ -14,7 +14,7 @@ def range_of(numbers):
 
 
 def times(ratio):
-    return "not timed" if ratio is None else f"{rounded(ratio)} ×"
+    return "not timed" if ratio is None else multiple(ratio)
 
 
 def finding(study):
