@@ -135,8 +135,10 @@ TEST(LinkModelFile, EveryFaultIsNamedWithItsLine) {
 }
 
 TEST(LinkModelFile, ANameIsOneWord) {
-  for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n"})
+  for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n", "a\x01", "a\x7f"})
     EXPECT_THROW((void)cell::link_model_text({name, {}}), std::invalid_argument) << name;
+  EXPECT_EQ(fault(std::string("Link A\nParts 1\nPart a") + '\0' + "b\n"),
+            "line 3: the name 'a\\x00b' has a control character");
   EXPECT_THROW((void)cell::link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/model/link_model.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -12,12 +13,15 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/run/legible.h"
 #include "geometry/io/text_reader.h"
 
 namespace touchstone::cell {
 namespace {
 
 using io::TextReader;
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
 
 class Reader {
  public:
@@ -57,6 +61,8 @@ class Reader {
     expect(word);
     std::string name(lines_.take());
     if (name.empty()) lines_.broken(std::string("a name is expected after '") + word + "'");
+    if (std::any_of(name.begin(), name.end(), is_control))
+      lines_.broken("the name '" + run::legible(name) + "' has a control character");
     line_is_done();
     return name;
   }
@@ -120,8 +126,8 @@ void append_loop(std::string& text, const std::vector<std::uint32_t>& loop) {
 
 const std::string& one_word(const std::string& name) {
   for (const char c : name)
-    if (static_cast<unsigned char>(c) <= ' ' || c == '#')
-      throw std::invalid_argument("the name \"" + name + "\" is not one word without '#'");
+    if (is_control(c) || c == ' ' || c == '#')
+      throw std::invalid_argument("the name \"" + run::legible(name) + "\" is not one word without '#'");
   if (name.empty()) throw std::invalid_argument("a name is empty");
   return name;
 }
