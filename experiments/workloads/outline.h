@@ -23,7 +23,8 @@ namespace touchstone::workloads {
 [[nodiscard]] LatticeLoop comb(Random& random, std::size_t vertices);
 /// A corridor that winds inwards about a square or a triangle. An even number of vertices, at least 8.
 [[nodiscard]] LatticeLoop spiral(Random& random, std::size_t vertices);
-/// A simple polygon through random points, by 2-opt moves. At least 4 vertices; 1 s for 1,000 of them.
+/// A simple polygon through random points, by 2-opt moves; where these go in circles, through others. At least 4
+/// vertices; 1 s for 1,000 of them.
 /// Source: [cgal2022], random_polygon_2.
 [[nodiscard]] LatticeLoop random_simple(Random& random, std::size_t vertices);
 /// A square or an equilateral triangle whose edges are replaced, again and again, by four edges of

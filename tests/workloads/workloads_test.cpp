@@ -212,6 +212,14 @@ TEST(Outline, HasTheVerticesAskedForAsNearlyAsTheFamilyAllows) {
   for (const Family family : all_families()) EXPECT_GE(count(family, 0, 0), 3u);
 }
 
+// Without an end to the moves, this test has none.
+TEST(Outline, IsFoundThoughTheMovesOfARandomSimplePolygonGoInCircles) {
+  Workload workload;
+  workload.family = Family::RandomSimple;
+  workload.vertices = 24;
+  EXPECT_EQ(draw_outline(workload, 20261122, 949983).outer.size(), 24u);  // points of which three are collinear
+}
+
 TEST(Outline, KochDimensionChangesTheOutlineAndNothingElse) {
   Workload workload;
   workload.family = Family::Koch;
