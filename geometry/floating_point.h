@@ -2,7 +2,8 @@
 #pragma once
 
 // What every answer rests on: IEEE-754 doubles, evaluated as doubles, by a compiler that rewrites nothing.
-// Contraction to fused multiply-add cannot be seen from here; the build sets -ffp-contract=off.
+// Contraction to fused multiply-add cannot be seen from here; the build sets -ffp-contract=off. For flags that a
+// compiler defines no macro for, see robust/sound_arithmetic.h.
 
 #include <cfloat>
 #include <limits>
@@ -29,5 +30,7 @@
 #error "Touchstone needs FLT_EVAL_METHOD == 0: intermediate results in a wider format are rounded twice."
 #endif
 
+static_assert(0x1p-600 > 0 && 1 + 0x1p-48 > 1,
+              "Touchstone refuses -fsingle-precision-constant: its error bounds are doubles that are no floats.");
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
               "Touchstone needs IEEE-754 binary64 doubles.");

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/engine.h"
 
+#include "geometry/floating_point_state.h"
+#include "robust/sound_arithmetic.h"
+
 namespace touchstone::filtered {
 
 constinit std::atomic<const Engine*> found_engine = nullptr;
 
 const Engine& find_fastest_engine() {
+  const FloatingPointState nearest;
+  expect_sound_arithmetic();
   const Engine* fastest = &baseline_engine();
 #if defined(TOUCHSTONE_HAS_AVX2)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) fastest = &avx2_engine();

@@ -45,7 +45,7 @@ struct Engine {
 [[nodiscard]] const Engine& baseline_engine();
 [[nodiscard]] const Engine& avx2_engine();
 
-/// Looks what this machine can run, and remembers it.
+/// Looks what this machine can run, and remembers it. Throws what expect_sound_arithmetic does.
 [[nodiscard]] const Engine& find_fastest_engine();
 extern std::atomic<const Engine*> found_engine;  ///< null before that
 

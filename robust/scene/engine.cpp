@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/engine.h"
 
+#include "robust/sound_arithmetic.h"
+
 namespace touchstone::scene {
 namespace {
 
 bool has_avx2() {
+  static const bool has = [] {
+    expect_sound_arithmetic();
 #if defined(TOUCHSTONE_HAS_AVX2)
-  static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has;
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #else
-  return false;
+    return false;
 #endif
+  }();
+  return has;
 }
 
 }  // namespace

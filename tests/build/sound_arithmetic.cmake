@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Usage: cmake -DCOMPILER=... -DSOURCE=... -DSCRATCH=... "-DFLAGS=..." [-DSENTENCE=...] -P sound_arithmetic.cmake
+# A program that is compiled with these flags must find its arithmetic sound; or, with SENTENCE, say that it is not.
+file(MAKE_DIRECTORY ${SCRATCH})
+file(WRITE ${SCRATCH}/main.cpp [[
+#include <cstdio>
+#include <stdexcept>
+#include "robust/sound_arithmetic.h"
+int main() {
+  try {
+    touchstone::expect_sound_arithmetic();
+  } catch (const std::logic_error& error) {
+    std::puts(error.what());
+    return 1;
+  }
+  return 0;
+}
+]])
+execute_process(COMMAND ${COMPILER} -std=c++20 -O2 ${FLAGS} -I${SOURCE} ${SCRATCH}/main.cpp
+                        ${SOURCE}/robust/sound_arithmetic.cpp -o ${SCRATCH}/main COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${SCRATCH}/main RESULT_VARIABLE result OUTPUT_VARIABLE said)
+if(NOT DEFINED SENTENCE)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${FLAGS}: found unsound: ${said}")
+  endif()
+elseif(result EQUAL 0 OR NOT said MATCHES "${SENTENCE}")
+  message(FATAL_ERROR "${FLAGS}: not found unsound with a sentence about ${SENTENCE}: ${said}")
+endif()
