@@ -3,6 +3,7 @@
 
 #include <pybind11/pytypes.h>
 
+#include <cfenv>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,22 @@ namespace touchstone::python {
 namespace py = pybind11;
 
 namespace {
+
+/// The default state of the floating-point unit while it lives, of the part for long doubles, too: NumPy converts
+/// numbers in the state that it finds.
+class DefaultState {
+ public:
+  DefaultState() {
+    std::fegetenv(&found_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~DefaultState() { std::fesetenv(&found_); }
+  DefaultState(const DefaultState&) = delete;
+  DefaultState& operator=(const DefaultState&) = delete;
+
+ private:
+  std::fenv_t found_;
+};
 
 /// Is a number masked, of an array or of those in a list of lists?
 bool has_masked(py::handle numbers, py::handle masked_array, py::handle is_masked) {
@@ -33,6 +50,7 @@ void expect_real(const py::array& objects) {
 }  // namespace
 
 Doubles doubles_of(py::handle numbers) {
+  const DefaultState state;
   // NumPy would take words for the numbers that they spell, and drop imaginary parts and masks.
   constexpr std::string_view kRealKinds = "fiubO";
   const auto numpy = py::module_::import("numpy");

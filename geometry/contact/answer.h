@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/floating_point.h"
+#include "geometry/same_number.h"
 
 /// What is asked about: balls, polygons, triangles, meshes and poses; and what an answer consists of. Each way to
 /// answer is a namespace of its own.
@@ -48,7 +49,11 @@ struct Answer {
 
   /// Do they touch?
   [[nodiscard]] bool contact() const { return relation != Relation::Separate; }
-  friend bool operator==(const Answer&, const Answer&) = default;
+  friend bool operator==(const Answer& a, const Answer& b) {
+    return a.plane == b.plane && a.plane_tangent == b.plane_tangent && a.foot == b.foot && a.edges_hit == b.edges_hit &&
+           a.relation == b.relation && a.nearest == b.nearest && same_point(a.point, b.point) &&
+           same_number(a.distance, b.distance) && same_number(a.off_plane, b.off_plane);
+  }
 };
 
 /// @{

@@ -14,8 +14,9 @@
 /// them: differences of the input before products, no root or division that a test does not need, touching counts.
 ///
 /// Right wherever the input is farther from every boundary than rounding reaches; nothing says when it is not: that
-/// is what `exact` is for. Round to nearest is assumed. With Scalar = double no intermediate result may leave the
-/// normal doubles: sizes from about 1e-50 to 1e50 are safe.
+/// is what `exact` is for. Call these functions in the default state of the floating-point unit: round to nearest, with
+/// subnormal numbers. With Scalar = double no intermediate result may leave the normal doubles: sizes from about 1e-50
+/// to 1e50 are safe.
 ///
 /// Guarantees, for every input but for what is said (rounded operations commute with these):
 ///  (1) scaling ball and polygon by a power of two scales point, distance and off_plane and changes nothing else,

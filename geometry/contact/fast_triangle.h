@@ -8,8 +8,8 @@ namespace touchstone::fast {
 
 /// Does the ball touch the triangle? Touching counts.
 ///
-/// Right wherever the input is farther from contact than rounding reaches, as all of `fast`; round to nearest is
-/// assumed, sizes from about 1e-50 to 1e50 are safe.
+/// Right wherever the input is farther from contact than rounding reaches, as all of `fast`. Call it in the default
+/// state of the floating-point unit; sizes from about 1e-50 to 1e50 are safe.
 ///
 /// Guarantees, for every input but for what is said
 ///  (1) scaling ball and triangle by a power of two changes nothing, while no intermediate result leaves the normal

@@ -33,8 +33,8 @@
 /// Without holes nothing else is missed in exact arithmetic: inside a simple loop the angles, signed, add up to
 /// +-2 pi, so their magnitudes to no less.
 ///
-/// Vectors are in Scalar (float in [S]), the sum of angles in double [S]. Round to nearest is assumed; acos and atan2
-/// are the C library's, so that last bits may differ between libraries.
+/// Vectors are in Scalar (float in [S]), the sum of angles in double [S]. Call these functions in the default state of
+/// the floating-point unit; acos and atan2 are the C library's, so that last bits may differ between libraries.
 /// Source: [arshad2008, 4.2], [gametutorials].
 namespace touchstone::thesis {
 

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/floating_point_state.h"
 #include "geometry/io/mesh_builder.h"
 #include "geometry/io/mesh_formats.h"
 #include "geometry/io/mesh_source.h"
@@ -56,6 +57,7 @@ io::MeshSource load(const std::filesystem::path& file) {
 }  // namespace
 
 ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
+  const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too
   const Format& format = format_of(file);
   const io::MeshSource source = load(file);
   io::MeshBuilder builder(source, on_fault, format.first_vertex);

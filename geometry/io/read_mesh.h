@@ -43,7 +43,8 @@ inline constexpr std::size_t kMostSentences = 1000;
 /// malformed or beyond the finite doubles, an index out of range, a face of fewer than three vertices, or a wrong
 /// count. With OnFault::Skip a wrong line, vertex or face is left out and named, and faces that need a vertex left
 /// out are left out too; a file whose structure is lost (a bad header, truncation in binary data) keeps what came
-/// before. Cost: time and memory linear in the size of the file, whatever counts it holds.
+/// before. The caller's rounding mode and flush-to-zero setting change nothing, and are left as found. Cost: time and
+/// memory linear in the size of the file, whatever counts it holds.
 [[nodiscard]] ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault = OnFault::Refuse);
 
 }  // namespace touchstone

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "geometry/floating_point_state.h"
+
 namespace touchstone::io {
 
 /// The field without one leading '+', which std::from_chars does not know; "+-1" stays malformed.
@@ -45,8 +47,10 @@ inline bool is_huge(std::string_view decimal) {
 }
 
 /// The double nearest to the decimal number that the field consists of, if it does: an infinity beyond the finite
-/// doubles, zero near zero; "nan" and "inf" in the spellings of std::from_chars. The locale does not matter.
+/// doubles, zero near zero; "nan" and "inf" in the spellings of std::from_chars. The caller's locale and rounding mode
+/// change nothing.
 inline std::optional<double> nearest_double(std::string_view field) {
+  const FloatingPointState nearest;  // std::from_chars may divide in the caller's rounding mode
   field = without_plus(field);
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);

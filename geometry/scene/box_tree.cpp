@@ -54,15 +54,16 @@ void for_each_number(std::size_t count, std::size_t at_once, const F& f) {
 }
 
 /// Powers of two that bring the largest coordinate to between 2^39 and 2^40: a surface times a count is a float.
-std::array<double, 2> scale_of(std::span<const Box> boxes) {
+BoxTree::Scale scale_of(std::span<const Box> boxes) {
   double largest = std::numeric_limits<double>::denorm_min();
   for (const Box& box : boxes)
     largest = std::max({largest, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+  assert(std::isfinite(largest));
   const int exponent = 39 - std::ilogb(largest), half = exponent / 2;
   return {std::ldexp(1.0, half), std::ldexp(1.0, exponent - half)};
 }
 
-Bounds bounds(const Box& box, const double (&scale)[2]) {
+Bounds bounds(const Box& box, const BoxTree::Scale& scale) {
   Bounds result;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
@@ -288,8 +289,7 @@ class Builder {
 BoxTree::BoxTree(std::span<const Box> boxes) {
   const FloatingPointState nearest;
   assert(boxes.size() <= kMostBoxes);
-  const auto scale = scale_of(boxes);
-  scale_[0] = scale[0], scale_[1] = scale[1];
+  scale_ = scale_of(boxes);
   std::vector<Item> items(boxes.size());
   for_each_number(boxes.size(), 4096, [&](std::size_t i) {
     items[i] = {bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)};
@@ -298,14 +298,13 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
   order_.reserve(items.size());
   for (const Item& item : items) order_.push_back(item.number);
   built_surface_ = surface();
-  built_scale_[0] = scale_[0], built_scale_[1] = scale_[1];
+  built_scale_ = scale_;
 }
 
 void BoxTree::refit(std::span<const Box> boxes) {
   const FloatingPointState nearest;
   assert(boxes.size() == order_.size());
-  const auto scale = scale_of(boxes);
-  scale_[0] = scale[0], scale_[1] = scale[1];
+  scale_ = scale_of(boxes);
   // Children stand behind their parents.
   for (std::size_t i = nodes_.size(); i-- > 0;)
     for (std::size_t lane = 0; lane < kWidth; ++lane) {

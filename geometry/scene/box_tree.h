@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,6 +33,8 @@ class BoxTree {
   /// The most nodes that are open at once in a depth-first walk.
   static constexpr std::size_t kStackSize = 256;
 
+  using Scale = std::array<double, 2>;  ///< two factors, whose product need be no double
+
   /// The children of a node, side by side.
   struct alignas(64) Node {
     /// @{
@@ -51,7 +54,7 @@ class BoxTree {
   /// The numbers of the boxes, leaf by leaf.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   /// Lengths in the tree are true ones times scale[0] times scale[1], which are powers of two.
-  [[nodiscard]] const double (&scale() const)[2] { return scale_; }
+  [[nodiscard]] const Scale& scale() const { return scale_; }
 
   /// Takes other boxes in place of the old ones, number by number, and keeps the tree's shape. Requires what the
   /// constructor does. Cost: linear.
@@ -65,8 +68,9 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  double scale_[2] = {1, 1};
-  double built_surface_, built_scale_[2];
+  Scale scale_ = {1, 1};
+  double built_surface_;
+  Scale built_scale_;
 };
 
 }  // namespace touchstone

@@ -17,7 +17,8 @@ struct Plane {
 };
 
 /// The axis of the component of largest magnitude, the lowest on a tie: the coordinate to drop when points of a plane
-/// with this normal are projected to two dimensions. Exact for a given normal.
+/// with this normal are projected to two dimensions. Exact for a given normal; call it in the default state of the
+/// floating-point unit.
 template <class Scalar>
 [[nodiscard]] int dropped_axis(const Eigen::Matrix<Scalar, 3, 1>& normal) {
   int axis = 0;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "geometry/floating_point_state.h"
+#include "geometry/same_number.h"
+
 namespace touchstone {
 namespace {
 
@@ -39,7 +42,7 @@ std::optional<Rejection> too_few(std::size_t number, std::size_t, const Loop& lo
 std::optional<Rejection> repeated(std::size_t number, std::size_t begin, const Loop& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const std::size_t next = (i + 1) % loop.size();
-    if (loop[i] == loop[next])
+    if (same_point(loop[i], loop[next]))
       return Rejection{RejectionCode::RepeatedVertex, vertex_name(number, begin + i) + " equals its neighbour, vertex " +
                                                           std::to_string(begin + next)};
   }
@@ -53,6 +56,7 @@ std::string loop_name(std::size_t loop) {
 }
 
 Polygon::Polygon(const Loop& outer, const std::vector<Loop>& holes) {
+  const FloatingPointState nearest;
   for (const auto& fault : {first_fault(outer, holes, not_finite), first_fault(outer, holes, too_few),
                             first_fault(outer, holes, repeated)})
     if (fault) throw Rejected(*fault);
@@ -75,6 +79,13 @@ Polygon::Polygon(const Loop& outer, const std::vector<Loop>& holes) {
   };
   append(outer);
   for (const Loop& hole : holes) append(hole);
+}
+
+bool Polygon::operator==(const Polygon& other) const {
+  if (loop_ends_ != other.loop_ends_) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!std::ranges::equal(coordinates_[axis], other.coordinates_[axis], same_number)) return false;
+  return true;
 }
 
 std::size_t Polygon::loop_of(std::size_t i) const {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -35,30 +36,41 @@ class Polygon {
   /// One more than there are holes.
   [[nodiscard]] std::size_t loop_count() const { return loop_ends_.size(); }
 
-  /// Vertex i, of whichever loop.
+  /// Vertex i, of whichever loop. Requires i < vertex_count(), as all that takes a vertex does.
   [[nodiscard]] Eigen::Vector3d vertex(std::size_t i) const {
+    assert(i < vertex_count());
     return {coordinates_[0][i], coordinates_[1][i], coordinates_[2][i]};
   }
   /// The coordinates of all vertices along one axis (0, 1 or 2).
   [[nodiscard]] std::span<const double> coordinates(int axis) const {
+    assert(axis >= 0 && axis < 3);
     return coordinates_[static_cast<std::size_t>(axis)];
   }
 
   /// @{
-  /// First vertex of a loop, and one past its last; loop 0 is the outer one.
-  [[nodiscard]] std::size_t loop_begin(std::size_t loop) const { return loop == 0 ? 0 : loop_ends_[loop - 1]; }
-  [[nodiscard]] std::size_t loop_end(std::size_t loop) const { return loop_ends_[loop]; }
+  /// First vertex of a loop, and one past its last; loop 0 is the outer one. Requires loop < loop_count().
+  [[nodiscard]] std::size_t loop_begin(std::size_t loop) const { return loop == 0 ? 0 : loop_end(loop - 1); }
+  [[nodiscard]] std::size_t loop_end(std::size_t loop) const {
+    assert(loop < loop_count());
+    return loop_ends_[loop];
+  }
   /// @}
   /// The loop that holds vertex i, and edge i. Cost: logarithmic in the number of loops.
   [[nodiscard]] std::size_t loop_of(std::size_t i) const;
 
   /// @{
   /// The neighbours of vertex i in its loop.
-  [[nodiscard]] std::size_t next(std::size_t i) const { return next_[i]; }
-  [[nodiscard]] std::size_t previous(std::size_t i) const { return previous_[i]; }
+  [[nodiscard]] std::size_t next(std::size_t i) const {
+    assert(i < vertex_count());
+    return next_[i];
+  }
+  [[nodiscard]] std::size_t previous(std::size_t i) const {
+    assert(i < vertex_count());
+    return previous_[i];
+  }
   /// @}
 
-  friend bool operator==(const Polygon&, const Polygon&) = default;
+  [[nodiscard]] bool operator==(const Polygon& other) const;
 
  private:
   std::array<std::vector<double>, 3> coordinates_;

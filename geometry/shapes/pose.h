@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "geometry/floating_point.h"
+#include "geometry/same_number.h"
 
 namespace touchstone {
 
@@ -15,8 +16,11 @@ struct Pose {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< R
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();   ///< t
 
+  /// Number by number (0 = -0).
   friend bool operator==(const Pose& a, const Pose& b) {
-    return a.rotation == b.rotation && a.translation == b.translation;
+    for (int column = 0; column < 3; ++column)
+      if (!same_point(a.rotation.col(column), b.rotation.col(column))) return false;
+    return same_point(a.translation, b.translation);
   }
 };
 

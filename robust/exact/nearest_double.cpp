@@ -3,7 +3,9 @@
 
 #include <mpfr.h>
 
+#include <bit>
 #include <cassert>
+#include <cstdint>
 
 namespace touchstone::exact {
 namespace {
@@ -47,7 +49,8 @@ double nearest_double(const mpz_class& numerator, const mpz_class& denominator) 
   mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), shifted(magnitude, shift).get_mpz_t(),
               shifted(denominator, -shift).get_mpz_t());
   const double result = rounded(quotient, remainder != 0, -shift);
-  return numerator < 0 ? -result : result;
+  const bool zero = std::bit_cast<std::uint64_t>(result) == 0;  // what rounds to zero from below is +0, too
+  return numerator < 0 && !zero ? -result : result;
 }
 
 double nearest_root(const mpz_class& numerator, const mpz_class& denominator) {

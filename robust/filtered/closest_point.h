@@ -32,13 +32,13 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // Below these sizes squares or steps may underflow, and what is said of errors does not hold.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// A coordinate of the feature's point that is closest to the centre, as the nearest double. `edges` are those of a
+/// A coordinate of the feature's point that is closest to the centre, as the nearest double, zeros as +0. `edges` are those of a
 /// prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
 template <class Edges>
 double closest_point(const Edges& edges, const Feature& feature, int axis) {
   const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
   const bool moved = edges.lifts(axis);
-  if (vertex && !moved) return edges.given_vertex(feature.index, axis);
+  if (vertex && !moved) return edges.given_vertex(feature.index, axis) + 0.0;  // -0 becomes +0
 
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;

@@ -98,7 +98,9 @@ struct ClosestPoint {
   Eigen::Vector3d point;  ///< as Answer has it
   double distance;        ///< likewise
 
-  friend bool operator==(const ClosestPoint&, const ClosestPoint&) = default;
+  friend bool operator==(const ClosestPoint& a, const ClosestPoint& b) {
+    return a.feature == b.feature && same_point(a.point, b.point) && same_number(a.distance, b.distance);
+  }
 };
 
 /// @{
@@ -107,9 +109,10 @@ struct ClosestPoint {
 [[nodiscard]] ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts);
 /// @}
 
-/// Many balls against one polygon: touches[i] says whether balls[i] does. Requires spans of equal length.
+/// Many balls against one polygon: touches[i] says whether balls[i] does. Throws std::invalid_argument for spans of
+/// different lengths.
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches);
-/// One ball against many triangles: touches[i] says whether it touches triangles[i]. Requires spans of equal length.
+/// One ball against many triangles: touches[i] says whether it touches triangles[i]. Throws as above.
 void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches);
 
 }  // namespace touchstone::filtered

@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -247,6 +249,12 @@ class Merger {
   Parts parts_;
 };
 
+/// The shortest decimal that is read as this double.
+std::string shortest(double x) {
+  char digits[32];
+  return {digits, std::to_chars(std::begin(digits), std::end(digits), x).ptr};
+}
+
 }  // namespace
 
 MergedMesh merge_faces(const Mesh& mesh, double tolerance) {
@@ -255,10 +263,10 @@ MergedMesh merge_faces(const Mesh& mesh, double tolerance) {
 }
 
 std::optional<MergedMesh> merge_faces(const Mesh& mesh, double tolerance, const std::atomic<bool>& stop) {
+  const FloatingPointState nearest;
   if (!(tolerance >= 0) || std::isinf(tolerance))
     throw std::invalid_argument("the tolerance of a merge must be a finite number that is not negative, not " +
-                                std::to_string(tolerance));
-  const FloatingPointState nearest;
+                                shortest(tolerance));
   return Merger(weld(mesh), tolerance, stop).run();
 }
 

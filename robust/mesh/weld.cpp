@@ -3,11 +3,31 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 #include <tuple>
+
+#include "geometry/floating_point_state.h"
 
 namespace touchstone::mesh {
 
+namespace {
+
+void expect_mesh(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (mesh.vertices[i].hasNaN()) throw std::invalid_argument("vertex " + std::to_string(i) + " of the mesh is NaN");
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+    for (const std::uint32_t vertex : mesh.faces[face])
+      if (vertex >= mesh.vertices.size())
+        throw std::invalid_argument("face " + std::to_string(face) + " of the mesh has vertex " +
+                                    std::to_string(vertex) + "; there are " + std::to_string(mesh.vertices.size()));
+}
+
+}  // namespace
+
 Mesh weld(const Mesh& mesh) {
+  const FloatingPointState nearest;
+  expect_mesh(mesh);
   const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
   const auto less = [&](std::uint32_t i, std::uint32_t j) {
     const Eigen::Vector3d &p = mesh.vertices[i], &q = mesh.vertices[j];

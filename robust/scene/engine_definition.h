@@ -14,7 +14,9 @@ inline namespace TOUCHSTONE_TARGET {
 /// The vertices' sides are looked at one by one: a difference that is at most r in magnitude is so when it is rounded.
 /// Requires round to nearest, without flush-to-zero.
 TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
-  const filtered::Pack center = filtered::load_three(ball.center.data()), radius = filtered::all_lanes(ball.radius);
+  const filtered::Pack center = filtered::load_three(ball.center.data());
+  // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
+  const filtered::Pack radius = filtered::all_lanes(ball.radius + 0.0);
   const filtered::Pack a = center - filtered::load_three(triangle.a.data());
   const filtered::Pack b = center - filtered::load_three(triangle.b.data());
   const filtered::Pack c = center - filtered::load_three(triangle.c.data());

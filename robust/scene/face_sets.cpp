@@ -46,6 +46,8 @@ void for_each_face(std::size_t count, const Number& number, const F& f) {
 
 BoxTree tree_of(const std::vector<Triangle>& triangles) {
   const FloatingPointState nearest;
+  for_each_face(
+      triangles.size(), [](std::size_t i) { return i; }, [&](std::size_t i) { expect_valid(triangles[i]); });
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));

@@ -15,6 +15,7 @@ namespace touchstone::scene {
 
 /// Triangles under a pose, leaf by leaf as their tree has them.
 struct TriangleSet {
+  /// Throws FaceRejected for the lowest triangle that is none.
   explicit TriangleSet(const std::vector<Triangle>& by_number);
   /// The same triangles under another pose: vertices are posed anew from the model's, the tree is refitted. Throws
   /// FaceRejected for the lowest triangle that becomes none.

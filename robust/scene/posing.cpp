@@ -78,12 +78,14 @@ double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis)
   return exact::nearest_double(sum, squared_unit);
 }
 
-/// Poses points one after the other. Requires round to nearest, without flush-to-zero, throughout.
+/// Poses finite points one after the other. Requires round to nearest, without flush-to-zero, throughout.
 class Posing {
  public:
   // Products of what is within are 0 or above 2^-900: no bit of them is below 2^-1074. Sums do not overflow.
   explicit Posing(const Pose& pose)
-      : pose_(pose), within_(within(pose.rotation, 0x1p-400, 0x1p400) && within(pose.translation, 0, 0x1p1000)) {}
+      : pose_(pose), within_(within(pose.rotation, 0x1p-400, 0x1p400) && within(pose.translation, 0, 0x1p1000)) {
+    if (!within_ && !is_finite(pose)) throw Rejected({RejectionCode::NotFinite, "the pose is not finite"});
+  }
 
   template <class Counts>
   Eigen::Vector3d operator()(const Eigen::Vector3d& p, Counts& counts) const {
@@ -109,8 +111,10 @@ class Posing {
   bool within_;
 };
 
-/// Is some component of the normal surely not zero? Then the triangle is one. No for a vertex that is not finite.
-bool surely_valid(const Triangle& t) {
+bool is_finite(const Triangle& t) { return t.a.allFinite() && t.b.allFinite() && t.c.allFinite(); }
+
+/// Is some component of the normal surely not zero? Then a finite triangle is one.
+bool has_surely_normal(const Triangle& t) {
   const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
   const auto known = [](double difference) { return filtered::rounded_double(difference); };
   for (int k = 0; k < 3; ++k) {
@@ -121,27 +125,45 @@ bool surely_valid(const Triangle& t) {
   return false;
 }
 
-void validate(const Polygon& polygon) {
+void expect_valid(const Polygon& polygon) {
   if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
+}
+
+template <class Counts>
+Eigen::Vector3d posed_point(const Pose& pose, const Eigen::Vector3d& point, Counts& counts) {
+  const FloatingPointState nearest;
+  const Posing place(pose);
+  if (!point.allFinite()) throw Rejected({RejectionCode::NotFinite, "the point is not finite"});
+  return place(point, counts);
 }
 
 }  // namespace
 
-Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
+bool is_finite(const Pose& pose) {
   const FloatingPointState nearest;
-  return Posing(pose)(point);
+  return pose.rotation.allFinite() && pose.translation.allFinite();
+}
+
+void expect_valid(const Triangle& t) {
+  const FloatingPointState nearest;
+  if (!is_finite(t) || !has_surely_normal(t)) expect_valid(Polygon({t.a, t.b, t.c}));
+}
+
+Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
+  filtered::NoCounts none;
+  return posed_point(pose, point, none);
 }
 
 Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts) {
-  const FloatingPointState nearest;
-  return Posing(pose)(point, counts);
+  return posed_point(pose, point, counts);
 }
 
 Triangle posed(const Pose& pose, const Triangle& triangle) {
   const FloatingPointState nearest;
   const Posing place(pose);
+  if (!is_finite(triangle)) expect_valid(triangle);
   const Triangle result{place(triangle.a), place(triangle.b), place(triangle.c)};
-  if (!surely_valid(result)) validate(Polygon({result.a, result.b, result.c}));
+  expect_valid(result);
   return result;
 }
 
@@ -153,7 +175,7 @@ Polygon posed(const Pose& pose, const Polygon& polygon) {
     for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
       loops[loop].push_back(place(polygon.vertex(i)));
   Polygon result(loops.front(), {loops.begin() + 1, loops.end()});
-  validate(result);
+  expect_valid(result);
   return result;
 }
 

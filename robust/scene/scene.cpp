@@ -4,11 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 
 #include "geometry/floating_point_state.h"
+#include "geometry/required.h"
 #include "robust/scene/engine.h"
+#include "robust/scene/posing.h"
 
 namespace touchstone::scene {
 namespace {
@@ -30,7 +31,7 @@ auto made(const std::string& object, std::size_t first, const Make& make) {
 struct Scene::Object {
   Object(std::string name_, Faces faces)
       : name(std::move(name_)),
-        triangles(faces.triangles),
+        triangles(made(name, 0, [&] { return TriangleSet(faces.triangles); })),
         polygons(made(name, triangle_count(), [&] { return PolygonSet(std::move(faces.polygons)); })) {}
   Object(const Object& other, const Pose& pose_)
       : name(other.name),
@@ -62,6 +63,7 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 Scene::~Scene() = default;
 
 std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
+  const FloatingPointState nearest;
   for (const auto& object : objects_)
     if (object->name == name) throw std::invalid_argument("there is an object \"" + name + "\" already");
   auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
@@ -71,19 +73,27 @@ std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
 }
 
 std::unique_ptr<const Scene::Object> Scene::moved(const Object& object, const Pose& pose) {
-  if (!pose.rotation.allFinite() || !pose.translation.allFinite())
+  if (!is_finite(pose))
     throw Rejected(
         {RejectionCode::NotFinite, "object \"" + object.name + "\": the pose has a number that is not finite"});
   return std::make_unique<const Object>(object, pose);
 }
 
 void Scene::set_pose(std::uint32_t object, const Pose& pose) {
-  objects_.at(object) = moved(*objects_.at(object), pose);
+  const FloatingPointState nearest;
+  const Object& before = at(object);
+  objects_[object] = moved(before, pose);
 }
 
-const Pose& Scene::pose(std::uint32_t object) const { return objects_.at(object)->pose; }
+const Scene::Object& Scene::at(std::uint32_t number) const {
+  if (number < objects_.size()) return *objects_[number];
+  throw std::out_of_range("there is no object " + std::to_string(number) + ": the scene has " +
+                          std::to_string(objects_.size()));
+}
 
-const std::string& Scene::name(std::uint32_t object) const { return objects_.at(object)->name; }
+const Pose& Scene::pose(std::uint32_t object) const { return at(object).pose; }
+
+const std::string& Scene::name(std::uint32_t object) const { return at(object).name; }
 
 std::uint32_t Scene::find(std::string_view name) const {
   for (std::uint32_t i = 0; i < objects_.size(); ++i)
@@ -92,17 +102,17 @@ std::uint32_t Scene::find(std::string_view name) const {
 }
 
 std::size_t Scene::face_count(std::uint32_t object) const {
-  const Object& o = *objects_.at(object);
+  const Object& o = at(object);
   return o.triangle_count() + o.polygons.polygons.size();
 }
 
-std::size_t Scene::triangle_memory(std::uint32_t object) const { return objects_.at(object)->triangles.memory(); }
+std::size_t Scene::triangle_memory(std::uint32_t object) const { return at(object).triangles.memory(); }
 
 template <class F>
 bool Scene::any_of(const Objects& objects, const F& f) const {
   if (objects.some_) {
     for (const std::uint32_t number : *objects.some_)
-      if (f(number, *objects_.at(number))) return true;
+      if (f(number, at(number))) return true;
     return false;
   }
   for (std::uint32_t number = 0; number < objects_.size(); ++number)
@@ -164,42 +174,45 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
 
 bool Scene::touches(const Ball& ball, const Objects& objects) const {
   NoTally none;
-  return touches(ball, objects, none);
+  return touches(required(ball), objects, none);
 }
 std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
   NoTally none;
-  return touched(ball, objects, none);
+  return touched(required(ball), objects, none);
 }
 std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
   NoTally none;
-  return nearest(ball, objects, none);
+  return nearest(required(ball), objects, none);
 }
 
 bool Scene::touches(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
-  return touches(ball, objects, tally);
+  return touches(required(ball), objects, tally);
 }
 std::vector<FaceId> Scene::touched(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
-  return touched(ball, objects, tally);
+  return touched(required(ball), objects, tally);
 }
 std::optional<NearestFace> Scene::nearest(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
-  return nearest(ball, objects, tally);
+  return nearest(required(ball), objects, tally);
 }
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
-  assert(balls.size() == answers.size());
+  const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
+  expect_equal_lengths("balls", balls.size(), "answers", answers.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
 }
 
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, const Objects& objects) const {
+  const FloatingPointState state;
   std::vector<std::vector<FaceId>> answers(balls.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
   return answers;
 }
 
 std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
+  const FloatingPointState state;
   std::vector<std::optional<NearestFace>> answers(balls.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = nearest(balls[i], objects); });
   return answers;

@@ -65,7 +65,8 @@ class Scene {
   ~Scene();
 
   /// Returns the number of the object: objects are numbered from 0 as they are added. Throws std::invalid_argument for
-  /// a name that is taken, Rejected for a polygon without a normal, and what set_pose throws. Cost: about 1 us a
+  /// a name that is taken, Rejected naming the object and the face for a triangle that exact::validate rejects as a
+  /// polygon and for a polygon without a normal, and what set_pose throws. Cost: about 1 us a
   /// triangle, 0.1 us a vertex of a polygon, and 1 to 3 us more in the first question whose ball comes near; memory:
   /// about 90 bytes a triangle, up to 120 where they lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
@@ -121,7 +122,8 @@ class Scene {
   /// @}
 
   /// @{
-  /// The same for many balls, by all cores of the machine: answer i is that of ball i.
+  /// The same for many balls, by all cores of the machine: answer i is that of ball i. Throws std::invalid_argument for
+  /// spans of different lengths.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;
@@ -132,6 +134,8 @@ class Scene {
  private:
   struct Object;
 
+  /// Throws std::out_of_range, as above.
+  [[nodiscard]] const Object& at(std::uint32_t number) const;
   /// The object under another pose.
   static std::unique_ptr<const Object> moved(const Object& object, const Pose& pose);
 

@@ -172,5 +172,59 @@ TEST(Posing, RejectsTrianglesThatRoundingBreaks) {
   EXPECT_EQ(code({Eigen::Vector3d(1, 0, 1).asDiagonal(), {0, 0, 0}}, unit), "repeated-vertex");
 }
 
+// Whichever coordinate of whichever vertex leaves the finite doubles, and whatever the other two say about the normal.
+TEST(Posing, RejectsTrianglesWithAVertexThatRoundsBeyondTheFiniteDoubles) {
+  for (int vertex = 0; vertex < 3; ++vertex)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int other = 0; other < 8; ++other) {
+        Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        for (int k = 0; k < 3; ++k) {  // small integers, so that some component of the normal is sure
+          triangle.a[k] = (other >> k) & 1;
+          triangle.b[k] = k == 1 ? 1 : 0;
+          triangle.c[k] = k == 2 ? 1 : 0;
+        }
+        Eigen::Vector3d& far = vertex == 0 ? triangle.a : vertex == 1 ? triangle.b : triangle.c;
+        far[axis] = 0x1p1023;
+        Pose pose;
+        pose.translation[axis] = 0x1p1023;
+        const std::string where = "vertex " + std::to_string(vertex) + ", axis " + std::to_string(axis);
+        try {
+          (void)posed(pose, triangle);
+          ADD_FAILURE() << where << ": accepted";
+        } catch (const Rejected& rejected) {
+          EXPECT_EQ(rejected.rejection().code, RejectionCode::NotFinite) << where;
+          EXPECT_NE(std::string(rejected.what()).find("vertex " + std::to_string(vertex)), std::string::npos) << where;
+        }
+      }
+}
+
+TEST(Posing, RejectsWhatIsNotFinite) {
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Polygon polygon({triangle.a, triangle.b, triangle.c});
+  const auto code = [](const auto& call) {
+    try {
+      (void)call();
+    } catch (const Rejected& rejected) {
+      return std::string(word(rejected.rejection().code));
+    }
+    return std::string("accepted");
+  };
+  for (const double wrong : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+    for (int k = 0; k < 12; ++k) {
+      Pose pose;
+      (k < 9 ? pose.rotation.reshaped()[k] : pose.translation[k - 9]) = wrong;
+      EXPECT_EQ(code([&] { return posed(pose, triangle); }), "not-finite") << k;
+      EXPECT_EQ(code([&] { return posed(pose, polygon); }), "not-finite") << k;
+      EXPECT_EQ(code([&] { return posed(pose, triangle.a); }), "not-finite") << k;
+    }
+    for (int k = 0; k < 3; ++k) {
+      Triangle broken = triangle;
+      broken.b[k] = wrong;
+      EXPECT_EQ(code([&] { return posed(Pose(), broken); }), "not-finite") << k;
+      EXPECT_EQ(code([&] { return posed(Pose(), broken.b); }), "not-finite") << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::scene_tests

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <bit>
+#include <cstdint>
+
+namespace touchstone {
+
+/// Are two doubles the same number? 0 is -0; a NaN is no number. Operator == takes two subnormal numbers for the same
+/// where its caller has them taken for zeros; this compares bits.
+[[nodiscard]] constexpr bool same_number(double a, double b) {
+  constexpr std::uint64_t kInfinity = std::uint64_t{0x7ff} << 52;
+  const auto bits_a = std::bit_cast<std::uint64_t>(a), bits_b = std::bit_cast<std::uint64_t>(b);
+  const std::uint64_t magnitudes = (bits_a | bits_b) << 1;  // 0 for two zeros
+  return magnitudes == 0 || (bits_a == bits_b && (bits_a << 1) >> 1 <= kInfinity);
+}
+
+/// Coordinate by coordinate.
+[[nodiscard]] inline bool same_point(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  return same_number(p.x(), q.x()) && same_number(p.y(), q.y()) && same_number(p.z(), q.z());
+}
+
+}  // namespace touchstone
