@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "geometry/contact/fast.h"
+#include "geometry/required.h"
 
 namespace touchstone::fast {
 namespace detail {
@@ -37,7 +38,7 @@ Eigen::Vector3d to_doubles(const Vector<Scalar>& v) {
 template <class Scalar>
 struct Sphere {
   explicit Sphere(const Ball& ball)
-      : center(ball.center.template cast<Scalar>()), radius_squared(Scalar(ball.radius) * Scalar(ball.radius)) {}
+      : center(required(ball).center.template cast<Scalar>()), radius_squared(Scalar(ball.radius) * Scalar(ball.radius)) {}
   Vector<Scalar> center;
   Scalar radius_squared;
 };

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/required.h"
+
 namespace touchstone::fast {
 namespace {
 
@@ -46,8 +48,8 @@ struct Views {
 }  // namespace
 
 bool contact(const Ball& ball, const Triangle& triangle) {
-  const auto& [a, b, c] = triangle;
-  const double radius_squared = ball.radius * ball.radius;
+  const auto& [a, b, c] = required(triangle);
+  const double radius_squared = required(ball).radius * ball.radius;
   const Eigen::Vector3d ca = a - c, normal = (b - a).cross(ca);  // away from where a, b, c turn left
   const Vectors center(ball.center, ball.center), start(a, b);
   const Views ab_bc(center - start, Vectors(b, c) - start);

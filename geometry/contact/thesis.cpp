@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/required.h"
+
 namespace touchstone::thesis {
 namespace {
 
@@ -47,7 +49,7 @@ Edge<Scalar> make_edge(const Polygon& polygon, std::size_t i) {
 
 template <class Scalar>
 Vector<Scalar> center(const Ball& ball) {
-  return ball.center.cast<Scalar>();
+  return required(ball).center.cast<Scalar>();
 }
 
 template <class Scalar>

@@ -11,8 +11,10 @@
 #include <cassert>
 
 #include "geometry/floating_point_state.h"
+#include "geometry/required.h"
 #include "robust/exact/dropped_axis.h"
 #include "robust/exact/nearest_double.h"
+#include "robust/sound_arithmetic.h"
 
 namespace touchstone::exact {
 namespace {
@@ -135,7 +137,7 @@ CGAL::Comparison_result compare(const Squared& a, const Squared& b) {
 struct Query {
   Query(const Ball& ball, const PreparedPolygon& prepared)
       : polygon(prepared.lifted()),
-        center(polygon.scale * vector(ball.center)),
+        center(polygon.scale * vector(required(ball).center)),
         radius_squared(CGAL::square(polygon.scale * Number(ball.radius))),
         height(polygon.normal * (center - polygon.vertices[0])) {}
 
@@ -270,6 +272,7 @@ Eigen::Vector3d closest_point(const Query& query, const Feature& feature) {
 
 PreparedPolygon::PreparedPolygon(const Polygon& polygon) {
   const FloatingPointState nearest;
+  expect_sound_arithmetic();
   lifted_ = std::make_unique<const Lifted>(polygon);
 }
 PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/filtered.h"
 
-#include <cassert>
-
+#include "geometry/required.h"
 #include "robust/filtered/engine.h"
 #include "robust/filtered/prepared.h"
 
@@ -14,41 +13,41 @@ NoCounts uncounted;
 }  // namespace
 
 bool contact(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.contact(ball, polygon.parts(), uncounted);
+  return engine().plain.contact(required(ball), polygon.parts(), uncounted);
 }
 Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.relation(ball, polygon.parts(), uncounted);
+  return engine().plain.relation(required(ball), polygon.parts(), uncounted);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.plane_side(ball, polygon.parts(), uncounted);
+  return engine().plain.plane_side(required(ball), polygon.parts(), uncounted);
 }
 FootPlace foot(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.foot(ball, polygon.parts(), uncounted);
+  return engine().plain.foot(required(ball), polygon.parts(), uncounted);
 }
 std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.edges_hit(ball, polygon.parts(), uncounted);
+  return engine().plain.edges_hit(required(ball), polygon.parts(), uncounted);
 }
 Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
-  return engine().plain.answer(ball, polygon.parts(), uncounted);
+  return engine().plain.answer(required(ball), polygon.parts(), uncounted);
 }
 
 bool contact(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.contact(ball, polygon.parts(), counts);
+  return engine().counted.contact(required(ball), polygon.parts(), counts);
 }
 Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.relation(ball, polygon.parts(), counts);
+  return engine().counted.relation(required(ball), polygon.parts(), counts);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.plane_side(ball, polygon.parts(), counts);
+  return engine().counted.plane_side(required(ball), polygon.parts(), counts);
 }
 FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.foot(ball, polygon.parts(), counts);
+  return engine().counted.foot(required(ball), polygon.parts(), counts);
 }
 std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.edges_hit(ball, polygon.parts(), counts);
+  return engine().counted.edges_hit(required(ball), polygon.parts(), counts);
 }
 Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return engine().counted.answer(ball, polygon.parts(), counts);
+  return engine().counted.answer(required(ball), polygon.parts(), counts);
 }
 
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }
@@ -61,25 +60,25 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
 Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon)); }
 
 bool contact(const Ball& ball, const Triangle& triangle) {
-  return engine().plain.triangle_contact(question(ball, triangle), uncounted);
+  return engine().plain.triangle_contact(question(required(ball), required(triangle)), uncounted);
 }
 bool contact(const Ball& ball, const Triangle& triangle, StageCounts& counts) {
-  return engine().counted.triangle_contact(question(ball, triangle), counts);
+  return engine().counted.triangle_contact(question(required(ball), required(triangle)), counts);
 }
 
 ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) {
-  return closest(engine().plain, center, triangle, uncounted);
+  return closest(engine().plain, required(center), required(triangle), uncounted);
 }
 ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle, StageCounts& counts) {
-  return closest(engine().counted, center, triangle, counts);
+  return closest(engine().counted, required(center), required(triangle), counts);
 }
 
 void contact(std::span<const Ball> balls, const PreparedPolygon& polygon, std::span<bool> touches) {
-  assert(balls.size() == touches.size());
+  expect_equal_lengths("balls", balls.size(), "answers", touches.size());
   engine().balls_contact(balls, polygon.parts(), touches);
 }
 void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) {
-  assert(triangles.size() == touches.size());
+  expect_equal_lengths("triangles", triangles.size(), "answers", touches.size());
   engine().triangles_contact(ball, triangles, touches);
 }
 
