@@ -13,6 +13,7 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/validate.h"
 #include "tests/contact/rearranged.h"
+#include "tests/contact/signed_zeros.h"
 
 namespace touchstone::contact_tests {
 namespace {
@@ -88,8 +89,9 @@ std::optional<Case> build(const Recipe& recipe) try {
 
 /// The value of a generator that knows some draws to be impossible.
 rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
-  return rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
-                      [](std::optional<Case> drawn) { return *std::move(drawn); });
+  return with_signed_zeros(
+      rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
+                   [](std::optional<Case> drawn) { return *std::move(drawn); }));
 }
 
 struct GridPoint {

@@ -12,6 +12,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/contact/rearranged.h"
+#include "tests/contact/signed_zeros.h"
 
 namespace touchstone::filtered_tests {
 namespace {
@@ -33,8 +34,9 @@ T in_range(T lowest, T highest) {
 }
 
 rc::Gen<Case> possible(rc::Gen<std::optional<Case>> gen) {
-  return rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
-                      [](std::optional<Case> drawn) { return *std::move(drawn); });
+  return contact_tests::with_signed_zeros(
+      rc::gen::map(rc::gen::suchThat(std::move(gen), [](const auto& drawn) { return drawn.has_value(); }),
+                   [](std::optional<Case> drawn) { return *std::move(drawn); }));
 }
 
 Case soak_case(std::uint64_t seed, std::uint64_t index) {
@@ -119,14 +121,14 @@ std::optional<Case> island(std::uint64_t seed, int exponent) {
 }  // namespace
 
 rc::Gen<Case> soak_cases() {
-  return rc::gen::exec([] {
+  return contact_tests::with_signed_zeros(rc::gen::exec([] {
     const std::uint64_t seed = any_seed();
     return soak_case(seed, in_range<std::uint64_t>(0, 1'000'000));
-  });
+  }));
 }
 
 rc::Gen<Case> threshold_cases() {
-  return rc::gen::exec([] {
+  return contact_tests::with_signed_zeros(rc::gen::exec([] {
     Case c = *any_case();
     const double distance = exact::answer(c.ball, c.polygon).distance;
     if (!std::isfinite(distance)) return c;
@@ -138,7 +140,7 @@ rc::Gen<Case> threshold_cases() {
     c.ball.radius = radius;
     c.id += "-threshold" + std::to_string(steps);
     return c;
-  });
+  }));
 }
 
 rc::Gen<Case> degenerate_balls() {
@@ -180,10 +182,10 @@ rc::Gen<Case> hard_cases() {
 }
 
 rc::Gen<Case> hard_triangles() {
-  return rc::gen::exec([] {
+  return contact_tests::with_signed_zeros(rc::gen::exec([] {
     const std::uint64_t seed = any_seed(), index = in_range<std::uint64_t>(0, 1'000'000);
     return soak_case(seed, index % 10 == 9 ? index - 1 : index);
-  });
+  }));
 }
 
 Triangle triangle_of(const Polygon& polygon) { return {polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}; }

@@ -8,6 +8,7 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/mesh/weld.h"
+#include "tests/contact/signed_zeros.h"
 
 namespace touchstone::mesh_tests {
 namespace {
@@ -16,6 +17,7 @@ using Eigen::Vector3d;
 using workloads::Random;
 
 constexpr std::uint64_t kSeed = 2026;
+constexpr std::uint64_t kSignStream = ~std::uint64_t{0};  // balls take one for each face
 
 /// Columns of random heights, most of them 0, their tops and the walls between them; a face here and there is left out,
 /// flipped, doubled, folded back or has another face without area beside it.
@@ -128,7 +130,12 @@ Mesh shaken(Mesh mesh, double most, std::uint64_t index) {
 
 void for_each_random_mesh(std::uint64_t count,
                           const std::function<void(const Mesh&, std::uint64_t, const std::string&)>& f) {
-  for (std::uint64_t index = 0; index < count; ++index) f(draw_mesh(index), index, "mesh " + std::to_string(index));
+  for (std::uint64_t index = 0; index < count; ++index) {
+    Mesh mesh = draw_mesh(index);
+    Random random(kSeed, index, kSignStream);
+    contact_tests::sign_zeros(mesh, random);
+    f(mesh, index, "mesh " + std::to_string(index));
+  }
 }
 
 std::vector<Ball> balls_near(const Mesh& mesh, const std::vector<std::uint32_t>& faces, std::uint64_t index) {
@@ -151,6 +158,7 @@ std::vector<Ball> balls_near(const Mesh& mesh, const std::vector<std::uint32_t>&
     const Polygon polygon({mesh.vertices[other[0]], mesh.vertices[other[1]], mesh.vertices[other[2]]});
     const double distance = exact::answer({center, 0}, polygon).distance;
     balls.push_back({center, std::max(0.0, workloads::move_by_doubles(distance, random.integer(-1, 1)))});
+    contact_tests::sign_zeros(balls.back(), random);
   }
   return balls;
 }

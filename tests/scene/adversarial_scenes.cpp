@@ -9,10 +9,12 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "tests/contact/signed_zeros.h"
 
 namespace touchstone::scene_tests {
 namespace {
 
+using contact_tests::sign_zeros;
 using workloads::Random;
 
 double coordinate(Random& random) { return 2 * random.unit() - 1; }
@@ -111,7 +113,10 @@ std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint6
   std::vector<scene::Faces> objects;
   for (std::uint64_t object = 0; object < 3; ++object) {
     Random random(seed, 3 * index + object, 70 + static_cast<std::uint64_t>(kind));
-    objects.push_back(draw_faces(random, kind, times));
+    scene::Faces faces = draw_faces(random, kind, times);
+    for (Triangle& triangle : faces.triangles) sign_zeros(triangle, random);
+    for (Polygon& polygon : faces.polygons) sign_zeros(polygon, random);
+    objects.push_back(std::move(faces));
   }
   return objects;
 }
@@ -136,11 +141,14 @@ Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_
   Eigen::Vector3d center = (1 - share) * near.vertex(0) + share * (random.coin() ? near : other).vertex(1);
   if (random.coin()) center += (near.vertex(1) - near.vertex(0)).cwiseAbs().maxCoeff() * point(random);
   const double distance = exact::answer({center, 0}, random.coin() ? near : other).distance;
+  Ball ball{center, 0};
   switch (random.integer(0, 3)) {
-    case 0: return {center, 0};
-    case 1: return {center, distance * random.unit()};
-    default: return {center, std::max(0.0, workloads::move_by_doubles(distance, random.integer(-1, 1)))};
+    case 0: break;
+    case 1: ball.radius = distance * random.unit(); break;
+    default: ball.radius = std::max(0.0, workloads::move_by_doubles(distance, random.integer(-1, 1)));
   }
+  sign_zeros(ball, random);
+  return ball;
 }
 
 Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {
@@ -152,7 +160,7 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
   }
   Pose pose;
   switch (random.integer(0, 5)) {
-    case 0: return pose;
+    case 0: sign_zeros(pose, random); return pose;
     case 1: break;
     case 2: {  // a quarter turn and a reflection
       const auto axis = static_cast<int>(random.integer(0, 2));
@@ -174,6 +182,7 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
     const Eigen::Vector3d direction = point(random);
     pose.translation = std::ldexp(largest, static_cast<int>(random.integer(-40, -2))) * direction;
   }
+  sign_zeros(pose, random);
   return pose;
 }
 
