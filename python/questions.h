@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "python/balls.h"
+#include "python/initialised.h"
 #include "python/polygon.h"
 
 namespace touchstone::python {

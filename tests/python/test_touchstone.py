@@ -204,6 +204,24 @@ class Refusals(unittest.TestCase):
             touchstone.filtered.contact(ball, SQUARE)
 
 
+class Uninitialised(unittest.TestCase):
+    def test_objects_raise_whatever_is_done_with_them(self):
+        answer = touchstone.exact.answer([2, 2, 1, 1], touchstone.Polygon(SQUARE))
+        classes = [kind for kind in vars(touchstone).values() if isinstance(kind, type) and kind is not touchstone.Rejected]
+        self.assertEqual(set(classes), {touchstone.Answer, touchstone.Polygon})
+        for kind in classes:
+            empty = kind.__new__(kind)
+            uses = [lambda name=name: getattr(empty, name) for name, found in vars(kind).items() if isinstance(found, property)]
+            uses += [lambda: repr(empty), lambda: empty.verdict()] if kind is touchstone.Answer else [lambda: repr(empty)]
+            uses += [lambda ask=ask: ask([0, 0, 1, 1], empty) for path in PATHS
+                     for name, ask in vars(path).items() if name[0] != "_" and kind is touchstone.Polygon]
+            uses += [lambda: empty == answer, lambda: answer == empty] if kind is touchstone.Answer else []
+            self.assertGreater(len(uses), 2)
+            for use in uses:
+                with self.assertRaisesRegex(TypeError, "__init__ was not called"):
+                    use()
+
+
 class Threads(unittest.TestCase):
     def test_may_ask_about_one_polygon_at_once(self):
         square, balls = touchstone.Polygon(SQUARE), random_balls(2000)

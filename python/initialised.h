@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "geometry/contact/answer.h"
+#include "python/polygon.h"
+
+namespace touchstone::python {
+
+/// How pybind11 finds the T in an object of Python. `T.__new__(T)` makes an object without a T in it; pybind11 by
+/// itself hands out memory then that nothing was written to.
+template <class T>
+class InitialisedCaster : public pybind11::detail::type_caster_base<T> {
+ public:
+  /// Throws pybind11::type_error for an object whose `__init__` was not called.
+  bool load(pybind11::handle source, bool convert) {
+    const auto* const type = this->typeinfo;
+    if (type != nullptr && pybind11::isinstance(source, reinterpret_cast<PyObject*>(type->type)) &&
+        !reinterpret_cast<pybind11::detail::instance*>(source.ptr())->get_value_and_holder(type).holder_constructed())
+      throw pybind11::type_error(std::string(type->type->tp_name) + ".__init__ was not called");
+    return pybind11::detail::type_caster_base<T>::load(source, convert);
+  }
+};
+
+}  // namespace touchstone::python
+
+namespace pybind11::detail {
+
+template <>
+class type_caster<touchstone::Answer> : public touchstone::python::InitialisedCaster<touchstone::Answer> {};
+template <>
+class type_caster<touchstone::python::ValidPolygon>
+    : public touchstone::python::InitialisedCaster<touchstone::python::ValidPolygon> {};
+
+}  // namespace pybind11::detail
