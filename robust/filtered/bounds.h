@@ -62,6 +62,13 @@ inline constexpr double kBoxRounding = 0x1p-47;
 inline constexpr double kWide = 1 + 0x1p-48;
 inline constexpr double kNarrow = 1 - 0x1p-48;
 
+/// `dot` and `cross` of double-doubles (numbers/double_double.h) are off by at most so many kDoubleDoubleUnit m_a m_b,
+/// where m_a and m_b bound the components of the vectors: as many as the products and sums of vector3.h may be off,
+/// each rounded for itself. Underflow adds at most 2^-1069, less than in one operation of the model: each of at most 18
+/// products of words, four of them in an error-free product, loses at most 2^-1075, and sums lose nothing.
+inline constexpr double kDot = 8;
+inline constexpr double kCross = 4;
+
 /// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift; the
 /// lifted component of an edge to kLiftedEdge times the largest component of the edge as it was given.
 inline constexpr double kLift = 0x1p-99;

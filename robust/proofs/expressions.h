@@ -12,7 +12,8 @@
 #include "robust/filtered/vector3.h"
 
 /// The one list of what is proved: every expression of signs.h and edge_frame.h with its inputs, its constant and the
-/// maxima that the constant is multiplied by. Records, error calculus and toy arithmetic all walk this list.
+/// maxima that the constant is multiplied by, and the sums of products of double_double.h. Records, error calculus and
+/// toy arithmetic all walk this list.
 namespace touchstone::filtered::proofs {
 
 /// Of every constant this much pays for the rounding of the bound that is computed with it.
@@ -97,6 +98,24 @@ struct Claim {
     return std::find(maxima.begin(), maxima.end(), Maximum::BallOrEdge) != maxima.end();
   }
 };
+
+/// The claim about double-doubles of magnitude at most 1: computed and exact value differ by at most
+/// constant kDoubleDoubleUnit. Proved is `proved` u^2, u = 2^-53, which is no more; a u^2 less is refused.
+struct SumOfProducts {
+  std::string_view constant, instance;
+  double value, proved;
+};
+
+/// visit(SumOfProducts, expression) for each such claim; expression(a, b) is its value over Vector3s of any number
+/// type. Over double-doubles that is the function of double_double.h, over others the one of vector3.h.
+template <class Visit>
+void for_each_sum_of_products(Visit visit) {
+  using bounds::kDot, bounds::kCross;
+  visit(SumOfProducts{"kDot", "", kDot, 64}, [](const auto& a, const auto& b) { return dot(a, b); });
+  visit(SumOfProducts{"kCross", "x", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).x; });
+  visit(SumOfProducts{"kCross", "y", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).y; });
+  visit(SumOfProducts{"kCross", "z", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).z; });
+}
 
 /// visit(Claim, expression) for each claim; expression(Inputs<Number>) is its value over any number type.
 template <class Visit>

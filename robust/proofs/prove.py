@@ -4,7 +4,9 @@
 RECORD prints the constants of bounds.h and the operations of the expressions that they bound (record.cpp). Gappa must
 prove every claim, at the unit of doubles and at that of double-doubles. It must refuse a constant that inputs and
 rounding errors of the model exceed (adversary.py), which shows that the check can fail, and one within a sixteenth of
-the claimed one, which shows that this is not loose. Exit status 1 if a claim is not proved or a smaller one is.
+the claimed one, which shows that this is not loose. For sums of products of double-doubles it must refuse a constant
+that is one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out. Exit status 1 if a
+claim is not proved or a smaller one is.
 """
 
 import concurrent.futures
@@ -16,6 +18,7 @@ import sys
 import time
 
 import adversary
+import double_words
 import gappa
 
 
@@ -32,9 +35,35 @@ def below(value):
     return fractions.Fraction(math.ceil(value * 16) - 1, 16)
 
 
+def name_of(record):
+    return " ".join(filter(None, (record["constant"], record["instance"])))
+
+
+def judge_sum_of_products(program, model, record):
+    """The faults of one claim about double-doubles, and a line that says what is proved."""
+    name, proved, unit = name_of(record), record["proved"], double_words.UNIT
+    faults = []
+
+    def proves(constant, of=record):
+        return gappa.proves(program, double_words.script(of, constant), unit)
+
+    if proved * unit * unit > record["value"] * model["double_double_unit"]:
+        faults.append(f"{name}: {float(record['value'])} units are less than {proved} u^2")
+    if not proves(proved):
+        faults.append(f"{name}: {proved} u^2 is not proved")
+    if proves(proved - 1):
+        faults.append(f"{name}: {proved - 1} u^2 is proved too")
+    without_a_rest = list(double_words.faulty(record))
+    for i, without in enumerate(without_a_rest):
+        if proves(proved, without):
+            faults.append(f"{name}: {proved} u^2 is proved without rest {i}")
+    return faults, (f"{name}: {float(record['value'])}; proved {proved} u^2; too small {proved - 1} u^2; refused without "
+                    f"any of {len(without_a_rest)} rests")
+
+
 def judge(program, model, record):
     """The faults of one claim, and a line that says what is proved."""
-    name = " ".join(filter(None, (record["constant"], record["instance"])))
+    name = name_of(record)
     value, unit = record["value"], model["unit"]
     claimed = value - model["rounding_of_bound"]
     faults = []
@@ -60,8 +89,9 @@ def main(recorder, program):
     start = time.monotonic()
     model, records = read(recorder)
     faults = []
+    judges = {False: judge, True: judge_sum_of_products}
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        for found, line in pool.map(lambda record: judge(program, model, record), records):
+        for found, line in pool.map(lambda record: judges["words" in record](program, model, record), records):
             faults += found
             print(line, flush=True)
     print(*faults, sep="\n")

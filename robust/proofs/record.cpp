@@ -2,6 +2,7 @@
 // Prints the model and, for each claim of expressions.h, the operations that its expression carries out, as JSON lines.
 #include <iomanip>
 #include <iostream>
+#include <string>
 #include <vector>
 
 #include "robust/proofs/expressions.h"
@@ -10,6 +11,35 @@
 namespace touchstone::filtered::proofs {
 namespace {
 
+/// The nodes that some results are made of, as a JSON array; print_input(node) prints what is known of an input.
+template <class PrintInput>
+void print_nodes(const Recording& recording, const std::vector<int>& results, PrintInput print_input) {
+  std::vector<bool> is_needed(recording.nodes.size(), false);
+  for (const int result : results) is_needed[static_cast<std::size_t>(result)] = true;
+  for (std::size_t i = recording.nodes.size(); i-- > 0;) {
+    if (!is_needed[i]) continue;
+    for (const int of : {recording.nodes[i].left, recording.nodes[i].right})
+      if (of >= 0) is_needed[static_cast<std::size_t>(of)] = true;
+  }
+  const char* separator = "";
+  std::cout << "[";
+  for (std::size_t i = 0; i < is_needed.size(); ++i) {
+    if (!is_needed[i]) continue;
+    const auto& [operation, left, right] = recording.nodes[i];
+    std::cout << separator << R"({"node": )" << i << ", ";
+    if (operation == 'i')
+      print_input(i);
+    else if (operation == 'r')
+      std::cout << R"("rest_of": )" << left;
+    else
+      std::cout << R"("operation": ")" << operation << R"(", "of": [)" << left << ", " << right << "]";
+    std::cout << "}";
+    separator = ", ";
+  }
+  std::cout << "]";
+}
+
+/// Records the expressions over inputs of which the maxima and errors are known.
 struct Printer {
   Recording recording;
   std::vector<Input> inputs;  // node i is input i
@@ -22,37 +52,50 @@ struct Printer {
     return {&recording, recording.add('i', -1, -1)};
   }
 
-  /// The nodes that the result is made of.
-  std::vector<bool> needed(int result) const {
-    std::vector<bool> is_needed(recording.nodes.size(), false);
-    is_needed[static_cast<std::size_t>(result)] = true;
-    for (std::size_t i = recording.nodes.size(); i-- > inputs.size();) {
-      if (!is_needed[i]) continue;
-      is_needed[static_cast<std::size_t>(recording.nodes[i].left)] = true;
-      is_needed[static_cast<std::size_t>(recording.nodes[i].right)] = true;
-    }
-    return is_needed;
-  }
-
   void print(const Claim& claim, int result) const {
     std::cout << R"({"constant": ")" << claim.constant << R"(", "instance": ")" << claim.instance << R"(", "value": )"
               << claim.value << R"(, "factor": )" << claim.factor << R"(, "squares_are_products": )"
-              << claim.squares_are_products() << R"(, "nodes": [)";
-    const std::vector<bool> is_needed = needed(result);
-    const char* separator = "";
-    for (std::size_t i = 0; i < is_needed.size(); ++i) {
-      if (!is_needed[i]) continue;
-      std::cout << separator << R"({"node": )" << i;
-      if (i < inputs.size())
-        std::cout << R"(, "input": ")" << inputs[i].name << R"(", "error": )" << inputs[i].error << "}";
-      else
-        std::cout << R"(, "operation": ")" << recording.nodes[i].operation << R"(", "of": [)" << recording.nodes[i].left
-                  << ", " << recording.nodes[i].right << "]}";
-      separator = ", ";
-    }
-    std::cout << "]}\n";
+              << claim.squares_are_products() << R"(, "nodes": )";
+    print_nodes(recording, {result}, [this](std::size_t i) {
+      std::cout << R"("input": ")" << inputs[i].name << R"(", "error": )" << inputs[i].error;
+    });
+    std::cout << "}\n";
   }
 };
+
+const char* const kNames[] = {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"};
+
+Recorded input(Recording& recording) { return {&recording, recording.add('i', -1, -1)}; }
+
+/// An operation on two vectors of double-doubles, and what it would be without rounding, each with the same inputs in
+/// the same order: of double-doubles both words.
+template <class Expression>
+void print(const SumOfProducts& claim, const Expression& expression) {
+  Recording words, exact;
+  const auto word_pair = [&] {
+    const Recorded high = input(words);
+    return DoubleWord<Recorded>{high, input(words)};
+  };
+  const auto vectors_of = [](const auto& number) {
+    auto x = number(), y = number(), z = number();
+    return Vector3{x, y, z};
+  };
+  const auto a = vectors_of(word_pair), b = vectors_of(word_pair);
+  const DoubleWord<Recorded> computed = expression(a, b);
+  const auto exact_number = [&] { return input(exact); };
+  const auto exact_a = vectors_of(exact_number), exact_b = vectors_of(exact_number);
+  const Recorded exactly = expression(exact_a, exact_b);
+
+  std::cout << R"({"constant": ")" << claim.constant << R"(", "instance": ")" << claim.instance << R"(", "value": )"
+            << claim.value << R"(, "proved": )" << claim.proved << R"(, "high": )" << computed.high.node
+            << R"(, "low": )" << computed.low.node << R"(, "words": )";
+  print_nodes(words, {computed.high.node, computed.low.node}, [](std::size_t i) {
+    std::cout << R"("input": ")" << kNames[i / 2] << R"(", "word": ")" << (i % 2 == 0 ? "high" : "low") << R"(")";
+  });
+  std::cout << R"(, "exact": )";
+  print_nodes(exact, {exactly.node}, [](std::size_t i) { std::cout << R"("input": ")" << kNames[i] << R"(")"; });
+  std::cout << "}\n";
+}
 
 }  // namespace
 }  // namespace touchstone::filtered::proofs
@@ -66,4 +109,6 @@ int main() {
   proofs::for_each_claim([&](const proofs::Claim& claim, const auto& expression) {
     printer.print(claim, expression(printer.recorded).node);
   });
+  proofs::for_each_sum_of_products(
+      [](const proofs::SumOfProducts& claim, const auto& expression) { proofs::print(claim, expression); });
 }

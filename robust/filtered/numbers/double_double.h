@@ -13,18 +13,21 @@
 /// contraction. Source: [dekker1971], [joldes2017].
 namespace touchstone::filtered {
 
-/// high + low with |low| <= ulp(high) / 2.
-///
-/// Relative error of an operation: + and - 3 u^2 + 13 u^3, * 5 u^2, with u = 2^-53; so each is below 2^-103
-/// (bounds::kDoubleDoubleUnit).
-struct DoubleDouble {
-  double high, low;
+/// high + low with |low| <= ulp(high) / 2. Words are doubles; robust/proofs runs the templates below over words that
+/// record what is done with them.
+template <class Word>
+struct DoubleWord {
+  Word high, low;
 
   // Inlined always: the type is shared by targets, its compiled functions must not be.
-  __attribute__((always_inline)) constexpr DoubleDouble() : high(0), low(0) {}
-  __attribute__((always_inline)) constexpr DoubleDouble(double value) : high(value), low(0) {}  // NOLINT: it is one
-  __attribute__((always_inline)) constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
+  __attribute__((always_inline)) constexpr DoubleWord() : high(0), low(0) {}
+  __attribute__((always_inline)) constexpr DoubleWord(Word value) : high(value), low(0) {}  // NOLINT: it is one
+  __attribute__((always_inline)) constexpr DoubleWord(Word h, Word l) : high(h), low(l) {}
 };
+
+/// Relative error of an operation: + and - 3 u^2 + 13 u^3, * 5 u^2, with u = 2^-53; so each is below 2^-103
+/// (bounds::kDoubleDoubleUnit).
+using DoubleDouble = DoubleWord<double>;
 
 inline namespace TOUCHSTONE_TARGET {
 
@@ -71,34 +74,32 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 }
 
 /// The high part of a b, and the rest to within 8 u^2 |a b|: what sums of products add up apart.
-inline DoubleDouble unnormalised_product(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble product = two_product(a.high, b.high);
+template <class Word>
+inline DoubleWord<Word> unnormalised_product(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
+  const DoubleWord<Word> product = two_product(a.high, b.high);
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
-/// a.b, with half the operations of sums of products and a third of their delay.
-///
-/// Error: below 64 u^2 = 8 * 2^-103 for components of magnitude at most 1, which is what 3 rounded products and 2
-/// rounded sums may be off in the model of bounds.h. For, in units of u^2: the rest of a product is off by 7, and by 1
-/// for the product of the tails (24 in all); the rests, at most 3 u each, and the errors of the two sums, at most 2 u
-/// and 3 u, are added in four steps, whose results are at most 6, 8, 11 and 14 u (39 in all).
-inline DoubleDouble dot(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
-  const DoubleDouble x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
-  const DoubleDouble z = unnormalised_product(a.z, b.z);
-  const DoubleDouble first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
+/// a.b, with half the operations of sums of products and a third of their delay. Error: bounds::kDot.
+template <class Word>
+inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
+  const DoubleWord<Word> x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);
+  const DoubleWord<Word> z = unnormalised_product(a.z, b.z);
+  const DoubleWord<Word> first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
   return two_sum(second.high, (((x.low + y.low) + first.low) + z.low) + second.low);
 }
 
-/// a b - c d. Error: below 32 u^2 = 4 * 2^-103 for factors of magnitude at most 1 (16 for the rests, 14 for the sums),
-/// which is what 2 rounded products and a rounded difference may be off in the model of bounds.h.
-inline DoubleDouble product_difference(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c,
-                                       const DoubleDouble& d) {
-  const DoubleDouble first = unnormalised_product(a, b), second = unnormalised_product(c, d);
-  const DoubleDouble high = two_difference(first.high, second.high);
+/// a b - c d. Error: bounds::kCross.
+template <class Word>
+inline DoubleWord<Word> product_difference(const DoubleWord<Word>& a, const DoubleWord<Word>& b,
+                                           const DoubleWord<Word>& c, const DoubleWord<Word>& d) {
+  const DoubleWord<Word> first = unnormalised_product(a, b), second = unnormalised_product(c, d);
+  const DoubleWord<Word> high = two_difference(first.high, second.high);
   return two_sum(high.high, (first.low - second.low) + high.low);
 }
 
-inline Vector3<DoubleDouble> cross(const Vector3<DoubleDouble>& a, const Vector3<DoubleDouble>& b) {
+template <class Word>
+inline Vector3<DoubleWord<Word>> cross(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
   return {product_difference(a.y, b.z, a.z, b.y), product_difference(a.z, b.x, a.x, b.z),
           product_difference(a.x, b.y, a.y, b.x)};
 }

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Gappa scripts for sums of products of double-doubles.
+
+Two lines of operations are recorded: those of words, each rounded to within u = 2^-53 of its result, with error-free
+transformations, whose rests are exact; and those of numbers, without any rounding, that they stand for. As in gappa.py
+the model has no scale, and maxima are 1.
+
+Gappa's intervals do not see that rests cancel roundings, so the difference of the two lines is multiplied out here. It
+is a hint: Gappa reports one that is no identity.
+"""
+
+import collections
+import fractions
+
+import gappa
+
+UNIT = fractions.Fraction(1, 2**53)
+# A number of magnitude at most 1 has words that are at most so large, the lower one times UNIT.
+WORD = 1 + 2 * UNIT
+
+
+def multiplied_out(nodes, inputs, roundings):
+    """Each node as a polynomial: a dictionary from sorted tuples of symbols to coefficients.
+
+    Symbols are inputs, `inputs(node)`, and where `roundings` is set the rounding of each operation, ("rounding", node).
+    """
+    values = {}
+    for node in nodes:
+        value = collections.Counter()
+        if "input" in node:
+            value.update(inputs(node))
+        elif "rest_of" in node:
+            value[(("rounding", node["rest_of"]),)] = 0 if "forgotten" in node else -1
+        else:
+            left, right = (values[i] for i in node["of"])
+            if node["operation"] == "*":
+                for a, x in left.items():
+                    for b, y in right.items():
+                        value[tuple(sorted(a + b))] += x * y
+            else:
+                value.update(left)
+                (value.update if node["operation"] == "+" else value.subtract)(right)
+            if roundings:
+                value[(("rounding", node["node"]),)] = 1
+        values[node["node"]] = value
+    return values
+
+
+def script(record, constant):
+    """|computed - exact| <= constant u^2, for every relative error of at most u in every operation."""
+    operations = [(node["operation"], *node["of"]) for node in record["words"] if "of" in node]
+    if len(set(operations)) < len(operations):
+        raise ValueError("an operation is carried out twice; Gappa would take both to have the same error")
+    definitions, hypotheses, rounding = [], [], {}
+    for node in record["words"]:
+        name = f"c{node['node']}"
+        if "input" in node:
+            size = WORD if node["word"] == "high" else WORD * UNIT
+            hypotheses.append(f"|{name}| <= {gappa.dyadic(size)}")
+            definitions.append(f"# {node['input']}, {node['word']} word: {name}")
+        elif "rest_of" in node:
+            factor = "0 * " if "forgotten" in node else "-"
+            definitions.append(f"{name} = {factor}{rounding[node['rest_of']]};")
+        else:
+            left, right = node["of"]
+            definitions.append(f"{name} = {gappa.OPERATORS[node['operation']]}<53>(c{left}, c{right});")
+            rounding[node["node"]] = f"({name} - (c{left} {node['operation']} c{right}))"
+    words_of = {}
+    for node in record["words"]:
+        if "input" in node:
+            words_of.setdefault(node["input"], []).append(f"c{node['node']}")
+    for node in record["exact"]:
+        name = f"e{node['node']}"
+        if "input" in node:
+            definitions.append(f"{name} = {' + '.join(words_of[node['input']])};")
+        else:
+            left, right = node["of"]
+            definitions.append(f"{name} = e{left} {node['operation']} e{right};")
+    definitions.append(f"computed = c{record['high']} + c{record['low']};")
+    error = f"computed - e{record['exact'][-1]['node']}"
+    goal = f"|{error}| <= {gappa.dyadic(constant * UNIT * UNIT)}"
+    return ("\n".join(definitions) + "\n{ " + " /\\\n  ".join(hypotheses) + "\n  -> " + goal + " }\n"
+            + f"{error} -> {difference(record, words_of, rounding)};\n")
+
+
+def faulty(record):
+    """The record once for each error-free transformation, with its rest forgotten."""
+    for rest in record["words"]:
+        if "rest_of" in rest:
+            yield dict(record, words=[dict(node, forgotten=True) if node is rest else node for node in record["words"]])
+
+
+def difference(record, words_of, rounding):
+    """The computed number less the exact one, multiplied out."""
+    words = multiplied_out(record["words"], lambda node: {(("word", f"c{node['node']}"),): 1}, True)
+    exact = multiplied_out(record["exact"], lambda node: {(("word", word),): 1 for word in words_of[node["input"]]}, False)
+    total = collections.Counter(words[record["high"]])
+    total.update(words[record["low"]])
+    total.subtract(exact[record["exact"][-1]["node"]])
+    terms = []
+    for symbols, coefficient in sorted(total.items()):
+        if coefficient:
+            factors = [rounding[value] if kind == "rounding" else value for kind, value in symbols]
+            terms.append(" * ".join([str(coefficient), *factors]))
+    return " + ".join(f"({term})" for term in terms)
