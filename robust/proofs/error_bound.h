@@ -5,9 +5,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+
+#include "robust/filtered/vector3.h"
 
 /// The error calculus in rationals: a number type whose operations carry the bounds that bounds.h's model gives.
 namespace touchstone::filtered::proofs {
+
+/// What `dot` and `cross` are off where they round once in all: so many units of the product of their vectors' maxima.
+struct SumsOfProducts {
+  mpq_class dot, cross;
+};
 
 /// Every operation returns its exact result times (1 + d), |d| <= unit, plus at most `underflow` in magnitude.
 struct ErrorModel {
@@ -15,6 +23,8 @@ struct ErrorModel {
   /// A number times itself is known to be positive. Without that, all bounds are polynomials in the inputs' maxima and
   /// errors, with coefficients that are not negative.
   bool knows_squares;
+  /// None where sums of products round every product and every sum, as in vector3.h.
+  std::optional<SumsOfProducts> sums_of_products = std::nullopt;
 };
 
 /// All that is known of a number: its computed value lies in [low, high] and differs from the exact one by at most
@@ -30,29 +40,64 @@ inline ErrorBound known_within(const ErrorModel& model, const mpq_class& magnitu
   return {&model, -magnitude, magnitude, error};
 }
 
-/// The bound of a result that would lie in [low, high] with at most `error` if the operation were exact.
-inline ErrorBound rounded(const ErrorModel* model, const mpq_class& low, const mpq_class& high,
-                          const mpq_class& error) {
-  const mpq_class below = model->unit * abs(low) + model->underflow;
-  const mpq_class above = model->unit * abs(high) + model->underflow;
-  return {model, low - below, high + above, error + std::max(below, above)};
+/// The bound of a result that would have the bound `a` if the operation were exact.
+inline ErrorBound rounded(const ErrorBound& a) {
+  const mpq_class below = a.model->unit * abs(a.low) + a.model->underflow;
+  const mpq_class above = a.model->unit * abs(a.high) + a.model->underflow;
+  return {a.model, a.low - below, a.high + above, a.error + std::max(below, above)};
 }
 
-inline ErrorBound operator+(const ErrorBound& a, const ErrorBound& b) {
-  return rounded(a.model, a.low + b.low, a.high + b.high, a.error + b.error);
+/// @{
+/// Without any rounding.
+inline ErrorBound exact_sum(const ErrorBound& a, const ErrorBound& b) {
+  return {a.model, a.low + b.low, a.high + b.high, a.error + b.error};
 }
-inline ErrorBound operator-(const ErrorBound& a, const ErrorBound& b) {
-  return rounded(a.model, a.low - b.high, a.high - b.low, a.error + b.error);
+inline ErrorBound exact_difference(const ErrorBound& a, const ErrorBound& b) {
+  return {a.model, a.low - b.high, a.high - b.low, a.error + b.error};
 }
-
 /// a b - A B = a (b - B) + (a - A) B, and |B| <= |b| + |b - B|.
-inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) {
+inline ErrorBound exact_product(const ErrorBound& a, const ErrorBound& b) {
   const mpq_class corners[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
   const bool is_square = a.model->knows_squares && &a == &b;
-  const mpq_class low = is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners));
-  const mpq_class high = *std::max_element(std::begin(corners), std::end(corners));
-  return rounded(a.model, low, high, a.magnitude() * b.error + a.error * (b.magnitude() + b.error));
+  return {a.model, is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners)),
+          *std::max_element(std::begin(corners), std::end(corners)),
+          a.magnitude() * b.error + a.error * (b.magnitude() + b.error)};
 }
+/// @}
+
+inline ErrorBound operator+(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_sum(a, b)); }
+inline ErrorBound operator-(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_difference(a, b)); }
+inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_product(a, b)); }
+
+inline mpq_class largest_magnitude(const Vector3<ErrorBound>& v) {
+  return std::max({v.x.magnitude(), v.y.magnitude(), v.z.magnitude()});
+}
+
+/// An exact result that is off by `units` of the product of two vectors' maxima, and by underflow.
+inline ErrorBound off_by(const mpq_class& units, const ErrorBound& exact, const Vector3<ErrorBound>& a,
+                         const Vector3<ErrorBound>& b) {
+  const mpq_class off =
+      units * exact.model->unit * largest_magnitude(a) * largest_magnitude(b) + exact.model->underflow;
+  return {exact.model, exact.low - off, exact.high + off, exact.error + off};
+}
+
+/// @{
+/// As the model says; found before the ones of vector3.h.
+inline ErrorBound dot(const Vector3<ErrorBound>& a, const Vector3<ErrorBound>& b) {
+  const auto& apart = a.x.model->sums_of_products;
+  if (!apart) return filtered::dot<ErrorBound, ErrorBound>(a, b);
+  return off_by(apart->dot,
+                exact_sum(exact_sum(exact_product(a.x, b.x), exact_product(a.y, b.y)), exact_product(a.z, b.z)), a, b);
+}
+inline Vector3<ErrorBound> cross(const Vector3<ErrorBound>& a, const Vector3<ErrorBound>& b) {
+  const auto& apart = a.x.model->sums_of_products;
+  if (!apart) return filtered::cross<ErrorBound, ErrorBound>(a, b);
+  const auto component = [&](int i, int j) {
+    return off_by(apart->cross, exact_difference(exact_product(a[i], b[j]), exact_product(a[j], b[i])), a, b);
+  };
+  return {component(1, 2), component(2, 0), component(0, 1)};
+}
+/// @}
 
 /// The larger of two, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {

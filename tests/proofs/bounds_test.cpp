@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 #include "robust/proofs/error_bound.h"
@@ -16,6 +17,8 @@ namespace touchstone::filtered::proofs {
 namespace {
 
 const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit};
+/// As they are compiled for double-doubles.
+const SumsOfProducts kSumsOfProducts{bounds::kDot, bounds::kCross};
 
 mpq_class power_of_two(int exponent) {
   const mpz_class power = mpz_class(1) << static_cast<unsigned>(std::abs(exponent));
@@ -24,18 +27,48 @@ mpq_class power_of_two(int exponent) {
 
 std::string name(const Claim& claim) { return std::string(claim.constant) + " " + std::string(claim.instance); }
 
-// Maxima are 1: relative errors scale with them.
+/// The constant that the error calculus gives. Maxima are 1: relative errors scale with them.
+template <class Expression>
+mpq_class proved(const mpq_class& unit, const std::optional<SumsOfProducts>& sums_of_products, const Claim& claim,
+                 const Expression& expression) {
+  const ErrorModel model{unit, 0, !claim.squares_are_products(), sums_of_products};
+  const auto inputs =
+      make_inputs<ErrorBound>([&](const Input& input) { return known_within(model, 1, input.error * unit); });
+  return expression(inputs).error / (unit * claim.factor);
+}
+
 TEST(Bounds, HoldInTheRationalErrorCalculus) {
   for (const mpq_class& unit : kUnits) {
     for_each_claim([&](const Claim& claim, const auto& expression) {
-      const ErrorModel model{unit, 0, !claim.squares_are_products()};
-      const auto inputs =
-          make_inputs<ErrorBound>([&](const Input& input) { return known_within(model, 1, input.error * unit); });
-      const mpq_class proved = expression(inputs).error / (unit * claim.factor);
-      EXPECT_LE(proved, claim.value - kRoundingOfBound) << name(claim);
-      EXPECT_GT(proved, claim.value - 4 * kRoundingOfBound) << name(claim) << " is loose";
+      const mpq_class constant = proved(unit, std::nullopt, claim, expression);
+      EXPECT_LE(constant, claim.value - kRoundingOfBound) << name(claim);
+      EXPECT_GT(constant, claim.value - 4 * kRoundingOfBound) << name(claim) << " is loose";
     });
   }
+}
+
+TEST(Bounds, HoldForTheSumsOfProductsOfDoubleDoubles) {
+  for_each_claim([](const Claim& claim, const auto& expression) {
+    const mpq_class constant = proved(bounds::kDoubleDoubleUnit, kSumsOfProducts, claim, expression);
+    EXPECT_LE(constant, claim.value - kRoundingOfBound) << name(claim);
+    EXPECT_GT(constant, claim.value - 4 * kRoundingOfBound) << name(claim) << " is loose";
+  });
+}
+
+/// How many claims would not hold.
+int broken_by(const SumsOfProducts& sums_of_products) {
+  int broken = 0;
+  for_each_claim([&](const Claim& claim, const auto& expression) {
+    const mpq_class constant = proved(bounds::kDoubleDoubleUnit, sums_of_products, claim, expression);
+    broken += constant > claim.value - kRoundingOfBound;
+  });
+  return broken;
+}
+
+TEST(Bounds, DoNotHoldForWorseSumsOfProducts) {
+  EXPECT_EQ(broken_by(kSumsOfProducts), 0);
+  EXPECT_GT(broken_by({kSumsOfProducts.dot + mpq_class(1, 4), kSumsOfProducts.cross}), 0);
+  EXPECT_GT(broken_by({kSumsOfProducts.dot, kSumsOfProducts.cross + mpq_class(1, 4)}), 0);
 }
 
 // Each of n maxima may be short by kExcess. The bound is a product of n + 1 numbers, some of them products that were
@@ -88,8 +121,10 @@ class Underflow : public testing::Test {
   }
 
   template <class Expression>
-  mpq_class damage(const mpq_class& unit, const Expression& expression) const {
-    return bound({unit, operation_, false}, expression).error - bound({unit, 0, false}, expression).error;
+  mpq_class damage(const mpq_class& unit, const Expression& expression,
+                   const std::optional<SumsOfProducts>& sums_of_products = std::nullopt) const {
+    return bound({unit, operation_, false, sums_of_products}, expression).error -
+           bound({unit, 0, false, sums_of_products}, expression).error;
   }
 };
 
@@ -100,6 +135,7 @@ TEST_F(Underflow, IsCoveredByTiny) {
       mpq_class lost_in_bound = operation_ * (2 * claim.maxima.size() + 2);
       for (const Maximum maximum : claim.maxima) lost_in_bound *= largest(maximum);
       EXPECT_LE(damage(unit, expression) + lost_in_bound, bounds::kTiny / 2) << name(claim);
+      EXPECT_LE(damage(unit, expression, kSumsOfProducts) + lost_in_bound, bounds::kTiny / 2) << name(claim);
     });
   }
 }
