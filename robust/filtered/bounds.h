@@ -75,6 +75,10 @@ inline constexpr double kLift = 0x1p-99;
 inline constexpr double kLiftedEdge = 0x1p-98;
 /// Maxima so many times as large, of vertices that of 1, know them to kDoubleDoubleUnit.
 inline constexpr double kLiftedMaximum = 32;
+/// Signs ask that a component of a polygon's normal is known to kNormal units of m_N. Closest points ask for more: a
+/// step along the normal is as long in coordinate k as N_k is large, so N_k must be known to kDoubleDoubleUnit |N_k|,
+/// and but for that to kNormalUnderflow.
+inline constexpr double kNormalUnderflow = 0x1p-1074;
 /// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.from D_k / D.D is
 /// known to kClosest m_w m_D |D_k| / D.D; for lifted edges, between whose ends the foot lies, and kClosest m_e more;
 /// for computed normals and kClosest m_w m_N / |N| more. A distance from an edge or a plane is known to kClosest times

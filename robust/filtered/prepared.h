@@ -38,7 +38,7 @@ struct Frame {
 
 /// What the polygon is in double-doubles, in the frame's unit of length but with its own axes.
 struct LiftedPolygon {
-  Vector3<DoubleDouble> normal;
+  Vector3<DoubleDouble> normal;     ///< each component N_k to kDoubleDoubleUnit |N_k| + kNormalUnderflow (bounds.h)
   double normal_maximum;            ///< bounds the magnitudes of its components
   bool exact_normal;                ///< no bit is missing
   std::vector<DoubleDouble> lifts;  ///< along the dropped axis, to bounds::kLift; none where nothing is lifted

@@ -33,6 +33,8 @@ mpq_class shifted(mpq_class value, int exponent) {
 
 double nearest(const mpq_class& value) { return exact::nearest_double(value.get_num(), value.get_den()); }
 
+/// To within u^2 of the value, u = 2^-53, whatever else is large, and where that underflows to 2^-1075: the double
+/// nearest to the value leaves at most u of it or 2^-1075, and so does the second one of that.
 DoubleDouble nearest_double_double(const mpq_class& value) {
   const double high = nearest(value);
   return {high, nearest(value - mpq_class(high))};

@@ -28,7 +28,8 @@ class UnlimitedPolygon {
   /// The largest move of a vertex onto the plane, as the nearest double.
   [[nodiscard]] double off_plane() const;
 
-  /// A component of the normal times 2^exponent, as the nearest double and the double nearest to what that leaves.
+  /// A component of the normal times 2^exponent, as the nearest double and the double nearest to what that leaves: to
+  /// 2^-106 of itself, and to 2^-1075 where that is more.
   [[nodiscard]] DoubleDouble normal(int axis, int exponent) const;
   /// Do both together hold every bit?
   [[nodiscard]] bool normal_fits(int axis, int exponent) const;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/filtered/bounds.h"
+#include "robust/filtered/closest_point.h"
 #include "robust/filtered/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/proofs/rationals.h"
@@ -83,10 +84,30 @@ mpq_class error_of_step(const Situation& s) {
 TEST(ClosestBounds, HoldForSteps) {
   for (const Situation& s : kEvery) EXPECT_LE(error_of_step(s), bounds::kClosest / 2);
   // What D_k itself is off, times D.from / D.D: below 1 for edges, below the root of 3 over |D| for normals. A
-  // polygon's normal is known to a unit of each component: that is a unit of the step.
+  // polygon's normal is known to a unit of each component (normal_test.cpp): that is a unit of the step.
   EXPECT_LE(kEdgeOffItsPlane.direction_error, bounds::kClosest / 2);
   EXPECT_LE(kRootOfThree * kNormalOfTriangle.direction_error * kSecondOrder, bounds::kClosest / 2);
   EXPECT_LE(3 * kNormalOfPolygon.direction_error, bounds::kClosest / 8);
+}
+
+// Known to a unit of its maximum alone, the component of a normal would not do: the step's bound shrinks with it.
+TEST(ClosestBounds, AskForNormalsKnownComponentByComponent) {
+  const mpq_class component = 0x1p-20;
+  EXPECT_GT(kRootOfThree * kNormalOfPolygon.direction_error, bounds::kClosest * component);
+}
+
+// Results are known to two units of themselves besides, of which their own rounding takes 3 u^2 + 13 u^3. The rest is
+// more than what underflow does to a component, to the product that it goes into, and to the share that it takes.
+TEST(ClosestBounds, AllowForComponentsThatUnderflow) {
+  const mpq_class u = 0x1p-53, own_rounding = 3 * power(u, 2) + 13 * power(u, 3);
+  const mpq_class left_over = (2 * kDouble - own_rounding) * mpq_class(kSmallestResult);
+  const mpq_class farthest = bounds::kLargest, shortest = kShortestDirection, operation = power(mpq_class(1, 2), 1021);
+  const mpq_class share = kRootOfThree * farthest / shortest;  // D.from / D.D, for |D| at least `shortest`
+  const mpq_class largest_normal = 2 * power(farthest, 2);
+  const mpq_class of_component = share * mpq_class(bounds::kNormalUnderflow);
+  // D.from, D.D and their quotient; then the product, and the bound's own terms.
+  const mpq_class of_share = 4 * operation * (1 / power(shortest, 2) + share / power(shortest, 2) + 1);
+  EXPECT_LE((of_component + of_share * largest_normal + 8 * operation) * kSecondOrder, left_over);
 }
 
 // |D.from| / |D| and |D x from| / |D|, in units of 1 / |D| and of themselves.
