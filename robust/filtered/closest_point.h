@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -11,19 +12,29 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A double-double and how far it may be from what it stands for.
+/// A double-double and how far it may be from what it stands for: 0, or at least 2 u |low|, u = 2^-53. Every error here
+/// that is not 0 holds two units of the value's size (bounds::kDoubleDoubleUnit), and so more than that.
 struct Enclosed {
   DoubleDouble value;
   double error;
 };
 
+/// Do all numbers within the error of high + low round to high? Requires |low| <= ulp(high) / 2, an error as in
+/// Enclosed, and round to nearest. Shown in toy arithmetic for all operands: the sums are rounded, too, and twice such
+/// an error pays for that.
+template <class Number>
+constexpr bool surely_nearest(const Number& high, const Number& low, const Number& error) {
+  const Number wide = error + error;
+  return high + (low + wide) == high && high + (low - wide) == high;  // compared as rounded
+}
+
 /// The double nearest to the number times 2^exponent, if every number within the error rounds to it, as a normal
 /// double or as an exact zero.
 inline std::optional<double> rounded(const Enclosed& number, int exponent) {
   const double high = number.value.high, low = number.value.low;
-  if (high == 0 && low == 0 && number.error == 0) return 0.0;  // exact
-  const double wide = number.error * 2;                        // the sums below are rounded, too
-  if (high + (low + wide) != high || high + (low - wide) != high) return std::nullopt;  // compared as rounded
+  if (high == 0 && low == 0 && number.error == 0) return 0.0;            // exact
+  assert(number.error == 0 || number.error >= 0x1p-52 * std::abs(low));  // exact
+  if (!surely_nearest(high, low, number.error)) return std::nullopt;
   const double result = std::ldexp(high, exponent);
   if (!(std::abs(result) >= 0x1p-1020 && std::abs(result) < 0x1p1023)) return std::nullopt;
   return result;

@@ -128,6 +128,13 @@ TEST(ClosestBounds, HoldForDistances) {
   EXPECT_LE(kEdgeOffItsPlane.from_error * kSecondOrder, bounds::kClosest);
 }
 
+// Every error holds two units of its value, or kClosest of it, and a tail is at most u of that: what Enclosed asks for.
+TEST(ClosestBounds, AreWideEnoughForTheRoundingTest) {
+  const mpq_class u = 0x1p-53;
+  EXPECT_GE(2 * kDouble, 2 * u * u);
+  EXPECT_GE(mpq_class(bounds::kClosest), 2 * u * u);
+}
+
 // A normal that is shorter than 8 times its error may be wrong altogether. Then step and distance, exact and computed,
 // are still no longer than `from`, at most the root of 3, and the bound is more than two of them. For longer ones what
 // was computed stands for what is exact, and products of errors count: five factors of at most 1 + 1/8, above in the

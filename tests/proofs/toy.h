@@ -38,6 +38,7 @@ struct Toy {
   friend constexpr Toy operator+(Toy a, Toy b) { return of(a.value + b.value); }
   friend constexpr Toy operator-(Toy a, Toy b) { return of(a.value - b.value); }
   friend constexpr Toy operator*(Toy a, Toy b) { return of(a.value * b.value); }
+  friend constexpr bool operator==(Toy a, Toy b) = default;
 };
 
 /// visit<Rounding>() for each rounding.
