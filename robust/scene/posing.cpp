@@ -3,7 +3,6 @@
 
 #include <gmpxx.h>
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,48 +12,19 @@
 #include "robust/filtered/bounds.h"
 #include "robust/filtered/numbers/double_double.h"
 #include "robust/filtered/numbers/permanent.h"
+#include "robust/scene/rounded_sum.h"
 
 namespace touchstone::scene {
 namespace {
 
-using filtered::DoubleDouble;
 using filtered::Stage;
 using filtered::two_product;
-using filtered::two_sum;
 
 /// Is every number 0, or of a magnitude within [least, largest]?
 template <class Numbers>
 bool within(const Numbers& numbers, double least, double largest) {
   const auto magnitudes = numbers.array().abs();
   return (magnitudes <= largest).all() && (magnitudes >= least || magnitudes == 0).all();
-}
-
-/// The double nearest to x + y + z + t, if error-free transformations can tell.
-///
-/// The sum is that of a double, `sum`, and of six small ones, without any error. Added up one after the other the small
-/// ones are off by at most 5 u / (1 - 5 u) of their magnitudes' sum, which is computed to within 5 u of itself and
-/// multiplied by 8 u here: the two u that are left over pay for the rounding of `rest` +- `error`, each below 1.1 u of
-/// that sum. Additions lose nothing to underflow; where the product does, by 2^-1075, the magnitudes are above 2^-1021
-/// and that is a sixteenth of it, or they are not, and small ones of that size were added without error. Rounding is
-/// monotone: where both ends round to one double, so does the exact sum.
-std::optional<double> rounded_sum(const DoubleDouble& x, const DoubleDouble& y, const DoubleDouble& z, double t) {
-  const DoubleDouble first = two_sum(x.high, y.high), second = two_sum(first.high, z.high);
-  const DoubleDouble third = two_sum(second.high, t);
-  const double sum = third.high;
-  const std::array small{x.low, y.low, z.low, first.low, second.low, third.low};
-  double rest = 0, magnitudes = 0;
-  for (const double s : small) rest += s, magnitudes += std::abs(s);
-  const double error = 0x1p-50 * magnitudes;
-  const double result = sum + (rest + error);
-  if (result == sum + (rest - error)) return result;
-  // On a tie, which translations by round numbers give every second time: the small ones are often one double.
-  DoubleDouble all(0.0);
-  for (const double s : small) {
-    const DoubleDouble next = two_sum(all.high, s);
-    if (next.low != 0) return std::nullopt;
-    all = next;
-  }
-  return sum + all.high;
 }
 
 constexpr int kSmallestExponent = -1074;
