@@ -99,6 +99,9 @@ inline Vector3<ErrorBound> cross(const Vector3<ErrorBound>& a, const Vector3<Err
 }
 /// @}
 
+/// Fused or not: the model allows for both, and what is not fused is off by more.
+inline ErrorBound multiply_add(const ErrorBound& a, const ErrorBound& b, const ErrorBound& c) { return a * b + c; }
+
 /// The larger of two, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {
   return {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)};

@@ -14,13 +14,39 @@ inline namespace TOUCHSTONE_TARGET {
 
 using filtered::Pack;
 
+/// The operations of culling, over any number type: the error calculus of robust/proofs runs over them.
+namespace culling {
+
+/// Added to a ball's radius: what underflow may do to centres, radii and boxes, 2^-1074 at most each, is far below it.
+inline constexpr double kTiny = 0x1p-500;
+/// The square of a ball's reach is made so much larger, which covers its own rounding and that of the squares that are
+/// held to it. Proved in tests/proofs/culling_test.cpp.
+inline constexpr double kWide = 1 + 0x1p-47;
+
+/// How far a coordinate of a centre is outside of an interval; 0 within it.
+template <class T>
+TOUCHSTONE_INLINE T gap(const T& low, const T& high, const T& center, const T& zero) {
+  return maximum(maximum(low - center, center - high), zero);
+}
+
+/// The square of the distance to a box with these gaps.
+template <class T>
+TOUCHSTONE_INLINE T squared_distance(const T& x, const T& y, const T& z) {
+  return multiply_add(x, x, multiply_add(y, y, z * z));
+}
+
+/// What the squares of the distances to boxes are held to.
+template <class T>
+TOUCHSTONE_INLINE T squared_reach(const T& reach, const T& wide) {
+  return reach * reach * wide;
+}
+
+}  // namespace culling
+
 /// A ball as seen by a tree.
 ///
-/// Culling cannot lie: a box that the ball touches is never left out. In units of u = 2^-53: a gap between the centre
-/// and a box is off by a factor within 1 + u, its square by 1 + 3 u, the sum of three by 1 + 6 u or less; `squared`
-/// allows for 2^-47 = 64 u. What underflow may do to the centre, the radius and the boxes, 2^-1073 at most each, and to
-/// squares is far below 2^-500. Squares do not overflow: all numbers are below 2^500. A ball for which that cannot be
-/// had is taken to be near every box.
+/// Culling cannot lie: a box that the ball touches is never left out. Squares do not overflow: all numbers are below
+/// 2^500. A ball for which that cannot be had is taken to be near every box.
 class Reach {
  public:
   /// Requires round to nearest, without flush-to-zero.
@@ -35,19 +61,18 @@ class Reach {
 
   /// Shrinks the ball.
   void set_radius(double radius, const BoxTree& tree) {
-    const double reach = radius * tree.scale()[0] * tree.scale()[1] + 0x1p-500;
-    squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : reach * reach * (1 + 0x1p-47);
+    const double reach = radius * tree.scale()[0] * tree.scale()[1] + culling::kTiny;
+    squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
   }
 
   /// The squares of the distances to the boxes of a node; infinite for those that are not there.
   [[nodiscard]] Pack squares(const BoxTree::Node& node) const {
     const Pack zero = filtered::all_lanes(0);
     const auto gap = [&](int axis) {
-      const Pack center = filtered::all_lanes(center_[axis]);
-      return maximum(maximum(filtered::load(node.low[axis]) - center, center - filtered::load(node.high[axis])), zero);
+      return culling::gap(filtered::load(node.low[axis]), filtered::load(node.high[axis]),
+                          filtered::all_lanes(center_[axis]), zero);
     };
-    const Pack x = gap(0), y = gap(1), z = gap(2);
-    return multiply_add(x, x, multiply_add(y, y, z * z));
+    return culling::squared_distance(gap(0), gap(1), gap(2));
   }
   /// A bit for each box that the ball may touch.
   [[nodiscard]] unsigned near(const Pack& squares) const {
