@@ -69,6 +69,12 @@ inline ErrorBound operator+(const ErrorBound& a, const ErrorBound& b) { return r
 inline ErrorBound operator-(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_difference(a, b)); }
 inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_product(a, b)); }
 
+/// By a number that is known exactly.
+inline ErrorBound operator/(const ErrorBound& a, double count) {
+  const mpq_class divisor = count;
+  return rounded({a.model, a.low / divisor, a.high / divisor, a.error / divisor});
+}
+
 inline mpq_class largest_magnitude(const Vector3<ErrorBound>& v) {
   return std::max({v.x.magnitude(), v.y.magnitude(), v.z.magnitude()});
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/lifted_box.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "robust/scene/rounded_plane.h"
 
 namespace touchstone::scene {
 namespace {
@@ -35,37 +37,32 @@ Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared
   return box;
 }
 
-// In units of u = 2^-53, for n vertices of the outer loop, all coordinates taken from vertex 0, which is rounded once,
-// and at most e: a component of the normal, n differences of products, is off by 3.1 * 2 n e^2 in the products,
-// 2 n e^2 in the differences, 2.1 n^2 e^2 in the sum, in all less than 5 n^2 e^2 (n >= 3). It is at most 2.1 n e^2.
-// A coordinate of the mean is off by (n + 2.1) e, one of w = mean - vertex by (n + 5.2) e < 3 n e, and is at most
-// 2.01 e. So the height N.w, a sum of three products, is off by 3 (5 n^2 * 2.01 + 2.1 n * 3 n) e^3 from what goes in
-// and less than 12 * 2.1 n * 2.01 e^3 from its own rounding: in all less than 70 n^2 e^3. 2^6.5 = 90.5 of them are
-// allowed for, and 6 n^2 e^2, which pays for terms of u^2, for underflow and for the rounding of the bound itself.
 std::optional<Box> quick_lifted_box(const Polygon& polygon) {
-  const auto count = static_cast<double>(polygon.loop_end(0));
-  if (count > 0x1p20) return std::nullopt;
+  using filtered::Vector3;
+  const std::size_t outer = polygon.loop_end(0);
+  const auto count = static_cast<double>(outer);
+  if (count > rounded_plane::kMostVertices) return std::nullopt;
   const Eigen::Vector3d origin = polygon.vertex(0);
   const auto from_origin = [&](std::size_t i) -> Eigen::Vector3d { return polygon.vertex(i) - origin; };
   double size = 0;
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) size = std::max(size, from_origin(i).cwiseAbs().maxCoeff());
-  if (!(size > 0x1p-300 && size < 0x1p300)) return std::nullopt;
+  if (!(size > rounded_plane::kSmallestSize && size < 0x1p300)) return std::nullopt;
 
-  Eigen::Vector3d normal(0, 0, 0), mean(0, 0, 0);
-  for (std::size_t i = 0; i < polygon.loop_end(0); ++i) {
-    const Eigen::Vector3d at = from_origin(i);
-    normal += at.cross(from_origin(polygon.next(i)));
-    mean += at;
-  }
-  mean /= count;
+  const auto at = [&](std::size_t i) {
+    const Eigen::Vector3d p = from_origin(i);
+    return Vector3<double>{p.x(), p.y(), p.z()};
+  };
+  const rounded_plane::Plane<double> plane = rounded_plane::plane_of(outer, 0.0, at);
+  const Vector3<double>& normal = plane.normal;
   const double unit = 0x1p-53 * count * count;
-  const double largest = normal.cwiseAbs().maxCoeff(), error = 6 * unit * size * size;
-  const double height_error = 91 * unit * size * size * size;
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  const double error = rounded_plane::kNormal * unit * size * size;
+  const double height_error = rounded_plane::kHeight * unit * size * size * size;
   if (!(height_error <= 0x1p-21 * size * largest)) return std::nullopt;
 
   double height = 0;
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
-    height = std::max(height, std::abs(normal.dot(mean - from_origin(i))));
+    height = std::max(height, std::abs(rounded_plane::height(plane, at(i))));
   const double lift = (height + height_error) / (largest - error);
   Box box = box_of_vertices(polygon);
   for (int axis = 0; axis < 3; ++axis)
