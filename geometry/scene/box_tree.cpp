@@ -328,7 +328,7 @@ double BoxTree::surface() const {
 double BoxTree::growth() const {
   const FloatingPointState nearest;
   const double length = (built_scale_[0] / scale_[0]) * (built_scale_[1] / scale_[1]), now = surface();
-  return now == 0 ? 1 : now * length * length / built_surface_;
+  return pinned(now == 0 ? 1 : now * length * length / built_surface_);
 }
 
 }  // namespace touchstone

@@ -17,16 +17,16 @@ TOUCHSTONE_INLINE bool frame_reaches(const Ball& ball, const PreparedPolygon::Pa
          ball.radius <= limit;
 }
 
-/// Asks the frame where it reaches, else `exact`.
+/// Asks the frame where it reaches, else `exact`. Never inlined: it ends where the caller's state is back.
 template <auto in_frame, auto otherwise, class Result, class Counts>
-Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+__attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   if (frame_reaches(ball, parts)) [[likely]] {
     // Subnormal coordinates are scaled up before anything else, which must not meet them flushed to zero.
     std::optional<OwnFloatingPointState> nearest;
     if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
     PolygonQuestion<Counts> question(ball, parts, counts);
-    return (question.*in_frame)();
+    return pinned((question.*in_frame)());
   }
   counts.count(Stage::Unlimited);
   return otherwise(ball, parts.exact());

@@ -18,7 +18,9 @@
 /// can still change the answer asked for, goes on to stages that are slower and surer, the last of which decides every
 /// finite input. `point` and `distance` are correctly rounded: the same bits on every machine. The answers do not
 /// depend on the caller's rounding mode or flush-to-zero setting, which are left as found, as are the INVALID,
-/// OVERFLOW and DIVBYZERO flags. Up to the last stage nothing is allocated but the list that `edges_hit` returns.
+/// OVERFLOW and DIVBYZERO flags; their traps may be unmasked. The first stage works in the caller's state and raises
+/// INEXACT, UNDERFLOW and, on x86, denormal-operand exceptions: a caller who has unmasked a trap of one of these is
+/// trapped, as by SIGFPE. Up to the last stage nothing is allocated but the list that `edges_hit` returns.
 ///
 /// Guarantees, for every ball and every polygon that `exact::validate` accepts:
 ///  (1) each answer equals that of the function of the same name in `exact`, and so keeps all its identities;

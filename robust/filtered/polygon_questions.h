@@ -49,11 +49,13 @@ class PolygonQuestion {
   }
   /// Signs beyond the first stage; the caller's floating-point state is set aside from the first of them on.
   const ExactEdges<Counts>& exact() {
-    if (!exact_) {
-      state_.emplace();
-      exact_.emplace(ball_, parts_, counts_);
-    }
+    if (!exact_) begin_exact();
     return *exact_;
+  }
+  /// Never inlined: so arithmetic of the first stage, in the caller's state, stays apart from that of all others.
+  __attribute__((noinline)) void begin_exact() {
+    state_.emplace();
+    exact_.emplace(ball_, parts_, counts_);
   }
   template <class Result>
   [[nodiscard]] Result counted(Result result) {

@@ -66,13 +66,13 @@ class SeenTriangle {
 template <class Counts>
 Feature nearest_feature(TriangleQuestion question, Counts& counts) {
   const FloatingPointState nearest;
-  return SeenTriangle<Counts>(question, counts).nearest();
+  return pinned(SeenTriangle<Counts>(question, counts).nearest());
 }
 
 template <class Counts>
 double feature_distance(TriangleQuestion question, const Feature& feature, Counts& counts) {
   const FloatingPointState nearest;
-  return distance(SeenTriangle<Counts>(question, counts), feature);
+  return pinned(distance(SeenTriangle<Counts>(question, counts), feature));
 }
 
 template <class Counts>

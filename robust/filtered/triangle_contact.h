@@ -187,12 +187,12 @@ template <class Counts>
 __attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, const TriangleSigns& signs, Sure sure,
                                               Counts& counts) {
   const FloatingPointState nearest;
-  if (sure == Sure::Beyond) return scaled_contact(question, largest_number(question), counts);
+  if (sure == Sure::Beyond) return pinned(scaled_contact(question, largest_number(question), counts));
   const UnsureTriangle<Counts> triangle(question, signs, counts);
   if (triangle.tiny())
     if (const double largest = largest_number(question); largest < 0x1p-30)
-      return scaled_contact(question, largest, counts);
-  return triangle.contact();
+      return pinned(scaled_contact(question, largest, counts));
+  return pinned(triangle.contact());
 }
 
 template <class Counts>

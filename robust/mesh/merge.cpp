@@ -264,6 +264,7 @@ MergedMesh merge_faces(const Mesh& mesh, double tolerance) {
 
 std::optional<MergedMesh> merge_faces(const Mesh& mesh, double tolerance, const std::atomic<bool>& stop) {
   const FloatingPointState nearest;
+  tolerance = pinned(tolerance);
   if (!(tolerance >= 0) || std::isinf(tolerance))
     throw std::invalid_argument("the tolerance of a merge must be a finite number that is not negative, not " +
                                 shortest(tolerance));

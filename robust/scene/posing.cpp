@@ -104,14 +104,14 @@ Eigen::Vector3d posed_point(const Pose& pose, const Eigen::Vector3d& point, Coun
   const FloatingPointState nearest;
   const Posing place(pose);
   if (!point.allFinite()) throw Rejected({RejectionCode::NotFinite, "the point is not finite"});
-  return place(point, counts);
+  return pinned(place(point, counts));
 }
 
 }  // namespace
 
 bool is_finite(const Pose& pose) {
   const FloatingPointState nearest;
-  return pose.rotation.allFinite() && pose.translation.allFinite();
+  return pinned(pose.rotation.allFinite() && pose.translation.allFinite());
 }
 
 void expect_valid(const Triangle& t) {
@@ -134,7 +134,7 @@ Triangle posed(const Pose& pose, const Triangle& triangle) {
   if (!is_finite(triangle)) expect_valid(triangle);
   const Triangle result{place(triangle.a), place(triangle.b), place(triangle.c)};
   expect_valid(result);
-  return result;
+  return pinned(result);
 }
 
 Polygon posed(const Pose& pose, const Polygon& polygon) {

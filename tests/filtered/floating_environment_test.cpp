@@ -178,6 +178,20 @@ TEST(FilteredEnvironment, IsLeftAsFound) {
   }
 }
 
+#if defined(__GLIBC__)
+// A trap would end this program.
+TEST(FilteredEnvironment, MayTrapInvalidOverflowAndDivisionByZero) {
+  for (const Asked& asked : cases()) {
+    const Environment changed(FE_TONEAREST, Environment::kKeep);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    ASSERT_NE(feenableexcept(kFlags), -1);
+    const std::string wrong = wrong_answers(asked, filtered::PreparedPolygon(asked.given.polygon));
+    fedisableexcept(kFlags);
+    EXPECT_EQ(wrong, "") << asked.given.id;
+  }
+}
+#endif
+
 // What is refused leaves the state as found, too.
 TEST(FilteredEnvironment, IsLeftAsFoundByARefusal) {
   const Polygon line({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}});

@@ -7,8 +7,8 @@ fail. Exit status 1 if a mutant survives, or if its text is not found exactly on
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
 in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those that change
-no answer ("changes_answers": false), and those of which no case of the corpus tells ("in_corpus": false); those of tests/corpus/mutants.json, about constants, stages and guards of the
-filtered path, come in.
+no answer ("changes_answers": false), and those of which no case of the corpus tells ("in_corpus": false); those of
+tests/corpus/mutants.json, about constants, stages and guards of the filtered path, come in.
 """
 
 import concurrent.futures
@@ -139,7 +139,8 @@ def read_mutants(source, corpus):
     if not corpus:
         return mutants
     mutants = [mutant for mutant in mutants
-               if mutant["file"].startswith(CORPUS_PATHS) and mutant.get("changes_answers", True) and mutant.get("in_corpus", True)]
+               if mutant["file"].startswith(CORPUS_PATHS)
+               and mutant.get("changes_answers", True) and mutant.get("in_corpus", True)]
     mutants += json.loads((tests / "corpus" / "mutants.json").read_text())
     return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]
 

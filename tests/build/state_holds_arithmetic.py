@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a function sets the floating-point state, its arithmetic is between that and the state's restoration.
+
+Usage: state_holds_arithmetic.py LIBRARY... [-- SOURCE COMPILER FLAG...]
+
+Reads the disassembly of every function of the libraries that stores MXCSR (FloatingPointState: `stmxcsr`, a comparison
+with 0x1f80, `ldmxcsr` if they differ; at the end `stmxcsr`, a comparison with what was found, `ldmxcsr`). On no path
+there may be floating-point arithmetic, comparison or conversion of SSE or AVX
+  (1) from the function's start to the first state's beginning, except in functions whose first stage is valid in
+      every rounding direction (ANY_ROUNDING),
+  (2) from `stmxcsr` at a state's beginning to the jump that leaves out `ldmxcsr`, or to that,
+  (3) from `stmxcsr` at a state's end to the function's return, the next state or a jump out of the function.
+What is reached by exceptions or tables of jumps alone is followed from there for (2) and (3). Functions that are
+called are not followed. With a compiler, samples that break each rule are compiled and must be found, others must not.
+"""
+
+import collections
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+# Before the state is set, doubles are filtered by bounds that hold in every rounding direction.
+ANY_ROUNDING = re.compile(r"touchstone::filtered::(avx2|baseline)::ask<")
+
+ARITHMETIC = re.compile(r"v?(add|sub|mul|div|sqrt|rsqrt|rcp|min|max|u?comi|cmp[a-z_]*|round|addsub|hadd|hsub|dp|"
+                        r"fn?m(add|sub|addsub|subadd)(132|213|231))[ps][sd]|v?cvt\w+")
+BEFORE, ENTERING, INSIDE, AFTER, UNKNOWN = "before", "entering", "inside", "after", "unknown"
+HEAD = re.compile(r"^[0-9a-f]+ <(.+)>:$")
+LINE = re.compile(r"^\s*([0-9a-f]+):\t(\S+)(?:\s+(.*?))?\s*$")
+RELOCATION = re.compile(r"^\s*[0-9a-f]+: R_X86_64_")
+Instruction = collections.namedtuple("Instruction", "address mnemonic operands leaves")
+
+
+def functions(library):
+    """(name, instructions) of each function; an instruction `leaves` if a relocation says where it goes."""
+    text = subprocess.run(["objdump", "--disassemble", "--demangle", "--reloc", "--no-show-raw-insn", library],
+                          capture_output=True, text=True, check=True).stdout
+    name, body = None, []
+    for line in text.splitlines():
+        if match := HEAD.match(line):
+            if name:
+                yield name, body
+            name, body = match.group(1), []
+        elif RELOCATION.match(line):
+            if body:
+                body[-1] = body[-1]._replace(leaves=True)
+        elif match := LINE.match(line):
+            mnemonic, operands = match.group(2), match.group(3) or ""
+            while mnemonic in ("notrack", "bnd", "rep", "repz", "repnz", "lock", "data16", "cs"):
+                mnemonic, _, operands = operands.partition(" ")
+            body.append(Instruction(int(match.group(1), 16), mnemonic, operands.strip(), False))
+    if name:
+        yield name, body
+
+
+def begins(body, i):
+    """Is this stmxcsr that of a state's beginning? It is compared with the default soon."""
+    for instruction in body[i + 1:i + 16]:
+        if "mxcsr" in instruction.mnemonic or instruction.mnemonic.startswith(("call", "ret")):
+            return False
+        if instruction.mnemonic.startswith("cmp") and "$0x1f80," in instruction.operands:
+            return True
+    return False
+
+
+def successors(body, by_address, i):
+    """The numbers of the instructions of this function that may follow, but for jumps by a table."""
+    instruction = body[i]
+    if instruction.mnemonic.startswith("ret") or instruction.mnemonic == "ud2":
+        return []
+    following = [i + 1] if i + 1 < len(body) and instruction.mnemonic != "jmp" else []
+    if not instruction.mnemonic.startswith("j") or instruction.leaves or instruction.operands.startswith("*"):
+        return following
+    target = by_address.get(int(instruction.operands.split()[0], 16))
+    return following if target is None else following + [target]
+
+
+def faults(name, body):
+    """Sentences about arithmetic on the wrong side."""
+    by_address = {instruction.address: i for i, instruction in enumerate(body)}
+    states = [set() for _ in body]
+
+    def follow(start, state):
+        work = [(start, state)]
+        while work:
+            i, state = work.pop()
+            if state in states[i]:
+                continue
+            states[i].add(state)
+            mnemonic = body[i].mnemonic
+            if "stmxcsr" in mnemonic:
+                state = ENTERING if begins(body, i) else AFTER
+            elif state == ENTERING and (mnemonic.startswith("j") or "ldmxcsr" in mnemonic):
+                state = INSIDE
+            work += [(j, state) for j in successors(body, by_address, i)]
+
+    follow(0, BEFORE)
+    for i in range(len(body)):
+        if not states[i] and body[i].mnemonic not in ("nop", "nopw", "nopl", "xchg", "int3"):
+            follow(i, UNKNOWN)
+
+    found = []
+    for i, instruction in enumerate(body):
+        if not ARITHMETIC.fullmatch(instruction.mnemonic):
+            continue
+        wrong = states[i] & ({ENTERING, AFTER} if ANY_ROUNDING.search(name) else {BEFORE, ENTERING, AFTER})
+        found += [f"{name}+{instruction.address - body[0].address:#x}: {instruction.mnemonic} is {state} the state"
+                  for state in sorted(wrong)]
+    return found
+
+
+def examine(libraries):
+    """(how many functions store MXCSR, sentences). CGAL's intervals set rounding modes in their own way."""
+    checked, found = 0, []
+    for library in libraries:
+        for name, body in functions(library):
+            if not name.startswith("CGAL::") and any("stmxcsr" in instruction.mnemonic for instruction in body):
+                checked += 1
+                found += faults(name, body)
+    return checked, found
+
+
+SAMPLES = """
+#include "geometry/floating_point_state.h"
+using namespace touchstone;
+double good(const double* p, double q) { const FloatingPointState nearest; return pinned(p[0] / p[1] + pinned(q)); }
+void good_in_memory(double* p) { const FloatingPointState nearest; if (p[0] < p[1]) p[2] = p[0] * p[1]; }
+double bad_before(double* p, double q) {
+  const double r = p[0] * q;
+  const FloatingPointState nearest;
+  p[2] = 0;
+  return r;
+}
+double bad_after(const double* p) {
+  double r;
+  { const FloatingPointState nearest; r = pinned(p[0] + p[1]); }
+  return r * p[2];
+}
+void bad_entering(double* p) {
+  const double r = p[0];
+  const unsigned found = _mm_getcsr();
+  p[1] = r / p[3];
+  __asm__ volatile("" : : : "memory");
+  if ((found & ~0x3fU) != 0x1f80U) _mm_setcsr(0x1f80);
+  __asm__ volatile("" : : : "memory");
+  p[2] = p[1] + 1;
+  _mm_setcsr(found);
+}
+"""
+
+
+def find_planted(source, compiler, flags):
+    """A sentence where samples are not told apart."""
+    with tempfile.TemporaryDirectory() as folder:
+        sample, compiled = os.path.join(folder, "sample.cpp"), os.path.join(folder, "sample.o")
+        with open(sample, "w", encoding="utf-8") as file:
+            file.write(SAMPLES)
+        subprocess.run([compiler, "-std=c++20", "-O2", *flags, "-I", source, "-c", sample, "-o", compiled], check=True)
+        named = {fault.split("(")[0] for fault in examine([compiled])[1]}
+    expected = set(re.findall(r"\b(bad_\w+)\(", SAMPLES))
+    return None if named == expected else f"planted {sorted(expected)}, found {sorted(named)}"
+
+
+def main(arguments):
+    libraries, _, planted = ("\0".join(arguments)).partition("\0--\0")
+    if planted and (complaint := find_planted(*planted.split("\0")[:2], planted.split("\0")[2:])):
+        return complaint
+    checked, found = examine(libraries.split("\0"))
+    if not checked:
+        return f"no function of {libraries} sets the state"
+    if found:
+        return "\n".join(found)
+    print(f"{checked} functions, none has arithmetic on the wrong side")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
