@@ -3,24 +3,16 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <limits>
 #include <system_error>
-
-#include "experiments/judge/interruption.h"
-
-extern "C" {  // which the header of glibc 2.36 forgets
-#include <sys/pidfd.h>
-}
+#include <utility>
 
 namespace touchstone::judge {
 namespace {
@@ -31,51 +23,34 @@ int milliseconds_until(Engine::Deadline deadline) {
   return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
 }
 
+/// Two descriptors that are closed where they are still here; -1 is none.
+struct Ends {
+  int* descriptors;
+  ~Ends() {
+    for (int i = 0; i < 2; ++i)
+      if (descriptors[i] >= 0) close(descriptors[i]);
+  }
+};
+
 }  // namespace
 
 // The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
 // (MSG_NOSIGNAL) and no signal for the whole process.
-Engine::Engine(const std::string& command) : process_(-1), input_(-1), output_(-1) {
+Engine::Engine(const std::string& command) : input_(-1), output_(-1) {
   int input[2], output[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
-  if (pipe2(output, O_CLOEXEC) != 0) {
-    close(input[0]);
-    close(input[1]);
-    throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
-  }
-  const pid_t judge = getpid();
-  process_ = fork();
-  if (process_ == 0) {
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != judge) _exit(127);  // it ended before
-    dup2(input[1], STDIN_FILENO);
-    dup2(output[1], STDOUT_FILENO);
-    std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and stop_reading relies on it
-    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
-    _exit(127);
-  }
-  const int error = errno;
-  close(input[1]);
-  close(output[1]);
-  input_ = input[0];
-  output_ = output[0];
-  if (process_ > 0) {
-    setpgid(process_, process_);  // here too: whichever of both comes first
-    set_engine_group(process_);
-  }
-  if (process_ < 0) {
-    close(input_);
-    close(output_);
-    throw std::system_error(error, std::generic_category(), "cannot start the engine");
-  }
+  const Ends inputs{input};
+  if (pipe2(output, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
+  const Ends outputs{output};
+  supervisor_.emplace(command, input[1], output[1]);
+  input_ = std::exchange(input[0], -1);
+  output_ = std::exchange(output[0], -1);
 }
 
 Engine::~Engine() {
   stop_reading();
-  kill();
-  (void)wait();
+  supervisor_.reset();
   close(input_);
 }
 
@@ -141,7 +116,7 @@ std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
   for (std::size_t searched = 0;;) {
     if (auto line = take_line(searched)) return line;
     const int left = milliseconds_until(deadline);
-    if (output_ >= 0 && (left == 0 || !has_more_within(std::chrono::milliseconds(left)))) {
+    if (output_ >= 0 && (left == 0 || !has_news(left))) {
       late = true;
       return std::nullopt;
     }
@@ -150,20 +125,24 @@ std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
 }
 
 bool Engine::drop_unread() {
-  while (has_more_within(std::chrono::milliseconds(0)) && read_some()) {
+  while (has_news(0) && read_some()) {
   }
   const bool any = received_ < unread_.size();
   received_ = unread_.size();
   return any;
 }
 
-bool Engine::has_more_within(std::chrono::milliseconds time) const {
-  pollfd output{.fd = output_, .events = POLLIN, .revents = 0};
-  return output_ >= 0 && poll(&output, 1, static_cast<int>(time.count())) > 0;
+/// Waits no longer than `milliseconds` (-1: for ever) for some of its output, or for its end, which it may share with
+/// others that hold the pipe open. Was there either?
+bool Engine::has_news(int milliseconds) const {
+  if (output_ < 0) return false;
+  pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
+                {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
+  return poll(news, 2, milliseconds) > 0;
 }
 
 bool Engine::read_ahead(std::size_t most) {
-  while (unread_.size() - received_ < most && has_more_within(std::chrono::milliseconds(0)) && read_some()) {
+  while (unread_.size() - received_ < most && has_news(0) && read_some()) {
   }
   return output_ >= 0 && unread_.size() - received_ >= most;
 }
@@ -174,10 +153,6 @@ bool Engine::left_unread() const {
   return recv(input_, &byte, 1, MSG_DONTWAIT) < 0 && errno == ECONNRESET;
 }
 
-void Engine::kill() {
-  if (process_ >= 0) ::kill(-process_, SIGKILL);
-}
-
 void Engine::stop_reading() {
   if (output_ >= 0) close(output_);
   output_ = -1;
@@ -185,7 +160,14 @@ void Engine::stop_reading() {
 
 /// Waits for some of its output; false if there will be none.
 bool Engine::read_some() {
+  while (output_ >= 0 && !has_news(-1)) {
+  }
   if (output_ < 0) return false;
+  // What it has printed before its end is there; whoever else holds the pipe, or the socket, is not waited for.
+  if (supervisor_->ended_within(std::chrono::milliseconds(0))) {
+    fcntl(output_, F_SETFL, O_NONBLOCK);
+    end_input();
+  }
   std::array<char, 65536> bytes;
   ssize_t count = 0;
   while ((count = read(output_, bytes.data(), bytes.size())) < 0 && errno == EINTR) {
@@ -201,30 +183,8 @@ bool Engine::read_some() {
 }
 
 std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
-  const int process = process_ < 0 ? -1 : pidfd_open(process_, 0);
-  if (process >= 0) {
-    pollfd ended{.fd = process, .events = POLLIN, .revents = 0};
-    const bool in_time = poll(&ended, 1, static_cast<int>(time.count())) > 0;
-    close(process);
-    if (!in_time) return std::nullopt;
-  }
+  if (!supervisor_->ended_within(time)) return std::nullopt;
   return wait();
-}
-
-std::string Engine::wait() {
-  if (process_ < 0) return {};
-  siginfo_t end;
-  while (waitid(P_PID, static_cast<id_t>(process_), &end, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
-  }
-  kill();  // what it has started; the group is its own until its status is taken
-  set_engine_group(0);
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
-  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
-  if (WEXITSTATUS(status) != 0) return "exit status " + std::to_string(WEXITSTATUS(status));
-  return {};
 }
 
 }  // namespace touchstone::judge

@@ -14,10 +14,8 @@ namespace {
 
 constexpr int kInterruptions[] = {SIGINT, SIGTERM};
 
-std::atomic<pid_t> engine_group = 0;
 std::atomic<bool> is_writing = false, is_interrupted = false;
-static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
-              "used within a signal handler");
+static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal handler");
 
 void handle_by(void (*handler)(int)) {
   for (const int signal : kInterruptions) std::signal(signal, handler);
@@ -30,7 +28,6 @@ void handle_by(void (*handler)(int)) {
 }
 
 extern "C" void interrupt_judge(int) {
-  if (const pid_t group = engine_group; group > 0) kill(-group, SIGKILL);
   handle_by(SIG_DFL);
   is_interrupted = true;
   if (!is_writing) leave();
@@ -48,8 +45,6 @@ Writing::~Writing() {
   is_writing = false;
   if (is_interrupted) leave();
 }
-
-void set_engine_group(pid_t group) { engine_group = group; }
 
 void leave_interruptions_to_others() {
   sigset_t signals;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <sys/types.h>
-
 namespace touchstone::judge {
 
-/// While one exists, the first SIGINT or SIGTERM kills the group of processes of the engine that runs and ends this
-/// process with run::kInterrupted, though not within a Writing. A second one ends it as ever. One at a time.
+/// While one exists, the first SIGINT or SIGTERM ends this process with run::kInterrupted, though not within a Writing.
+/// A second one ends it as ever. Engines end with this process (see Supervisor). One at a time.
 ///
 /// It does not wait for the judge to look: that may be reading, from a terminal or an engine, for as long as they like.
 class Interruption {
@@ -25,9 +23,6 @@ class Writing {
   Writing& operator=(const Writing&) = delete;
   ~Writing();
 };
-
-/// The group that an interruption kills; 0: none.
-void set_engine_group(pid_t group);
 
 /// Leaves interruptions to the other threads, of which one writes.
 void leave_interruptions_to_others();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An engine that may read all cases before it answers.
+#include "experiments/judge/engine.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -149,6 +151,18 @@ TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
   EXPECT_NE(run(with(kTouching, ""), parrot("\x1b[31m" + std::string(100'000, 'x')))
                 .complaints.find("not a verdict on this case: \\x1b[31m" + std::string(195, 'x') + "...\n"),
             std::string::npos);
+}
+
+TEST(Engine, DoesNotEndWithAnother) {
+  Engine first("cat"), second("cat"), third("cat; exit 3");
+  first.kill();
+  EXPECT_EQ(first.wait(), "signal 9");
+  ASSERT_TRUE(second.send("a\n"));
+  EXPECT_EQ(second.receive(), "a");
+  second.end_input();
+  EXPECT_EQ(second.wait(), "");
+  third.end_input();
+  EXPECT_EQ(third.wait(), "exit status 3");
 }
 
 // A name that cannot be written as JSON: an exception while the sender runs.

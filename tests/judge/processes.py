@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: processes.py TOUCHSTONE
 
-No process of an engine outlives the judge: neither where it is interrupted or killed, nor where the engine ended by
-itself. Every one of them inherits the end of a pipe, which is closed with the last. And a judge whose standard input is
-closed, or cannot be read, says so and ends. Exit status 1 otherwise.
+No process of an engine outlives the judge, which waits for none: neither where it is interrupted or killed, nor where
+the engine ended by itself. Every one of them inherits the end of a pipe, which is closed with the last. And a judge
+whose standard input is closed, or cannot be read, says so and ends. Exit status 1 otherwise.
 """
 
 import os
@@ -14,7 +14,18 @@ import sys
 
 CASE = b'{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
 SECONDS = 60  # until what does not end is taken for a fault
-LEFT_BEHIND = "sleep 1000 >/dev/null & "
+HELPERS = [  # that an engine leaves behind
+    "sleep 1000 >/dev/null & ",
+    "sleep 1000 & ",  # which goes on holding the engine's output
+    "(setsid sleep 1000 </dev/null >/dev/null 2>&1 &); ",
+    "(setsid sh -c 'setsid sleep 1000 & exec sleep 1000' &); ",
+    # A thousand processes, each of which starts the next and ends.
+    "(python3 -c 'import os, signal\nfor i in range(1000): os.fork() and os._exit(0)\nsignal.pause()' &); ",
+]
+# It ends when what it has left behind, and has ended since, is gone: a process that is not waited for stays in the list.
+LEAVES_MANY = "for i in 1 2 3 4 5; do (true &); done; while read pids </proc/$PPID/task/$PPID/children; " \
+              "[ \"$pids\" != $$ ]; do :; done; "
+VERDICT = "read line; echo '{{\"id\":\"a\"}}'"
 
 
 def start(program, engine, *options):
@@ -50,11 +61,14 @@ def check_signal(program, which, status, engine, options):
         sys.exit(f"{what}: the engine goes on")
 
 
-def check_engine_that_ends(program, options):
-    judge, reader = start(program, LEFT_BEHIND + "read line; echo '{{\"id\":\"a\"}}'", *options)
-    judge.stdin.close()
-    if judge.wait(SECONDS) != 0 or not all_have_ended(reader):
-        sys.exit(f"an engine that ends, options {options}: exit status {judge.returncode}, or what it started goes on")
+def check_engine_that_ends(program, before, options):
+    judge, reader = start(program, before + VERDICT, *options)
+    verdicts, _ = judge.communicate(timeout=SECONDS)
+    what = f"engine {before + VERDICT!r}, options {options}"
+    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
+        sys.exit(f"{what}: exit status {judge.returncode}: {verdicts}")
+    if not all_have_ended(reader):
+        sys.exit(f"{what}: what it started goes on")
 
 
 def check_unreadable_input(program, redirection):
@@ -70,10 +84,12 @@ def main(program):
     check_unreadable_input(program, "<&-")
     check_unreadable_input(program, "</")
     for options in [], ["--time-limit", "1000"]:
-        check_signal(program, signal.SIGINT, 130, LEFT_BEHIND, options)
-        check_signal(program, signal.SIGTERM, 130, LEFT_BEHIND, options)
-        check_signal(program, signal.SIGKILL, -signal.SIGKILL, "", options)
-        check_engine_that_ends(program, options)
+        for helper in HELPERS:
+            check_signal(program, signal.SIGINT, 130, helper, options)
+            check_signal(program, signal.SIGTERM, 130, helper, options)
+            check_signal(program, signal.SIGKILL, -signal.SIGKILL, helper, options)
+            check_engine_that_ends(program, helper, options)
+        check_engine_that_ends(program, LEAVES_MANY, options)
 
 
 if __name__ == "__main__":
