@@ -2,19 +2,19 @@
 #include "experiments/judge/reply.h"
 
 #include "experiments/judge/strict_json.h"
-#include "experiments/run/legible.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::judge {
 
 Reply read_reply(const std::string& line) {
-  Reply reply{.id = {}, .answer = {}, .echo = run::legible(line)};
+  Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
   try {
     const StrictJson read = read_strict_json(line);
     if (!read.value.is_object()) return reply;
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
     if (read.duplicate_key)
-      reply.echo = "the key \"" + run::legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
+      reply.echo = "the key \"" + io::legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
       reply.answer = answer_in(read.value);
   } catch (const NotJson&) {

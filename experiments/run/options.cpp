@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "experiments/run/legible.h"
 #include "experiments/run/whole_number.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::run {
 namespace {
@@ -17,7 +17,7 @@ std::string check_utf8(const std::string& name) {
     (void)nlohmann::json(name).dump();
     return {};
   } catch (const nlohmann::json::exception&) {
-    return "the name of a file is not UTF-8: " + legible(name);
+    return "the name of a file is not UTF-8: " + io::legible(name);
   }
 }
 

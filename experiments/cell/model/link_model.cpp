@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/run/legible.h"
+#include "geometry/io/legible.h"
 #include "geometry/io/text_reader.h"
 
 namespace touchstone::cell {
@@ -62,7 +62,7 @@ class Reader {
     std::string name(lines_.take());
     if (name.empty()) lines_.broken(std::string("a name is expected after '") + word + "'");
     if (std::any_of(name.begin(), name.end(), is_control))
-      lines_.broken("the name '" + run::legible(name) + "' has a control character");
+      lines_.broken("the name '" + io::legible(name) + "' has a control character");
     line_is_done();
     return name;
   }
@@ -127,7 +127,7 @@ void append_loop(std::string& text, const std::vector<std::uint32_t>& loop) {
 const std::string& one_word(const std::string& name) {
   for (const char c : name)
     if (is_control(c) || c == ' ' || c == '#')
-      throw std::invalid_argument("the name \"" + run::legible(name) + "\" is not one word without '#'");
+      throw std::invalid_argument("the name \"" + io::legible(name) + "\" is not one word without '#'");
   if (name.empty()) throw std::invalid_argument("a name is empty");
   return name;
 }

@@ -1,15 +1,11 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/run/legible.h"
-
-#include <fmt/core.h>
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/io/legible.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace touchstone::run {
+namespace touchstone::io {
 namespace {
-
-constexpr std::size_t kMostShown = 200;
 
 std::uint32_t byte(char c) { return static_cast<unsigned char>(c); }
 
@@ -22,8 +18,14 @@ std::size_t length_of_character(std::uint32_t first) {
   return first < 0xf5 ? 4 : 0;
 }
 
-/// How many bytes the character has with which the text begins; 0 if that is a control character, a byte order mark or
-/// not UTF-8.
+/// Of Unicode's property Bidi_Control: they change the order in which the characters around them are shown.
+bool sets_direction(std::uint32_t code) {
+  return code == 0x61c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+/// How many bytes the character has with which the text begins; 0 if that is a control character, one that sets the
+/// direction, a byte order mark or not UTF-8.
 std::size_t length_of_printable(std::string_view text) {
   const std::uint32_t first = byte(text.front());
   const std::size_t length = length_of_character(first);
@@ -36,19 +38,21 @@ std::size_t length_of_printable(std::string_view text) {
   }
   constexpr std::uint32_t least[] = {0xa0, 0x800, 0x10000};  // of two, three and four bytes; controls lie below
   const bool is_surrogate = code >= 0xd800 && code < 0xe000, is_byte_order_mark = code == 0xfeff;
-  return code >= least[length - 2] && code <= 0x10ffff && !is_surrogate && !is_byte_order_mark ? length : 0;
+  const bool is_character = code >= least[length - 2] && code <= 0x10ffff && !is_surrogate;
+  return is_character && !is_byte_order_mark && !sets_direction(code) ? length : 0;
 }
 
 }  // namespace
 
-std::string legible(std::string_view bytes) {
+std::string legible(std::string_view bytes, std::size_t most) {
+  constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   std::size_t i = 0;
-  while (i < std::min(bytes.size(), kMostShown)) {
+  while (i < std::min(bytes.size(), most)) {
     const std::size_t length = length_of_printable(bytes.substr(i));
-    if (i + length > kMostShown) break;
+    if (i + length > most) break;
     if (length == 0)
-      text += fmt::format("\\x{:02x}", byte(bytes[i]));
+      text += {'\\', 'x', kDigits[byte(bytes[i]) / 16], kDigits[byte(bytes[i]) % 16]};
     else
       text += bytes.substr(i, length);
     i += std::max<std::size_t>(length, 1);
@@ -56,4 +60,4 @@ std::string legible(std::string_view bytes) {
   return i < bytes.size() ? text + "..." : text;
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::io
