@@ -5,8 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
+#include "experiments/judge/json_fault.h"
 
 namespace {
 
@@ -44,6 +47,12 @@ int main(int argc, char** argv) {
   touchstone::commands::add_thesis(app, status);
   try {
     CLI11_PARSE(app, argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("touchstone: out of memory\n", stderr);
+    return 2;
+  } catch (const nlohmann::json::exception& error) {
+    std::fprintf(stderr, "touchstone: %s\n", touchstone::judge::json_fault(error).c_str());
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "touchstone: %s\n", error.what());
     return 2;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <new>
 
 namespace touchstone::judge {
 namespace {
@@ -21,6 +22,8 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
       line.read = read_case(text);
     } catch (const NotJson& error) {
       line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
+    } catch (const std::bad_alloc&) {
+      line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
     }
     if (!take(std::move(line))) return false;
   }

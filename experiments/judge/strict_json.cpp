@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "experiments/judge/json_fault.h"
 #include "experiments/judge/overflows.h"
 
 namespace touchstone::judge {
@@ -55,9 +56,9 @@ StrictJson read_strict_json(std::string_view text) {
   try {
     return parse(text, {});
   } catch (const json::out_of_range& error) {
-    if (error.id != kNumberOverflow) throw NotJson(error.what());
+    if (error.id != kNumberOverflow) throw NotJson(json_fault(error, text));
   } catch (const json::exception& error) {
-    throw NotJson(error.what());
+    throw NotJson(json_fault(error, text));
   }
   // The library refuses a text with a number like 1e400 whole: read it again without them.
   std::string finite(text);
@@ -65,7 +66,7 @@ StrictJson read_strict_json(std::string_view text) {
   try {
     return parse(finite, overflows);
   } catch (const json::exception& error) {
-    throw NotJson(error.what());
+    throw NotJson(json_fault(error, text));
   }
 }
 

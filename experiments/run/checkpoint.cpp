@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
+#include "experiments/judge/json_fault.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::run {
@@ -41,8 +43,9 @@ bool Checkpoint::set_aside() const {
 nlohmann::json Checkpoint::parsed() const {
   std::ifstream file(path_, std::ios::binary);
   if (!file) return nullptr;
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
   try {
-    const auto whole = nlohmann::json::parse(file);
+    const auto whole = nlohmann::json::parse(text);
     if (whole.at("version") != nlohmann::json(settings_.at("version"))) refuse("is of another version of this program");
     std::string found, wanted;
     for (const auto& [name, value] : settings_.items()) {
@@ -53,7 +56,7 @@ nlohmann::json Checkpoint::parsed() const {
     if (!found.empty()) refuse("is of" + found + ", not of" + wanted);
     return whole;
   } catch (const nlohmann::json::exception& error) {
-    refuse(std::string("is no checkpoint of this program: ") + error.what());
+    refuse(error, text);
   }
 }
 
@@ -62,5 +65,9 @@ void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
+
+void Checkpoint::refuse(const nlohmann::json::exception& error, std::string_view text) const {
+  refuse("is no checkpoint of this program: " + judge::json_fault(error, text));
+}
 
 }  // namespace touchstone::run

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace touchstone::run {
@@ -31,7 +32,7 @@ class Checkpoint {
     try {
       return whole.get<State>();
     } catch (const nlohmann::json::exception& error) {
-      refuse(std::string("is no checkpoint of this program: ") + error.what());
+      refuse(error);
     }
   }
 
@@ -47,6 +48,8 @@ class Checkpoint {
  private:
   /// Throws std::runtime_error, which names the file and says why.
   [[noreturn]] void refuse(const std::string& why) const;
+  /// The same, of what is not the JSON of a checkpoint.
+  [[noreturn]] void refuse(const nlohmann::json::exception& error, std::string_view text = {}) const;
   /// Null where there is no file.
   [[nodiscard]] nlohmann::json parsed() const;
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -56,13 +57,15 @@ io::MeshSource load(const std::filesystem::path& file) {
 
 }  // namespace
 
-ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
+ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) try {
   const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too
   const Format& format = format_of(file);
   const io::MeshSource source = load(file);
   io::MeshBuilder builder(source, on_fault, format.first_vertex);
   builder.attempt_file([&] { format.read(source, builder); });
   return std::move(builder).finish();
+} catch (const std::bad_alloc&) {
+  throw BrokenMesh(file.string() + ": there is not enough memory to read it");
 }
 
 }  // namespace touchstone
