@@ -72,8 +72,8 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
     return std::nullopt;
   }
   if (const auto* rejection = std::get_if<Rejection>(&line.read->content)) {
-    const std::string name = line.read->id ? "case " + *line.read->id : line.place;
-    fmt::print(stderr, "touchstone: {}: rejected: {}: {}\n", name, word(rejection->code), rejection->message);
+    fmt::print(stderr, "touchstone: {}{}: rejected: {}: {}\n", line.place,
+               line.read->id ? ": case " + *line.read->id : "", word(rejection->code), rejection->message);
     return std::nullopt;
   }
   const std::string& id = *line.read->id;

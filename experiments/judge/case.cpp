@@ -6,6 +6,7 @@
 
 #include "experiments/judge/strict_json.h"
 #include "experiments/judge/verdict.h"
+#include "geometry/io/legible.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::judge {
@@ -35,7 +36,8 @@ class Reader {
     if (text_.ambiguous.contains("expected")) malformed("expected has, or is, a key that stands twice");
     if (const auto error = expected->find("error"); error != expected->end()) {
       if (expected->size() != 1) malformed("expected has other keys beside \"error\"");
-      if (!error->is_string() && *error != json(true)) malformed("expected.error is neither a code nor true");
+      if (*error != json(true) && !is_code(*error))
+        malformed("expected.error is neither a code nor true, but " + io::legible(error->dump()));
     } else {
       for (const auto& [key, value] : expected->items())
         if (!is_answer_key(key)) malformed("expected has the unknown key \"" + key + "\"");
@@ -74,6 +76,13 @@ class Reader {
  private:
   [[noreturn]] static void malformed(const std::string& message) {
     throw Rejected({RejectionCode::MalformedCase, message});
+  }
+
+  static bool is_code(const json& value) {
+    if (!value.is_string()) return false;
+    for (int code = 0; !word(RejectionCode(code)).empty(); ++code)
+      if (word(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
+    return false;
   }
 
   static bool is_finite(const json& value) {

@@ -35,7 +35,8 @@ void Proceedings::give_rejection(const Line& line) {
   for (const auto* method : order_.methods) give(method->name());
   if (!order_.engine.empty()) give(order_.engine);
   if (expected) return;
-  complain(fmt::format("{}: rejected: {}: {}", name(line), word(rejection.code), reason));
+  complain(fmt::format("{}{}: rejected: {}: {}", line.place, question.id ? ": " + name(line) : "", word(rejection.code),
+                       reason));
   worsen(InputRejected);
 }
 

@@ -98,6 +98,35 @@ TEST(Judge, GivesARejectedCaseItsVerdictAndGoesOn) {
   EXPECT_NE(result.verdicts.find(R"("relation":"touching")"), std::string::npos);
 }
 
+TEST(Judge, RefusesACaseThatExpectsACodeThatThereIsNot) {
+  for (const auto& [error, shown] : {std::pair{R"("zero-norm")", R"("zero-norm")"},
+                                     {R"("")", R"("")"},
+                                     {"7", "7"},
+                                     {"false", "false"},
+                                     {"null", "null"},
+                                     {R"(["zero-normal"])", R"(["zero-normal"])"}})
+    for (const char* polygon : {kCollinear, kTouching}) {
+      const std::string line = with(polygon, R"(,"expected":{"error":)" + std::string(error) + "}");
+      const Result result = run(with(kTouching, "") + "\n" + line + "\n" + with(kTouching, ""));
+      EXPECT_EQ(result.status, InputRejected) << line;
+      EXPECT_NE(result.complaints.find("cases.jsonl: line 2: case "), std::string::npos) << result.complaints;
+      EXPECT_NE(result.complaints.find(": rejected: malformed-case: expected.error is neither a code nor true, but " +
+                                       std::string(shown) + "\n"),
+                std::string::npos)
+          << result.complaints;
+      EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
+    }
+}
+
+TEST(Judge, TakesEveryCodeOfARejectionForOne) {
+  for (const auto code : {RejectionCode::MalformedCase, RejectionCode::NotFinite, RejectionCode::NegativeRadius,
+                          RejectionCode::TooFewVertices, RejectionCode::RepeatedVertex, RejectionCode::ZeroNormal,
+                          RejectionCode::LoopMeetsItself, RejectionCode::LoopsMeet, RejectionCode::HoleOutside}) {
+    const std::string expected = R"(,"expected":{"error":")" + std::string(word(code)) + R"("})";
+    EXPECT_EQ(run(with(kCollinear, expected)).status, code == RejectionCode::ZeroNormal ? AllMet : ExpectationNotMet);
+  }
+}
+
 TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   const Result result = run("\n" + with(kTouching, "") + "\nnonsense\n" + with(kTouching, ""));
   EXPECT_NE(result.complaints.find(".jsonl: line 3: not JSON: column 2: syntax error"), std::string::npos)
