@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
+#include "experiments/judge/json_fault.h"
 #include "experiments/judge/strict_json.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::regress {
 namespace {
@@ -44,40 +47,62 @@ void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes)
   }
 }
 
+/// Throws where an object has a key that is not known; `where` is empty, or names the object.
+void check_keys(const Json& object, const std::string& where, const std::vector<std::string>& known) {
+  for (const auto& [key, value] : object.items())
+    if (std::ranges::find(known, key) == known.end())
+      throw std::runtime_error(fmt::format("{}has the unknown key \"{}\"", where, io::legible(key)));
+}
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const auto family : workloads::all_families()) names.emplace_back(word(family));
+  return names;
+}
+
 /// Methods by name, each with the digits of every family, go into the standing.
 void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Standing& standing) {
   for (const auto& [method, families] : methods.items()) {
-    if (families.size() != workloads::all_families().size())
-      throw std::runtime_error(
-          fmt::format("{} has {} families, not {}", method, families.size(), workloads::all_families().size()));
-    for (const auto& family : workloads::all_families()) {
-      const auto name = std::string(word(family));
+    const std::string shown = io::legible(method);
+    if (!families.is_object()) throw std::runtime_error(shown + " is not an object");
+    check_keys(families, shown + " ", family_names());
+    for (const std::string& name : family_names()) {
+      if (!families.contains(name)) throw std::runtime_error(fmt::format("{} has no key \"{}\"", shown, name));
+      if (!families[name].is_string()) throw std::runtime_error(fmt::format("{} of {}: is not a string", name, shown));
       Outcomes& outcomes = standing[method][name];
       outcomes.resize(cases);
       try {
-        read_digits(families.at(name).get<std::string>(), outcome, outcomes);
-      } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format("{} of {}: {}", name, method, error.what()));
+        read_digits(families[name].get_ref<const std::string&>(), outcome, outcomes);
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{} of {}: {}", name, shown, error.what()));
       }
     }
   }
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  if (std::ifstream stream(file, std::ios::binary); stream && !std::filesystem::is_directory(file)) {
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (stream) return text;
+std::string text_of(const std::filesystem::path& file, std::size_t longest) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  std::vector<char> part(std::size_t{1} << 20);
+  while (stream && text.size() <= longest) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
   }
-  throw std::runtime_error("cannot be read");
+  if (text.size() > longest) throw std::runtime_error(fmt::format("is longer than {} MiB", longest >> 20));
+  if (!stream.eof() || stream.bad()) throw std::runtime_error("cannot be read");
+  return text;
 }
 
 Baseline baseline_of(const std::string& text) {
   const judge::StrictJson read = judge::read_strict_json(text);
-  if (read.duplicate_key) throw std::runtime_error(fmt::format("has the key \"{}\" twice", *read.duplicate_key));
+  if (read.duplicate_key)
+    throw std::runtime_error(fmt::format("has the key \"{}\" twice", io::legible(*read.duplicate_key)));
   const Json json = read.value;
+  if (!json.is_object()) throw std::runtime_error("is not an object");
   if (json.at("version") != kVersion)
     throw std::runtime_error(
-        fmt::format("is of version {}, this program's is {}", json.at("version").dump(), kVersion));
+        fmt::format("is of version {}, this program's is {}", io::legible(json.at("version").dump()), kVersion));
+  check_keys(json, "", {"version", "seed", "samples", "methods", "unsure"});
   for (const char* key : {"seed", "samples"})
     if (!json.at(key).is_number_unsigned())
       throw std::runtime_error(fmt::format("\"{}\" is no whole number without a sign", key));
@@ -89,9 +114,10 @@ Baseline baseline_of(const std::string& text) {
     throw std::runtime_error("\"methods\" has no method");
   read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.standing);
   if (json.contains("unsure")) {
+    if (!json.at("unsure").is_object()) throw std::runtime_error("\"unsure\" is not an object");
     for (const auto& [method, families] : json.at("unsure").items())
       if (baseline.standing.count(method) == 0)
-        throw std::runtime_error(fmt::format("\"unsure\" has {}, which \"methods\" has not", method));
+        throw std::runtime_error(fmt::format("\"unsure\" has {}, which \"methods\" has not", io::legible(method)));
     read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.standing);
   }
   return baseline;
@@ -114,10 +140,16 @@ std::string baseline_text(const Baseline& baseline) {
   return json.dump(1) + "\n";
 }
 
-Baseline read_baseline(const std::filesystem::path& file) {
+Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
   try {
-    return baseline_of(text_of(file));
-  } catch (const std::exception& error) {  // of ours, or of the JSON
+    return baseline_of(text_of(file, longest));
+  } catch (const judge::NotJson& error) {
+    throw std::runtime_error(file.string() + ": not JSON: " + error.what());
+  } catch (const nlohmann::json::exception& error) {  // a key that is not there
+    throw std::runtime_error(file.string() + ": " + judge::json_fault(error));
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(file.string() + ": there is not enough memory to read it");
+  } catch (const std::runtime_error& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }
 }

@@ -18,9 +18,13 @@ struct Baseline {
   Standing standing;
 };
 
+/// Longer than baseline_text of any settings and all methods.
+inline constexpr std::size_t kLongestBaseline = std::size_t{1} << 30;
+
 [[nodiscard]] std::string baseline_text(const Baseline& baseline);
-/// Throws std::runtime_error, which names the file and what is wrong with it.
-[[nodiscard]] Baseline read_baseline(const std::filesystem::path& file);
+/// Throws std::runtime_error, which names the file and what is wrong with it: it is longer than so many bytes,
+/// is not JSON, lacks a key or has one that is not known.
+[[nodiscard]] Baseline read_baseline(const std::filesystem::path& file, std::size_t longest = kLongestBaseline);
 
 /// Of one method and family, the numbers of the cases whose outcome is better or worse than in the baseline.
 struct Change {

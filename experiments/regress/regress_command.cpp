@@ -20,6 +20,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::commands {
@@ -30,6 +31,7 @@ using namespace regress;
 struct Options {
   std::string baseline, write, output;
   std::vector<std::string> methods{"all"};
+  bool allow_missing = false;
   Settings settings;
   unsigned threads = run::all_threads();
 };
@@ -40,6 +42,7 @@ std::string command_line(const Options& options) {
   line += options.baseline.empty()
               ? fmt::format(" --seed {} --samples {}", options.settings.seed, options.settings.samples)
               : " --baseline " + run::shell_quoted(options.baseline);
+  if (options.allow_missing) line += " --allow-missing";
   if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
   return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
 }
@@ -115,6 +118,20 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
   return worse;
 }
 
+/// Throws where nothing would be held against the baseline, or not a method that the command line names.
+void refuse_missing(const Options& options, const Baseline& baseline,
+                    const std::vector<const methods::Method*>& methods) {
+  const auto has = [&](std::string_view method) { return baseline.standing.count(std::string(method)) > 0; };
+  if (std::ranges::none_of(methods, [&](const methods::Method* method) { return has(method->name()); }))
+    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
+  if (options.allow_missing) return;
+  for (const methods::Method* method : methods)
+    if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
+      throw std::runtime_error(
+          fmt::format("{}: has no method {}, which --method names; --allow-missing goes on without it",
+                      options.baseline, method->name()));
+}
+
 int run(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   auto methods = methods::find_methods(options.methods);
@@ -125,10 +142,7 @@ int run(const Options& options) {
   });
   std::optional<Baseline> baseline;
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
-  if (baseline && std::ranges::none_of(methods, [&](const methods::Method* method) {
-        return baseline->standing.count(std::string(method->name())) > 0;
-      }))
-    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
+  if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
   if (!options.output.empty()) run::make_folder(options.output);
   if (!options.write.empty()) run::make_folder(std::filesystem::absolute(options.write).parent_path());
@@ -148,7 +162,7 @@ int run(const Options& options) {
   std::vector<Change> changed;
   if (baseline) {
     for (const auto& [method, families] : baseline->standing)
-      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", method);
+      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
     for (const auto& [method, families] : *standing)
       if (baseline->standing.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
     changed = changes(baseline->standing, *standing);
@@ -182,9 +196,13 @@ void add_regress(CLI::App& app, int& status) {
       "answer\n"
       "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
       "unsure,\n"
-      "or unsure where it was right.");
+      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names.");
   auto* baseline =
       command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+  command
+      ->add_flag("--allow-missing", options->allow_missing,
+                 "A method that --method names need not be in the baseline; it is then not held against anything")
+      ->needs(baseline);
   command->add_option("--write", options->write, "Write what was found as a baseline");
   run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);

@@ -89,7 +89,11 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
     }
     return "";
   };
-  EXPECT_NE(fault("nonsense").find(": "), std::string::npos);
+  EXPECT_EQ(fault("{\n\"version\" 1}"),
+            ": not JSON: line 2, column 11: syntax error while parsing object separator - unexpected number literal; "
+            "expected ':'");
+  EXPECT_EQ(fault("[]"), ": is not an object");
+  EXPECT_EQ(fault("{}"), ": key 'version' not found");
   EXPECT_EQ(fault(R"({"version":7,"seed":1,"samples":1,"methods":{}})"), ": is of version 7, this program's is 1");
   for (const char* methods : {"{}", "null", "[]", "7"})
     EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":1,"methods":%s})", methods)),
@@ -110,11 +114,23 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   other["methods"]["fast"]["star"] = "00";
   EXPECT_EQ(fault(other.dump()), ": star of fast: are not the digits of so many cases");
   other = sound;
+  other["methods"]["fast"]["star"] = 0;
+  EXPECT_EQ(fault(other.dump()), ": star of fast: is not a string");
+  other = sound;
   other["methods"]["fast"]["hexagon"] = "";
-  EXPECT_EQ(fault(other.dump()), ": fast has 11 families, not 10");
+  EXPECT_EQ(fault(other.dump()), ": fast has the unknown key \"hexagon\"");
   other = sound;
   other["methods"]["fast"].erase("star");
-  EXPECT_EQ(fault(other.dump()), ": fast has 9 families, not 10");
+  EXPECT_EQ(fault(other.dump()), ": fast has no key \"star\"");
+  other = sound;
+  other["methods"]["fast"] = 7;
+  EXPECT_EQ(fault(other.dump()), ": fast is not an object");
+  other = sound;
+  other["method"] = other["methods"];
+  EXPECT_EQ(fault(other.dump()), ": has the unknown key \"method\"");
+  other = sound;
+  other["unsure"] = nullptr;
+  EXPECT_EQ(fault(other.dump()), ": \"unsure\" is not an object");
   other = sound;
   other["unsure"]["slow"] = other["methods"]["fast"];
   EXPECT_EQ(fault(other.dump()), ": \"unsure\" has slow, which \"methods\" has not");
@@ -126,6 +142,15 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
     FAIL() << "a folder is no baseline";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), scratch.path.string() + ": cannot be read");
+  }
+}
+
+TEST(Baseline, IsReadUpToALength) {
+  try {
+    (void)read_baseline("/dev/zero", std::size_t{3} << 20);
+    FAIL() << "it has no end";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/dev/zero: is longer than 3 MiB");
   }
 }
 
@@ -163,6 +188,23 @@ TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
   const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", file, "--method", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
+}
+
+TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
+  const auto refused = run_tests::run_captured(commands::add_regress, "regress", named);
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing goes on without it");
+  std::vector<std::string> allowed = named;
+  allowed.emplace_back("--allow-missing");
+  for (const auto& arguments : {allowed, {"--baseline", file, "--method", "all", "--threads", "2"}}) {
+    const auto ran = run_tests::run_captured(commands::add_regress, "regress", arguments);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("fast: not in the baseline\n"), std::string::npos) << ran.out;
+  }
 }
 
 TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
