@@ -31,7 +31,7 @@ using namespace regress;
 struct Options {
   std::string baseline, write, output;
   std::vector<std::string> methods{"all"};
-  bool allow_missing = false;
+  bool allow_missing = false, force = false;
   Settings settings;
   unsigned threads = run::all_threads();
 };
@@ -44,6 +44,7 @@ std::string command_line(const Options& options) {
               : " --baseline " + run::shell_quoted(options.baseline);
   if (options.allow_missing) line += " --allow-missing";
   if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
+  if (options.force) line += " --force";
   return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
 }
 
@@ -145,7 +146,10 @@ int run(const Options& options) {
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
   if (!options.output.empty()) run::make_folder(options.output);
-  if (!options.write.empty()) run::make_folder(std::filesystem::absolute(options.write).parent_path());
+  if (!options.write.empty()) {
+    run::refuse_overwriting(options.write, options.force);
+    run::make_folder(std::filesystem::absolute(options.write).parent_path());
+  }
 
   const run::Interrupt interrupt;
   std::optional<Standing> standing;
@@ -196,14 +200,17 @@ void add_regress(CLI::App& app, int& status) {
       "answer\n"
       "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
       "unsure,\n"
-      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names.");
+      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if "
+      "--write\n"
+      "names a file that is there.");
   auto* baseline =
       command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
   command
       ->add_flag("--allow-missing", options->allow_missing,
                  "A method that --method names need not be in the baseline; it is then not held against anything")
       ->needs(baseline);
-  command->add_option("--write", options->write, "Write what was found as a baseline");
+  auto* write = command->add_option("--write", options->write, "Write what was found as a baseline");
+  command->add_flag("--force", options->force, "Write over a file that is there")->needs(write);
   run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")

@@ -14,6 +14,12 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
+void refuse_overwriting(const std::filesystem::path& path, bool force) {
+  std::error_code error;
+  if (!force && std::filesystem::exists(std::filesystem::symlink_status(path, error)))
+    throw std::runtime_error(path.string() + ": is there already; --force writes over it");
+}
+
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

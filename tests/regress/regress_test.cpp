@@ -207,6 +207,24 @@ TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   }
 }
 
+TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  const std::vector<std::string> arguments = {"--method", "fast", "--samples", "1", "--write", file};
+  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", arguments).status, 0);
+  const std::string written = run_tests::text_of(file);
+  run::write_file(file, "mine");
+  const auto refused = run_tests::run_captured(commands::add_regress, "regress", arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out, "");  // no time was spent
+  EXPECT_EQ(refused.err, file + ": is there already; --force writes over it");
+  EXPECT_EQ(run_tests::text_of(file), "mine");
+  std::vector<std::string> forced = arguments;
+  forced.emplace_back("--force");
+  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", forced).status, 0);
+  EXPECT_EQ(run_tests::text_of(file), written);
+}
+
 TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const run_tests::Scratch scratch;
   Baseline baseline{kSmall, standing_of({"thesis"})};
