@@ -7,9 +7,12 @@
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "experiments/commands.h"
 #include "experiments/judge/json_fault.h"
+#include "geometry/io/legible.h"
 
 namespace {
 
@@ -21,6 +24,17 @@ bool occupy_standard_streams() {
     if (!is_open && open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return false;
   }
   return true;
+}
+
+/// Prints CLI11's complaint, which may quote the command line, or the help that was asked for. Returns the exit status.
+int tell(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out, err;
+  const int status = app.exit(error, out, err);
+  std::fputs(out.str().c_str(), stdout);
+  std::istringstream lines(err.str());
+  for (std::string line; std::getline(lines, line);)
+    std::fprintf(stderr, "%s\n", touchstone::io::all_legible(line).c_str());
+  return status;
 }
 
 }  // namespace
@@ -46,7 +60,9 @@ int main(int argc, char** argv) {
   touchstone::commands::add_corpus(app, status);
   touchstone::commands::add_thesis(app, status);
   try {
-    CLI11_PARSE(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return tell(app, error);
   } catch (const std::bad_alloc&) {
     std::fputs("touchstone: out of memory\n", stderr);
     return 2;
@@ -54,7 +70,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "touchstone: %s\n", touchstone::judge::json_fault(error).c_str());
     return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "touchstone: %s\n", error.what());
+    std::fprintf(stderr, "touchstone: %s\n", touchstone::io::all_legible(error.what()).c_str());
     return 2;
   }
   return status;

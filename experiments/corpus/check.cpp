@@ -10,6 +10,7 @@
 
 #include "experiments/corpus/corpus_case.h"
 #include "experiments/corpus/rational_answer.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -83,7 +84,7 @@ Findings check_files(const std::vector<std::string>& files) {
         faults.push_back(std::string("not JSON: ") + error.what());
       }
       for (const std::string& fault : faults)
-        findings.faults.push_back(fmt::format("{}: line {}: case {}: {}", file, number, name, fault));
+        findings.faults.push_back(fmt::format("{}: line {}: case {}: {}", file, number, io::legible(name), fault));
     }
     if (findings.cases == before) findings.faults.push_back(file + ": holds no case");
   }

@@ -25,6 +25,7 @@
 #include "experiments/run/options.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -54,7 +55,7 @@ std::vector<std::string> corpus_files() {
 
 int check(const std::vector<std::string>& files) {
   const auto findings = corpus::check_files(files);
-  for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", fault);
+  for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
   fmt::print("{} cases in {} files, derived twice: {} faults\n", findings.cases, files.size(), findings.faults.size());
   return findings.faults.empty() ? 0 : 1;
 }
@@ -68,12 +69,13 @@ struct ShrinkOptions {
 std::optional<std::string> shrunk_line(const judge::Line& line, const methods::Method& method,
                                        const std::optional<std::string>& key, const std::atomic<bool>& stop) {
   if (!line.read) {
-    fmt::print(stderr, "touchstone: {}\n", line.complaint);
+    fmt::print(stderr, "touchstone: {}\n", io::all_legible(line.complaint));
     return std::nullopt;
   }
   if (const auto* rejection = std::get_if<Rejection>(&line.read->content)) {
-    fmt::print(stderr, "touchstone: {}{}: rejected: {}: {}\n", line.place,
-               line.read->id ? ": case " + *line.read->id : "", word(rejection->code), rejection->message);
+    fmt::print(stderr, "touchstone: {}{}: rejected: {}: {}\n", io::all_legible(line.place),
+               line.read->id ? ": case " + io::legible(*line.read->id) : "", word(rejection->code),
+               io::all_legible(rejection->message));
     return std::nullopt;
   }
   const std::string& id = *line.read->id;
@@ -91,7 +93,7 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
     return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
                            corpus::exact_answer(small_ball, small_polygon));
   } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "touchstone: case {}: {}\n", id, error.what());
+    fmt::print(stderr, "touchstone: case {}: {}\n", io::legible(id), error.what());
     return std::nullopt;
   }
 }
@@ -116,7 +118,7 @@ int shrink(const ShrinkOptions& options) {
     return !interrupt.requested();
   });
   if (lines == 0) {
-    fmt::print(stderr, "touchstone: {}: there is no case in it\n", options.file);
+    fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
   return interrupt.requested() ? run::kInterrupted : status;

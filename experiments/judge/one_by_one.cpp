@@ -9,6 +9,7 @@
 #include "experiments/judge/engine_trial.h"
 #include "experiments/judge/input_lines.h"
 #include "experiments/judge/proceedings.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::judge {
 namespace {
@@ -124,7 +125,8 @@ Status judge_one_by_one(const Order& order) {
     std::string reason, ended_before;
     const auto text = engine.ask(last->text, reason, ended_before);
     if (!ended_before.empty()) {
-      proceedings.complain(fmt::format("engine {}: {} before case {}", order.engine, ended_before, *last->read->id));
+      proceedings.complain(
+          fmt::format("engine {}: {} before case {}", order.engine, ended_before, io::legible(*last->read->id)));
       proceedings.worsen(ExpectationNotMet);
     }
     if (!text) {

@@ -9,15 +9,19 @@
 #include <system_error>
 
 #include "experiments/judge/interruption.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::judge {
 namespace {
 
-std::string name(const Line& line) { return line.read->id ? "case " + *line.read->id : line.place; }
+/// As complaints name a case.
+std::string name(const Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
 
 }  // namespace
 
-void Proceedings::complain(const std::string& sentence) { fmt::print(order_.complaints, "{}\n", sentence); }
+void Proceedings::complain(const std::string& sentence) {
+  fmt::print(order_.complaints, "{}\n", io::all_legible(sentence));
+}
 
 void Proceedings::worsen(Status status) { status_ = std::max(status_, status); }
 

@@ -21,6 +21,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
@@ -51,7 +52,8 @@ constexpr std::size_t kShown = 3;  // sentences a mesh
 void tell_left_out(const std::string& file, const ReadMesh& mesh) {
   for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
   if (mesh.parts_left_out > mesh.left_out.size())
-    fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", file, mesh.parts_left_out - mesh.left_out.size());
+    fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", io::all_legible(file),
+               mesh.parts_left_out - mesh.left_out.size());
 }
 
 /// Faces that are no polygons, and so were not merged.
@@ -62,7 +64,7 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
     fmt::print(stderr, "touchstone: left out: {}\n", io::sentence(file, mesh.places[face], reason));
   }
   if (rejected.size() > kShown)
-    fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", file, rejected.size() - kShown);
+    fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", io::all_legible(file), rejected.size() - kShown);
 }
 
 int run(const MergeOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "experiments/run/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::merging {
 namespace {
@@ -30,7 +31,7 @@ std::string counts_table(const std::vector<MeshResult>& results) {
   Counts sum;
   double seconds = 0;
   for (const MeshResult& result : results) {
-    text += counts_row(result.name, result.counts, result.merge_seconds);
+    text += counts_row(io::legible(result.name), result.counts, result.merge_seconds);
     sum += result.counts;
     seconds += result.merge_seconds;
   }
@@ -58,8 +59,9 @@ std::string costs_table(const std::vector<MeshResult>& results) {
     for (const Kind kind : kKinds) {
       const Measured& m = result.measured[static_cast<std::size_t>(kind)];
       text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10.0f}{:>10.0f}{:>11.0f}{:>10.0f}{:>12.2f}\n",
-                          kind == Kind::Faces ? result.name : "", word(kind), m.triangles, m.polygons, m.nanoseconds[0],
-                          m.nanoseconds[1], m.nanoseconds[2], static_cast<double>(m.memory) / 1024, 1e3 * m.seconds);
+                          kind == Kind::Faces ? io::legible(result.name) : "", word(kind), m.triangles, m.polygons,
+                          m.nanoseconds[0], m.nanoseconds[1], m.nanoseconds[2], static_cast<double>(m.memory) / 1024,
+                          1e3 * m.seconds);
     }
   for (const Kind kind : {Kind::Merged, Kind::Mixed}) {
     const auto query = [&](std::size_t i) {

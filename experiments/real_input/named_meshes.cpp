@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "geometry/io/legible.h"
+
 namespace touchstone::real_input {
 namespace {
 
@@ -44,7 +46,8 @@ NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fa
       for (std::size_t i = 0; i < mesh.left_out.size() && i < kShown; ++i)
         fmt::print(stderr, "touchstone: left out: {}\n", mesh.left_out[i]);
       if (mesh.parts_left_out > kShown)
-        fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", file, mesh.parts_left_out - kShown);
+        fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", io::all_legible(file),
+                   mesh.parts_left_out - kShown);
       result.parts_left_out += mesh.parts_left_out;
       result.read.push_back({std::move(names[k]), file, std::move(mesh)});
     } catch (const BrokenMesh& broken) {
@@ -60,7 +63,8 @@ std::string left_out_text(const NamedFiles& files) {
   for (const NamedFile& file : files.read) {
     for (const std::string& sentence : file.content.left_out) text += sentence + "\n";
     if (file.content.parts_left_out > file.content.left_out.size())
-      text += fmt::format("{}: {} more parts\n", file.file, file.content.parts_left_out - file.content.left_out.size());
+      text += fmt::format("{}: {} more parts\n", io::all_legible(file.file),
+                          file.content.parts_left_out - file.content.left_out.size());
   }
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include "experiments/real_input/output.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::real_input {
 namespace {
@@ -117,7 +118,7 @@ std::string by_mesh(const Settings& settings, const std::vector<NamedMesh>& mesh
       never.append(never.empty() ? "" : ", ").append(settings.methods[method]->name());
   }
   std::size_t name_width = 4;
-  for (const NamedMesh& mesh : meshes) name_width = std::max(name_width, mesh.name.size());
+  for (const NamedMesh& mesh : meshes) name_width = std::max(name_width, io::legible(mesh.name).size());
 
   std::string text = "Wrong final answers (contact or none), in % of the queries\n";
   if (!never.empty())
@@ -130,7 +131,7 @@ std::string by_mesh(const Settings& settings, const std::vector<NamedMesh>& mesh
     const Columns columns(settings, {shown.data() + first, shown.data() + last}, name_width);
     text += "\n" + columns.head();
     for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
-      text += columns.row(meshes[mesh].name, result.meshes[mesh]);
+      text += columns.row(io::legible(meshes[mesh].name), result.meshes[mesh]);
     if (!meshes.empty()) text += columns.row("all", sum);
   }
   return text;
@@ -168,8 +169,8 @@ std::string left_out(const std::vector<NamedMesh>& meshes, const Result& result)
   text += fmt::format("\n{} of {} faces are bad: the contract rejects them, no method was asked{}\n", sum.rejected,
                       sum.faces, by_code.empty() ? "" : ":");
   for (const auto& [code, faces] : by_code)
-    text += fmt::format("  {:<18} {:>6}  first {} face {}: {}\n", word(code), faces.size(), meshes[faces[0]->mesh].name,
-                        faces[0]->face, faces[0]->rejection.message);
+    text += fmt::format("  {:<18} {:>6}  first {} face {}: {}\n", word(code), faces.size(),
+                        io::legible(meshes[faces[0]->mesh].name), faces[0]->face, faces[0]->rejection.message);
   for (std::size_t place = 0; place < kPlaces.size(); ++place)
     if (sum.missing[place] > 0)
       text += fmt::format("{} faces have no ball near \"{}\": none drawn had it nearest\n", sum.missing[place],

@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <exception>
 
+#include "geometry/io/legible.h"
+
 namespace touchstone::run {
 namespace {
 
@@ -34,7 +36,8 @@ Processes all_processes() {
 }
 
 [[noreturn]] void end_all(const Processes& processes, const char* message) {
-  fmt::print(stderr, "touchstone: process {} of {}: {}\n", processes.number(), processes.count(), message);
+  fmt::print(stderr, "touchstone: process {} of {}: {}\n", processes.number(), processes.count(),
+             io::all_legible(message));
   std::fflush(stdout);
   std::fflush(stderr);
   constexpr int kFailed = 2;

@@ -12,6 +12,7 @@
 #include "experiments/judge/strict_json.h"
 #include "experiments/workloads/finite.h"
 #include "experiments/workloads/random.h"
+#include "geometry/io/legible.h"
 #include "geometry/io/text_number.h"
 
 namespace touchstone::scenes {
@@ -64,7 +65,7 @@ NamedBall from_text(std::string_view text, std::string id) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
     const std::string_view field = text.substr(begin, end - begin);
     const auto value = io::nearest_double(field);
-    if (!value) throw Fault{fmt::format("'{}' is not a number", field.substr(0, 40))};
+    if (!value) throw Fault{fmt::format("'{}' is not a number", io::legible(field, 40))};
     if (count < 4) numbers[count] = *value;
     ++count;
     begin = end;

@@ -27,6 +27,7 @@
 #include "experiments/scenes/ask.h"
 #include "experiments/scenes/output.h"
 #include "experiments/scenes/unit.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -106,7 +107,7 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
         throw std::range_error(file.file + ": " + error.what());
       }
     }
-    const std::string name = file.file;
+    const std::string name = io::all_legible(file.file);
     loaded.objects.push_back(object_of(std::move(file)));
     Object& object = loaded.objects.back();
     const char* what = options.skip_bad ? "left out: " : "";

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/io/legible.h"
 #include "geometry/io/mesh_source.h"
 
 namespace touchstone::io {
@@ -75,7 +76,7 @@ class MeshBuilder {
   /// The mesh, each face with the numbers that its vertices have there.
   [[nodiscard]] ReadMesh finish() && {
     if (number_in_mesh_.size() >= kLeftOut)
-      throw BrokenMesh(source_.name + ": more vertices than 32-bit numbers can count");
+      throw BrokenMesh(all_legible(source_.name) + ": more vertices than 32-bit numbers can count");
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
       if (attempt([&] { renumber(places_[i], mesh_.faces[i]); })) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "geometry/io/legible.h"
+
 /// How files are read.
 namespace touchstone::io {
 
@@ -17,8 +19,8 @@ struct Place {
 
 /// `arm.stl: line 12: reason`.
 [[nodiscard]] inline std::string sentence(const std::string& file, Place place, const std::string& reason) {
-  return file + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) + ": " +
-         reason;
+  return all_legible(file) + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) +
+         ": " + reason;
 }
 
 }  // namespace touchstone::io

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "geometry/floating_point_state.h"
+#include "geometry/io/legible.h"
 #include "geometry/io/mesh_builder.h"
 #include "geometry/io/mesh_formats.h"
 #include "geometry/io/mesh_source.h"
@@ -39,19 +40,20 @@ const Format& format_of(const std::filesystem::path& file) {
   const auto* const format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == extension; });
   if (format == kFormats.end())
-    throw BrokenMesh(file.string() + ": the extension '" + extension + "' is none of .obj, .off, .stl and .ply");
+    throw BrokenMesh(io::all_legible(file.string()) + ": the extension '" + io::legible(extension) +
+                     "' is none of .obj, .off, .stl and .ply");
   return *format;
 }
 
 io::MeshSource load(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw BrokenMesh(file.string() + ": cannot be opened: " + error.message());
+  if (error) throw BrokenMesh(io::all_legible(file.string()) + ": cannot be opened: " + error.message());
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw BrokenMesh(file.string() + ": cannot be opened");
+  if (!stream) throw BrokenMesh(io::all_legible(file.string()) + ": cannot be opened");
   io::MeshSource source{file.string(), std::string(static_cast<std::size_t>(size), '\0')};
   if (!stream.read(source.bytes.data(), static_cast<std::streamsize>(size)))
-    throw BrokenMesh(file.string() + ": cannot be read to its end");
+    throw BrokenMesh(io::all_legible(file.string()) + ": cannot be read to its end");
   return source;
 }
 
@@ -65,7 +67,7 @@ ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) try {
   builder.attempt_file([&] { format.read(source, builder); });
   return std::move(builder).finish();
 } catch (const std::bad_alloc&) {
-  throw BrokenMesh(file.string() + ": there is not enough memory to read it");
+  throw BrokenMesh(io::all_legible(file.string()) + ": there is not enough memory to read it");
 }
 
 }  // namespace touchstone

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/io/byte_reader.h"
+#include "geometry/io/legible.h"
 #include "geometry/io/mesh_formats.h"
 #include "geometry/io/text_reader.h"
 
@@ -188,7 +189,7 @@ class TextValues {
 
   void begin_element(const Element& element, std::int64_t index) {
     if (!lines_.next_line())
-      lines_.truncated(element.name + " " + std::to_string(index) + " of " + std::to_string(element.count) +
+      lines_.truncated(legible(element.name) + " " + std::to_string(index) + " of " + std::to_string(element.count) +
                        " is missing");
   }
   void end_element() {
@@ -220,7 +221,7 @@ class BinaryValues {
 
   void begin_element(const Element& element, std::int64_t index) {
     if (bytes_.bytes_left() == 0)
-      source_.lost(place(), "the file is truncated: " + element.name + " " + std::to_string(index) + " of " +
+      source_.lost(place(), "the file is truncated: " + legible(element.name) + " " + std::to_string(index) + " of " +
                                 std::to_string(element.count) + " is missing");
   }
   void end_element() {}

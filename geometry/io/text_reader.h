@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/io/legible.h"
 #include "geometry/io/mesh_source.h"
 #include "geometry/io/text_number.h"
 
@@ -130,7 +131,7 @@ class TextReader {
 
   static std::string quoted(std::string_view field) {
     constexpr std::size_t kLongest = 40;
-    return "'" + std::string(field.substr(0, kLongest)) + (field.size() > kLongest ? "...'" : "'");
+    return "'" + legible(field, kLongest) + "'";
   }
 
  private:

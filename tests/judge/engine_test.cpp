@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/io/legible.h"
 #include "tests/judge/run_judge.h"
 
 namespace touchstone::judge_tests {
@@ -107,8 +108,9 @@ TEST(JudgeEngine, LosesNoOtherVerdictWithTheOneThatItSkips) {
   const std::string command = "exec " + with(kMoody, "if id=='t0': continue");
   const Result result = run(numbered(220), engine(command));
   EXPECT_EQ(answered_and_not(result.verdicts), std::pair(others, "t0 "s));
-  EXPECT_EQ(result.complaints, "case t0: method " + command + ": no verdict\n" + "case t0: method " + command +
-                                   ": relation: expected \"touching\", not given\n" + "engine " + command +
+  const std::string shown = io::all_legible(command);  // on one line
+  EXPECT_EQ(result.complaints, "case t0: method " + shown + ": no verdict\n" + "case t0: method " + shown +
+                                   ": relation: expected \"touching\", not given\n" + "engine " + shown +
                                    ": 1 case(s) without a verdict\n");
 }
 

@@ -127,6 +127,16 @@ TEST(Judge, TakesEveryCodeOfARejectionForOne) {
   }
 }
 
+// A line of its own could be taken for another complaint.
+TEST(Judge, ComplainsOnOneLineWhateverTheIdIs) {
+  std::string line = with(kTouching, R"(,"expected":{"relation":"separate"})");
+  line.replace(line.find("\"t\""), 3, R"("\u001b[31m\u0000\ncase b")");
+  const Result result = run(line);
+  EXPECT_EQ(result.complaints,
+            R"(case \x1b[31m\x00\x0acase b: method exact: relation: expected "separate", found "touching")"
+            "\n");
+}
+
 TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   const Result result = run("\n" + with(kTouching, "") + "\nnonsense\n" + with(kTouching, ""));
   EXPECT_NE(result.complaints.find(".jsonl: line 3: not JSON: column 2: syntax error"), std::string::npos)

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "geometry/io/legible.h"
 #include "tests/judge/run_judge.h"
 
 namespace touchstone::judge_tests {
@@ -31,8 +32,7 @@ TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItCrashesOn) {
     EXPECT_NE(result.complaints.find("case t1: method exec"), std::string::npos) << result.complaints;
     EXPECT_NE(result.complaints.find(said), std::string::npos) << result.complaints;
     EXPECT_NE(result.complaints.find("relation: expected \"touching\", not given"), std::string::npos);
-    EXPECT_EQ(std::count(result.complaints.begin(), result.complaints.end(), '\n'), 10)
-        << result.complaints;  // both have kMoody, which has 4
+    EXPECT_EQ(std::count(result.complaints.begin(), result.complaints.end(), '\n'), 2) << result.complaints;
     EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4) << result.verdicts;
   }
 }
@@ -117,7 +117,7 @@ TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindACaseForWhichItPrintsMoreThan
       " os.write(1,(json.dumps({'id':id,'relation':'touching'})+chr(10)+('more'+chr(10))*(id=='t0')).encode())\"";
   const Result result = run(numbered(3), within("exec " + twice));
   EXPECT_EQ(result.status, ExpectationNotMet);
-  EXPECT_EQ(result.complaints, "case t0: method exec " + twice + ": printed more than a line\n");
+  EXPECT_EQ(result.complaints, "case t0: method exec " + io::all_legible(twice) + ": printed more than a line\n");
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
   EXPECT_EQ(starts_in(starts), 2U);
 }
