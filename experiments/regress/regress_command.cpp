@@ -147,7 +147,7 @@ int run(const Options& options) {
   const Settings settings = baseline ? baseline->settings : options.settings;
   if (!options.output.empty()) run::make_folder(options.output);
   if (!options.write.empty()) {
-    run::refuse_overwriting(options.write, options.force);
+    run::refuse_overwrite(options.write, options.force);
     run::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 

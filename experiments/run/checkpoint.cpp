@@ -19,23 +19,17 @@ std::string option(const std::string& name, const nlohmann::ordered_json& value)
   return " --" + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-std::filesystem::path with_suffix(std::filesystem::path path, const char* suffix) { return path += suffix; }
-
 }  // namespace
 
 void Checkpoint::write(const nlohmann::ordered_json& state) const {
   nlohmann::ordered_json whole = settings_;
   whole.update(state);
-  const auto beside = with_suffix(path_, ".new");
-  write_file(beside, whole.dump() + "\n");
-  std::error_code error;
-  std::filesystem::rename(beside, path_, error);
-  if (error) refuse("cannot be written: " + error.message());
+  write_file(path_, whole.dump() + "\n");
 }
 
 bool Checkpoint::set_aside() const {
   std::error_code error;
-  std::filesystem::rename(path_, with_suffix(path_, ".previous"), error);
+  std::filesystem::rename(path_, path_.string() + ".previous", error);
   if (error && error != std::errc::no_such_file_or_directory) refuse("cannot be set aside: " + error.message());
   return !error;
 }

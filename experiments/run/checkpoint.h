@@ -11,7 +11,7 @@
 
 namespace touchstone::run {
 
-/// What has been done of a long run, in a file that always holds one whole state: it is written beside and renamed.
+/// What has been done of a long run, in a file that always holds one whole state.
 class Checkpoint {
  public:
   /// `settings`: an object of all that the results depend on, by the names of the options (without dashes), and

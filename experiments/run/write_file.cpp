@@ -1,23 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/run/write_file.h"
 
-#include <fstream>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace touchstone::run {
+namespace {
+
+/// A file that vanishes unless it takes its final name.
+class NewFile {
+ public:
+  explicit NewFile(const std::filesystem::path& final_name)
+      // The number keeps two processes that write the same file from writing into each other's.
+      : final_name_(final_name), name_(final_name.string() + fmt::format(".new-{}", ::getpid())) {
+    ::unlink(name_.c_str());  // of a killed process that had this number
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) cannot_write();
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!kept_) ::unlink(name_.c_str());
+  }
+
+  void write(const std::string& text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t some = ::write(descriptor_, text.data() + done, text.size() - done);
+      if (some < 0 && errno != EINTR) cannot_write();
+      if (some > 0) done += static_cast<std::size_t>(some);
+    }
+  }
+  void take_name() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    // Some file systems tell only now that there is no space.
+    if (::close(descriptor) != 0 || std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
+    kept_ = true;
+  }
+
+ private:
+  [[noreturn]] void cannot_write() const {
+    throw std::runtime_error(final_name_.string() + ": cannot be written: " + std::generic_category().message(errno));
+  }
+
+  const std::filesystem::path& final_name_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool kept_ = false;
+};
+
+}  // namespace
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+  // Replacing a link harms nothing; replacing /dev/null would.
+  std::error_code error;
+  if (std::filesystem::is_other(std::filesystem::symlink_status(path, error)))
+    throw std::runtime_error(path.string() + ": cannot be written: it is no regular file");
+  NewFile file(path);
+  file.write(text);
+  file.take_name();
 }
 
-void refuse_overwriting(const std::filesystem::path& path, bool force) {
+void refuse_overwrite(const std::filesystem::path& file, bool force) {
   std::error_code error;
-  if (!force && std::filesystem::exists(std::filesystem::symlink_status(path, error)))
-    throw std::runtime_error(path.string() + ": is there already; --force writes over it");
+  const auto type = std::filesystem::symlink_status(file, error).type();
+  // What cannot be looked at cannot be written either, and writing it says why.
+  if (type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::none) return;
+  if (type != std::filesystem::file_type::regular)
+    throw std::runtime_error(file.string() + ": is there already, and is no regular file");
+  if (!force) throw std::runtime_error(file.string() + ": is there already; --force writes over it");
 }
 
 std::string csv_field(const std::string& text) {

@@ -6,12 +6,18 @@
 
 namespace touchstone::run {
 
-/// Writes the text, byte for byte. Throws std::runtime_error, which names the file, where it cannot be written.
+/// Writes the text, byte for byte: to a new file beside, which then takes the name. Readers thus find the earlier file
+/// or the whole new one, and a symbolic link of that name is replaced, not followed.
+///
+/// Throws std::runtime_error, which names the file and says why, where it cannot be written; an earlier file then stays
+/// as it was.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Throws std::runtime_error, which names the file, if something stands at `path` and `force` is not given. To be
-/// called before time is spent; write_file then writes over it.
-void refuse_overwriting(const std::filesystem::path& path, bool force);
+/// For a command that writes one file, before it spends time on what is to be written.
+///
+/// Throws std::runtime_error, which names the file, if something of that name is there already: anything without
+/// `force`; with it, what is no regular file (a folder, a device, a symbolic link).
+void refuse_overwrite(const std::filesystem::path& file, bool force);
 
 /// As a field of a CSV file: quoted where that is needed.
 [[nodiscard]] std::string csv_field(const std::string& text);
