@@ -64,6 +64,12 @@ TEST(NearestDouble, RoundsToSubnormalsOnce) {
   EXPECT_EQ(nearest_double(3 * power_of_two(59) - 1, power_of_two(59 + 1075)), kLeast);
 }
 
+TEST(NearestDouble, IsPositiveZeroWhereItRoundsToZero) {
+  for (const mpz_class& numerator : {mpz_class(0), mpz_class(1), mpz_class(-1)})
+    EXPECT_FALSE(std::signbit(nearest_double(numerator, power_of_two(1076)))) << numerator;
+  EXPECT_EQ(nearest_double(-3, power_of_two(1075)), -2 * kLeast);
+}
+
 TEST(NearestDouble, RoundsToInfinityFromHalfAStepBeyondTheLargest) {
   const mpz_class half_step = power_of_two(970), beyond = power_of_two(1024) - half_step;
   EXPECT_EQ(nearest_double(beyond - 1, 1), kMax);
