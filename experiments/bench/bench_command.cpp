@@ -17,6 +17,7 @@
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -34,7 +35,7 @@ struct Options {
   unsigned repetitions = 11;
   std::string json = "results/bench/bench.json";
   std::string count;
-  bool scene = false;
+  bool scene = false, force = false;
   SceneOptions scenes;
 };
 
@@ -65,13 +66,9 @@ std::string command_line(const Options& options) {
                      run::shell_quoted(options.json));
 }
 
-/// Refuses what cannot be written to before minutes are spent.
-std::filesystem::path make_folder_of(const std::string& file) {
-  std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (folder.empty()) folder = ".";
-  run::make_folder(folder);
-  if (std::filesystem::is_directory(file)) throw std::runtime_error(file + ": is a folder");
-  return folder;
+std::filesystem::path folder_of(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  return folder.empty() ? "." : folder;
 }
 
 /// Draws, measures and prints one contest after the other.
@@ -126,7 +123,11 @@ void write(const std::filesystem::path& folder, const Options& options, const st
 
 int measure_all(const Options& options) {
   const auto families = select_families(options.families);
-  const auto folder = make_folder_of(options.json);
+  const std::filesystem::path folder = folder_of(options.json);
+  // Two files of its own, in a folder that may hold others.
+  const run::OutputFolder held(folder, command_line(options), {.force = true});
+  for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
+    run::refuse_overwrite(file, options.force);
   const run::Interrupt interrupt;
   const auto& stop = interrupt.requested();
   const auto begin = std::chrono::steady_clock::now();
@@ -179,6 +180,7 @@ int count(const Options& options) {
 
 int scenes(const Options& options) {
   SceneOptions scenes = options.scenes;
+  scenes.force = options.force;
   scenes.settings.samples = options.settings.samples;
   scenes.settings.seed = options.settings.seed;
   scenes.settings.repetitions = options.repetitions;
@@ -234,6 +236,7 @@ void add_bench(CLI::App& app, int& status) {
   command->add_option("--count", options->count,
                       "Time nothing: have this contestant of one family asked all queries, for a profiler");
   add_scene_options(*command, *options);
+  run::add_force(*command, options->force);
   command->callback([options, &status] {
     status = run::run_alone([&] {
       if (options->scene) return scenes(*options);

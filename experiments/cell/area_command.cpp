@@ -16,6 +16,7 @@
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -30,7 +31,7 @@ struct AreaOptions {
   std::vector<std::string> changes;
   double angle_step = 5, length_step = 25, overhang = 8;
   unsigned threads = run::all_threads();
-  bool no_pictures = false;
+  bool force = false, no_pictures = false;
 };
 
 std::string command_line(const AreaOptions& options) {
@@ -70,7 +71,7 @@ std::string table_of(const std::vector<Tried>& tried) {
 int run(const AreaOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const auto parts = build_model(cell);
@@ -142,6 +143,7 @@ void add_area(CLI::App& cell, int& status) {
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }

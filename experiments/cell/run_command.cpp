@@ -15,16 +15,17 @@
 #include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
 #include "experiments/methods/method.h"
+#include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
 
 namespace touchstone::cell {
 namespace {
 
 struct RunCommandOptions : RunOptions {
   std::string output;
-  bool every_face = false;
+  bool every_face = false, force = false;
 };
 
 std::string command_line(const RunCommandOptions& options) {
@@ -53,7 +54,9 @@ class Stopwatch {
 int run(const RunCommandOptions& options) {
   Stopwatch watch;
   const auto methods = methods::find_methods(options.methods);
-  if (!options.output.empty()) run::make_folder(options.output);
+  std::optional<run::OutputFolder> folder;
+  if (!options.output.empty())
+    folder.emplace(options.output, command_line(options), run::Existing{.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const Workcell workcell(cell, build_model(cell), options.overhang);
@@ -86,6 +89,7 @@ void add_run(CLI::App& cell, int& status) {
   command->add_flag("--every-face", options->every_face,
                     "Ask about faces out of reach too, as without boxes (slow methods excepted)");
   command->add_option("--output", options->output, "A folder for moves, trajectory, methods and disagreements");
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

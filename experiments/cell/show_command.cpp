@@ -14,6 +14,8 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/show_output.h"
+#include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -24,6 +26,7 @@ namespace {
 
 struct ShowOptions {
   std::string file, meshes, output;
+  bool force = false;
 };
 
 std::string command_line(const ShowOptions& options) {
@@ -35,7 +38,11 @@ std::string command_line(const ShowOptions& options) {
 int run(const ShowOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  if (!options.output.empty()) run::make_folder(folder / "models");
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty()) {
+    held.emplace(folder, command_line(options), run::Existing{.force = options.force});
+    run::make_folder(folder / "models");
+  }
   const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
   std::vector<ModelPart> parts;
   {
@@ -68,6 +75,7 @@ void add_show(CLI::App& cell, int& status) {
   command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
   command->add_option("--output", options->output,
                       "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -23,6 +23,7 @@
 #include "experiments/judge/input_lines.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
 #include "geometry/io/legible.h"
@@ -35,11 +36,13 @@ std::filesystem::path corpus_folder() { return run::source_folder() / "tests/cor
 struct MakeOptions {
   std::string folder = corpus_folder().string();
   unsigned threads = run::all_threads();
+  bool force = false;
 };
 
 int make(const MakeOptions& options) {
+  const run::OutputFolder held(options.folder, "touchstone corpus make " + run::shell_quoted(options.folder),
+                               {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
-  run::make_folder(options.folder);
   for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
   fmt::print("{} files in {}\n", files.size(), options.folder);
   return 0;
@@ -134,6 +137,7 @@ void add_corpus(CLI::App& app, int& status) {
   auto make_options = std::make_shared<MakeOptions>();
   making->add_option("FOLDER", make_options->folder, "Where to")->capture_default_str();
   run::add_threads(*making, make_options->threads, "They do not change the files");
+  run::add_force(*making, make_options->force);
   making->callback([make_options, &status] { status = make(*make_options); });
 
   auto* checking = command->add_subcommand("check", "Derive every answer anew, with two exact number types");

@@ -14,8 +14,8 @@ namespace {
 constexpr const char* kPage = R"(# The corpus
 
 Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must give.
-`touchstone corpus make` writes all of this folder's `.jsonl` files, `corpus.json` (version and counts) and this page,
-the same bytes again; `touchstone corpus check` derives every answer anew, by `exact` and by a program of its own over
+`touchstone corpus make --force` writes all of this folder's `.jsonl` files, `corpus.json` (version and counts) and this
+page, the same bytes again; `touchstone corpus check` derives every answer anew, by `exact` and by a program of its own over
 GMP's rationals, which shares no arithmetic, rounding or sweep with it.
 
 {table}

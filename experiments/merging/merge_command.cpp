@@ -15,12 +15,12 @@
 #include "experiments/real_input/named_meshes.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/real_number.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 #include "geometry/io/legible.h"
 #include "geometry/io/read_mesh.h"
 
@@ -32,7 +32,7 @@ using namespace merging;
 struct MergeOptions {
   std::vector<std::string> files;
   Settings settings;
-  bool skip_bad = false;
+  bool skip_bad = false, force = false;
   std::string output = "results/merge";
 };
 
@@ -70,7 +70,7 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
 int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const run::Interrupt interrupt;
   std::vector<MeshResult> results;
@@ -147,6 +147,7 @@ void add_merge(CLI::App& app, int& status) {
   run::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
   command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
   command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -5,17 +5,18 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "experiments/commands.h"
 #include "experiments/near_edge/output.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 
 namespace touchstone::commands {
 namespace {
@@ -31,7 +32,7 @@ struct Options {
   Shape shape;
   std::string truth = "exact";
   std::uint64_t search = 100;  // about 20 s
-  bool resume = false;
+  bool force = false, resume = false;
   std::string output = "results/near-edge";
   bool no_pictures = false;
 };
@@ -105,7 +106,8 @@ class Run {
 
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
-    if (processes_.first()) run::make_folder(folder_);
+    if (processes_.first())
+      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
     const std::uint64_t before = sample();
     const double seconds_of_samples = seconds_since(begin);
     if (processes_.first()) {
@@ -204,13 +206,14 @@ class Run {
                  options_.output, result_.samples, settings_.samples);
       return run::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("near_edge", folder_);
+    if (!options_.no_pictures) run::draw_pictures("near_edge", *held_);
     return differing > 0 ? 1 : 0;
   }
 
   const Options& options_;
   const run::Processes& processes_;
   std::filesystem::path folder_;
+  std::optional<run::OutputFolder> held_;  // by the first process
   Settings settings_;
   run::Interrupt interrupt_;
   Result result_;
@@ -254,6 +257,7 @@ void add_near_edge(CLI::App& app, int& status) {
       ->capture_default_str();
   run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
     status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });

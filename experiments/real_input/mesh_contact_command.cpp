@@ -12,6 +12,7 @@
 #include "experiments/real_input/output.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -27,7 +28,7 @@ struct Options {
   std::vector<std::string> files;
   std::vector<std::string> methods{"all"};
   Settings settings{.threads = run::all_threads()};
-  bool skip_bad = false;
+  bool skip_bad = false, force = false;
   std::string output = "results/mesh-contact";
 };
 
@@ -61,7 +62,7 @@ int run(Options& options) {
   Settings& settings = options.settings;
   settings.methods = methods::find_methods(options.methods);
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Meshes meshes = read(options);
   constexpr int kBadInput = 2, kInterrupted = 130;
@@ -118,6 +119,7 @@ void add_mesh_contact(CLI::App& app, int& status) {
                     "Leave out what is wrong in a file, and say what; rejected faces are no error then");
   command->add_option("--output", options->output, "The folder for the tables and the failing cases")
       ->capture_default_str();
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -15,6 +15,7 @@
 #include "experiments/regress/baseline.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -145,7 +146,9 @@ int run(const Options& options) {
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
-  if (!options.output.empty()) run::make_folder(options.output);
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty())
+    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
   if (!options.write.empty()) {
     run::refuse_overwrite(options.write, options.force);
     run::make_folder(std::filesystem::absolute(options.write).parent_path());
@@ -210,7 +213,6 @@ void add_regress(CLI::App& app, int& status) {
                  "A method that --method names need not be in the baseline; it is then not held against anything")
       ->needs(baseline);
   auto* write = command->add_option("--write", options->write, "Write what was found as a baseline");
-  command->add_flag("--force", options->force, "Write over a file that is there")->needs(write);
   run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
@@ -221,6 +223,7 @@ void add_regress(CLI::App& app, int& status) {
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
                       "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -14,6 +14,7 @@ import studies
 from chapters import bench, cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
 from chapters.opening import glance, never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, rounded, words
+from replacing import replacing
 from results import DataError, study_in
 
 CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "engines": engines, "soak": soak,
@@ -182,7 +183,8 @@ def main():
         text = page(results)
     except DataError as error:
         sys.exit(f"report.py: {error}")
-    (results / "report.html").write_text(text, encoding="utf-8")
+    with replacing(results / "report.html") as file:
+        file.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

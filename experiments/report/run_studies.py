@@ -8,12 +8,14 @@ the same program with the same arguments is not done again; what was stopped or 
 import fcntl
 import hashlib
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import time
 
+from replacing import replacing
 from studies import MESHES, OUTPUT, STUDIES, shown
 
 MARK = "reproduce.json"  # in a study's folder: how it was begun, by which program, and whether it has come to its end
@@ -51,9 +53,16 @@ class Folder:
     def done(self, mode):
         return self.begun(mode) and self.mark["done"] and (self.path / "run.json").exists()
 
+    def foreign(self):
+        """Not made here: nothing may be removed or written over."""
+        return not self.mark and self.path.exists() and any(self.path.iterdir())
+
+    def resumes(self, mode):
+        return self.study.resumes and self.begun(mode) and (self.path / "checkpoint.json").exists()
+
     def begin(self, mode):
         """Nothing of another run is left among the results."""
-        if self.mark and not (self.begun(mode) and self.study.resumes):
+        if self.mark and not self.resumes(mode):
             shutil.rmtree(self.path)
         self.path.mkdir(parents=True, exist_ok=True)
         self.write(self.settings(mode) | {"done": False})
@@ -63,9 +72,8 @@ class Folder:
 
     def write(self, mark):
         self.mark = mark
-        scratch = self.path / f"{MARK}.new"
-        scratch.write_text(json.dumps(mark, indent=1) + "\n", encoding="utf-8")
-        scratch.replace(self.path / MARK)
+        with replacing(self.path / MARK) as file:
+            file.write_text(json.dumps(mark, indent=1) + "\n", encoding="utf-8")
 
 
 def status_of(command, lock):
@@ -87,11 +95,16 @@ def run(program, study, path, mode, lock):
     if mode != "full" and folder.begun("full"):
         print("Begun with --full, and not done: ./reproduce --full goes on.", flush=True)
         return 0
-    resume = ["--resume"] if study.resumes and folder.begun(mode) else []
+    if folder.foreign():
+        print(f"run_studies.py: {path}: holds what ./reproduce did not make; move it away, or give ./reproduce another --output",
+              file=sys.stderr)
+        return 2
+    existing = "--resume" if folder.resumes(mode) else "--force"  # the folder holds the mark
     folder.begin(mode)
     for call in study.calls(mode):
+        options = [existing] if "--output" in call else []
         words = [word for each in call for word in (meshes() if each == MESHES else [each.replace(OUTPUT, str(path))])]
-        if status := status_of([program, *words, *resume], lock):
+        if status := status_of([program, *words, *options], lock):
             return status
     folder.end()
     return 0
@@ -101,13 +114,14 @@ def main(program, results, *options):
     mode = "full" if "--full" in options else "paper" if "--paper" in options else "quick"
     results = pathlib.Path(results)
     results.mkdir(parents=True, exist_ok=True)
-    lock = open(results / "lock", "w")
+    lock = open(results / "lock", "w", opener=lambda path, flags: os.open(path, flags | os.O_NOFOLLOW, 0o666))
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         sys.exit(f"run_studies.py: another run is at work in {results}")
     methods = subprocess.run([program, "methods"], check=True, capture_output=True, text=True).stdout
-    (results / "methods.txt").write_text(methods, encoding="utf-8")
+    with replacing(results / "methods.txt") as file:
+        file.write_text(methods, encoding="utf-8")
     begin, failed = time.monotonic(), []
     for study in STUDIES:
         if not study.calls(mode):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page of `touchstone thesis`: every figure and table with its status, numbers and picture, in one file."""
 from page import document, escaped, inlined, number, smaller
+from replacing import replacing
 
 CHAPTERS = (("2", "Chapter 2: literature"), ("3", "Chapter 3: methodology"), ("4", "Chapter 4: the collision detection algorithm"),
             ("5", "Chapter 5: the virtual environment"), ("6", "Chapter 6: the case studies"),
@@ -115,5 +116,5 @@ and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:<
 <main>{sections}</main>
 """
     title = "The figures of a 2008 thesis, as numbers"
-    (folder / "index.html").write_text(document(title, "Every figure and table of the thesis, with its numbers beside ours.", STYLE, body),
-                                       encoding="utf-8")
+    with replacing(folder / "index.html") as file:
+        file.write_text(document(title, "Every figure and table of the thesis, with its numbers beside ours.", STYLE, body), encoding="utf-8")

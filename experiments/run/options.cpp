@@ -51,4 +51,10 @@ void add_resume(CLI::App& command, bool& resume) {
   command.add_flag("--resume", resume, "Go on where the run in that folder was stopped or killed");
 }
 
+void add_force(CLI::App& command, bool& force) {
+  auto* added =
+      command.add_flag("--force", force, "Write over what is there; without it, a folder must be empty or new");
+  if (auto* resume = command.get_option_no_throw("--resume")) added->excludes(resume);
+}
+
 }  // namespace touchstone::run

@@ -34,4 +34,7 @@ void add_no_pictures(CLI::App& command, bool& no_pictures);
 /// --resume.
 void add_resume(CLI::App& command, bool& resume);
 
+/// --force, beside --resume if the command has that already, but not with it.
+void add_force(CLI::App& command, bool& force);
+
 }  // namespace touchstone::run

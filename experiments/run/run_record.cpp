@@ -41,19 +41,19 @@ std::string processor() {
   return "";
 }
 
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[32];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
-}
-
 }  // namespace
 
 std::filesystem::path source_folder() {
   const char* folder = std::getenv("TOUCHSTONE_SOURCE_DIR");
   return folder != nullptr ? folder : TOUCHSTONE_SOURCE_DIR;
+}
+
+std::string utc_now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
 std::string shell_quoted(const std::string& word) {
@@ -74,7 +74,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"processes", run.processes},
       {"threads", run.threads},
       {"seconds", run.seconds},
-      {"date", now()},
+      {"date", utc_now()},
       {"commit", commit()},
       {"compiler", kCompiler},
       {"flags", TOUCHSTONE_COMPILE_FLAGS},

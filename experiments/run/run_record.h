@@ -25,6 +25,8 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 
 /// The folder of the sources: $TOUCHSTONE_SOURCE_DIR, else where the program was built from.
 [[nodiscard]] std::filesystem::path source_folder();
+/// As in `2026-11-23T03:19:51Z`.
+[[nodiscard]] std::string utc_now();
 /// As one word of a shell command.
 [[nodiscard]] std::string shell_quoted(const std::string& word);
 /// As the value of an option: words separated by commas.

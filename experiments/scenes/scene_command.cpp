@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include "experiments/real_input/named_meshes.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
@@ -39,7 +42,7 @@ struct SceneOptions {
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = run::all_threads();
-  bool any = false, all = false, nearest = false, counts = false, skip_bad = false;
+  bool any = false, all = false, nearest = false, counts = false, skip_bad = false, force = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
   [[nodiscard]] bool filtered() const { return method == "filtered"; }
@@ -196,19 +199,18 @@ std::string summary(const SceneOptions& options, const Units& units, const Loade
 /// it is known that something could not be written.
 class Lines {
  public:
-  /// The file is opened, or refused; what it holds is kept, since it may be that of the balls.
   explicit Lines(const std::string& folder) {
-    if (folder.empty()) return;
-    name_ = (std::filesystem::path(folder) / "answers.jsonl").string();
-    own_.reset(std::fopen(name_.c_str(), "ab"));
-    if (!own_) cannot_write();
+    if (!folder.empty()) name_ = (std::filesystem::path(folder) / "answers.jsonl").string();
   }
-  /// Empties the file.
+  /// Opens the file, a new one unless it is a pipe; not before the balls are read, since an earlier one may be theirs.
   void begin() {
-    if (own_ && std::freopen(name_.c_str(), "wb", own_.get()) == nullptr) {
-      (void)own_.release();  // closed already
-      cannot_write();
-    }
+    if (name_ == kStandardOutput) return;
+    std::error_code error;
+    if (!std::filesystem::is_fifo(std::filesystem::symlink_status(name_, error))) ::unlink(name_.c_str());
+    const int descriptor = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) cannot_write();
+    own_.reset(::fdopen(descriptor, "wb"));
+    if (!own_) cannot_write();
   }
   void write(const std::string& line) {
     // glibc counts what is still in the buffer as written where emptying the buffer fails, but sets the error.
@@ -228,7 +230,8 @@ class Lines {
     throw std::runtime_error(name_ + ": cannot be written: " + std::generic_category().message(errno));
   }
 
-  std::string name_ = "standard output";
+  static constexpr const char* kStandardOutput = "standard output";
+  std::string name_ = kStandardOutput;
   std::unique_ptr<std::FILE, Close> own_;
 };
 
@@ -265,7 +268,9 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
 int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
-  if (!options.output.empty()) run::make_folder(options.output);
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty())
+    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)methods::find_methods({options.method});
@@ -345,6 +350,7 @@ void add_scene(CLI::App& app, int& status) {
                       "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
                       "standard output, the table to standard error)");
   command->footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
+  run::add_force(*command, options->force);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -14,11 +15,11 @@
 #include "experiments/run/course.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 #include "experiments/soak/campaign.h"
 #include "experiments/soak/case.h"
 #include "experiments/soak/output.h"
@@ -32,7 +33,7 @@ using Clock = std::chrono::steady_clock;
 struct Options {
   Settings settings{.threads = run::all_threads()};
   std::string output = "results/soak";
-  bool resume = false, print = false;
+  bool force = false, resume = false, print = false;
 };
 
 std::string command_line(const Options& options) {
@@ -60,7 +61,9 @@ int run(const Options& options, const run::Processes& processes) {
   const Settings& settings = options.settings;
   const bool first = processes.first();
   const std::filesystem::path folder = options.output;
-  if (first) run::make_folder(folder);
+  std::optional<run::OutputFolder> own;
+  if (first)
+    own.emplace(folder, command_line(options), run::Existing{.force = options.force, .resume = options.resume});
   const run::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
   Tally tally = run::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
                            [](const Tally& held) { return held.cases(); });
@@ -144,6 +147,7 @@ void add_soak(CLI::App& app, int& status) {
   command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
       ->capture_default_str();
   run::add_resume(*command, options->resume);
+  run::add_force(*command, options->force);
   command->add_flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them")
       ->excludes("--resume");
   command->callback([options, &status] { status = run_soak(*options); });

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,12 @@
 #include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 #include "experiments/stability/output.h"
 
 namespace touchstone::commands {
@@ -33,7 +34,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = run::all_threads();
   std::string output = "results/stability";
-  bool resume = false;
+  bool force = false, resume = false;
   bool no_pictures = false;
 };
 
@@ -88,7 +89,8 @@ class Run {
 
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
-    if (processes_.first()) run::make_folder(folder_);
+    if (processes_.first())
+      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
     const Summary summary = study();
     Known known{.onset = onset(), .contractions = {}, .areas = {}};
     if (!processes_.first()) return 0;
@@ -125,7 +127,7 @@ class Run {
                  options_.output, summary.samples(), settings_.samples);
       return run::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("stability", folder_);
+    if (!options_.no_pictures) run::draw_pictures("stability", *held_);
     return 0;
   }
 
@@ -153,6 +155,7 @@ class Run {
   const Options& options_;
   const run::Processes& processes_;
   std::filesystem::path folder_;
+  std::optional<run::OutputFolder> held_;  // by the first process
   Settings settings_;
   run::Interrupt interrupt_;
 };
@@ -172,6 +175,7 @@ void add_stability(CLI::App& app, int& status) {
   run::add_threads(*command, options->threads, "Of each process; they do not change the results");
   run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
     status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });

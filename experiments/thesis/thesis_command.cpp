@@ -11,12 +11,12 @@
 #include "experiments/commands.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
 
@@ -30,7 +30,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned threads = run::all_threads();
   std::string output = "results/thesis";
-  bool quick = false, no_pictures = false;
+  bool quick = false, force = false, no_pictures = false;
 
   [[nodiscard]] Settings settings() const {
     Settings settings;
@@ -41,9 +41,16 @@ struct Options {
   }
 };
 
+std::string command_line(const Options& options) {
+  const Settings settings = options.settings();
+  return fmt::format("touchstone thesis{} --samples {} --seed {} --threads {} --output {}{}",
+                     options.quick ? " --quick" : "", settings.samples, settings.seed, options.threads,
+                     run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+}
+
 int run_thesis(const Options& options) {
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Settings settings = options.settings();
   const run::Interrupt interrupt;
@@ -62,9 +69,7 @@ int run_thesis(const Options& options) {
   write_entries(folder, entries);
   write_data(folder, *study);
   run::Run record;
-  record.command = fmt::format("touchstone thesis{} --samples {} --seed {} --threads {} --output {}{}",
-                               options.quick ? " --quick" : "", settings.samples, settings.seed, options.threads,
-                               run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+  record.command = command_line(options);
   record.seed = settings.seed;
   record.samples_asked = record.samples_done = settings.samples;
   record.threads = options.threads;
@@ -73,7 +78,7 @@ int run_thesis(const Options& options) {
   fmt::print("{}", table(entries));
   std::fflush(stdout);
   if (!options.no_pictures) {
-    run::draw_pictures("thesis", folder);
+    run::draw_pictures("thesis", held);
     fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
   }
   return 0;
@@ -95,6 +100,7 @@ void add_thesis(CLI::App& app, int& status) {
   run::add_seed(*command, options->seed);
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for all files")->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_thesis(*options); }); });
 }

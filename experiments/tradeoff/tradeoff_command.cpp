@@ -5,18 +5,19 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "experiments/commands.h"
 #include "experiments/run/checkpoint.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 #include "experiments/tradeoff/output.h"
 
 namespace touchstone::commands {
@@ -33,7 +34,7 @@ struct Options {
   std::size_t queries = 2000;
   unsigned repetitions = 7;
   std::string output = "results/tradeoff";
-  bool resume = false;
+  bool force = false, resume = false;
   bool no_pictures = false;
   bool redraw = false;
 };
@@ -61,7 +62,8 @@ int redraw(const Options& options) {
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
       throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  return run::draw_pictures("tradeoff", folder) ? 0 : 1;
+  const run::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
+  return run::draw_pictures("tradeoff", held) ? 0 : 1;
 }
 
 std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
@@ -100,7 +102,8 @@ class Run {
 
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
-    if (processes_.first()) run::make_folder(folder_);
+    if (processes_.first())
+      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
     const Errors errors = measure();
     if (!processes_.first()) return 0;
     remove_old(folder_);
@@ -159,13 +162,14 @@ class Run {
     if (processes_.count() > 1)
       fmt::print("Times are measured in one process only: --resume without mpirun adds them and the pictures.\n");
     else if (!options_.no_pictures)
-      run::draw_pictures("tradeoff", folder_);
+      run::draw_pictures("tradeoff", *held_);
     return 0;
   }
 
   const Options& options_;
   const run::Processes& processes_;
   std::filesystem::path folder_;
+  std::optional<run::OutputFolder> held_;  // by the first process
   Settings settings_;
   TimingSettings timing_settings_;
   run::Interrupt interrupt_;
@@ -198,6 +202,7 @@ void add_tradeoff(CLI::App& app, int& status) {
       ->capture_default_str();
   run::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
   command->callback([options, &status] {

@@ -30,27 +30,28 @@ class CellCommand : public testing::Test {
 
 // As the captions of the thesis have it: one file a link, three parts in Axis1, one in Gripper1.
 TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
-  const Ran ran = touchstone_cell({"show", aristo, "--output", path("")});
+  const Ran ran = touchstone_cell({"show", aristo, "--output", path("out")});
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("faces.csv and 18 model files: "), std::string::npos) << ran.out;
-  const std::string faces = run_tests::text_of(path("faces.csv"));
+  const std::string faces = run_tests::text_of(path("out/faces.csv"));
   EXPECT_EQ(std::count(faces.begin(), faces.end(), '\n'), 1 + 576);
   EXPECT_NE(faces.find("\nstorage/deck,storage,20,"), std::string::npos);
-  EXPECT_NE(run_tests::text_of(path("run.json")).find("touchstone cell show "), std::string::npos);
-  const cell::LinkModel axis1 = cell::read_link_model(path("models/Axis1.txt"));
+  EXPECT_NE(run_tests::text_of(path("out/run.json")).find("touchstone cell show "), std::string::npos);
+  const cell::LinkModel axis1 = cell::read_link_model(path("out/models/Axis1.txt"));
   EXPECT_EQ(axis1.name, "Axis1");
   EXPECT_EQ(axis1.parts.size(), 3U);
-  const cell::LinkModel gripper = cell::read_link_model(path("models/Gripper1.txt"));
+  const cell::LinkModel gripper = cell::read_link_model(path("out/models/Gripper1.txt"));
   ASSERT_EQ(gripper.parts.size(), 1U);
   EXPECT_EQ(gripper.parts[0].vertices.size(), 16U);
   EXPECT_EQ(gripper.parts[0].polygons.size(), 10U);
-  EXPECT_EQ(cell::read_link_model(path("models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
+  EXPECT_EQ(cell::read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
 }
 
 TEST_F(CellCommand, ShowIsTheSameEveryTime) {
   const Ran first = touchstone_cell({"show", aristo}), second = touchstone_cell({"show", aristo});
   EXPECT_EQ(first.out, second.out);
-  EXPECT_NE(first.out.find("chosen: clearance, gripper, machine, material, robot, storage"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("chosen: clearance, gripper, machine, material, robot, storage"), std::string::npos)
+      << first.out;
 }
 
 TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {

@@ -131,15 +131,15 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
     while (!ended && ::sigaction(SIGINT, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::this_thread::yield();
     if (!ended) ::kill(::getpid(), SIGINT);
   });
-  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
-                                           {mesh, "--compare", "10000000", "--output", scratch.path.string()});
+  const auto ran = run_tests::run_captured(
+      commands::add_merge, "merge", {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
-  EXPECT_NE(ran.err.find("interrupted: " + scratch.path.string() + " covers the first 0 of 1 meshes"),
+  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
             std::string::npos)
       << ran.err;
-  const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "run.json"));
+  const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
   EXPECT_EQ(record["interrupted"], true);
   EXPECT_EQ(record["samples_asked"], 1);
   EXPECT_EQ(record["samples_done"], 0);
@@ -163,11 +163,11 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   const std::string mesh = (scratch.path / "mesh.obj").string();
   run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
   const auto polygons = [&](const char* tolerance) {
-    const auto ran =
-        run_tests::run_captured(commands::add_merge, "merge",
-                                {mesh, "--compare", "0", "--tolerance", tolerance, "--output", scratch.path.string()});
+    const auto ran = run_tests::run_captured(
+        commands::add_merge, "merge",
+        {mesh, "--compare", "0", "--tolerance", tolerance, "--force", "--output", (scratch.path / "out").string()});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    std::string text = run_tests::text_of(scratch.path / "polygons.csv");
+    std::string text = run_tests::text_of(scratch.path / "out" / "polygons.csv");
     const std::string name = scratch.path.filename().string() + "/mesh";
     for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) text.replace(at, name.size(), "m");
     return text;
@@ -202,7 +202,7 @@ TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
   run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
   for (const bool skip : {false, true}) {
-    std::vector<std::string> arguments{mesh, "--compare", "0", "--output", output};
+    std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
     if (skip) arguments.emplace_back("--skip-bad");
     const auto ran = run_tests::run_captured(commands::add_merge, "merge", arguments);
     EXPECT_EQ(ran.status, skip ? 0 : 2) << ran.err;

@@ -224,7 +224,7 @@ TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
   const Run refused = touchstone("mesh-contact model/cube.obj --method exact --output o");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("2 faces were rejected"), std::string::npos) << refused.err;
-  const Run skipped = touchstone("mesh-contact model/cube.obj --method exact --output o --skip-bad");
+  const Run skipped = touchstone("mesh-contact model/cube.obj --method exact --output o --skip-bad --force");
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   for (const Run& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
   EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
@@ -233,7 +233,7 @@ TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
 TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
   write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
   EXPECT_EQ(touchstone("mesh-contact bad.obj --method exact --output o").status, 2);
-  const Run run = touchstone("mesh-contact bad.obj --method exact --output o --skip-bad");
+  const Run run = touchstone("mesh-contact bad.obj --method exact --output o --skip-bad --force");
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("left out: bad.obj: line 20"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("left out: bad.obj: line 21"), std::string::npos) << run.err;

@@ -97,7 +97,7 @@ class Studies(unittest.TestCase):
         (self.folder / "fails").unlink()
         again = self.run_all()
         self.assertEqual([call.split()[0] for call in again], ["tradeoff"])
-        self.assertTrue(again[0].endswith("--resume"))
+        self.assertTrue(again[0].endswith("--force"))  # it had no checkpoint yet
 
     def test_an_interrupt_stops_all(self):
         self.status = "130"
@@ -125,7 +125,7 @@ class Studies(unittest.TestCase):
             (self.folder / "waits").unlink()
             calls = self.run_all()
             self.assertEqual(calls[0].split()[0], study)
-            self.assertEqual(calls[0].endswith("--resume"), resumes)
+            self.assertTrue(calls[0].endswith("--resume" if resumes else "--force"))
             # Of what cannot go on, nothing is left.
             self.assertEqual((self.folder / f"results/{study}/checkpoint.json").exists(), resumes)
 
@@ -150,12 +150,14 @@ class Studies(unittest.TestCase):
         self.assertIn("another run is at work in results", second.communicate(timeout=PATIENCE)[1])
         self.assertEqual(second.returncode, 1)
 
-    def test_foreign_folders_are_not_emptied(self):
+    def test_nothing_is_written_into_a_foreign_folder(self):
         foreign = self.folder / "results/thesis/chapter.tex"
         foreign.parent.mkdir(parents=True)
         foreign.write_text("mine")
-        self.run_all()
-        self.assertTrue(foreign.exists())
+        calls = self.run_all(expected=1)
+        self.assertEqual(len(calls), self.quick_calls() - 1)
+        self.assertFalse(any(call.startswith("thesis") for call in calls))
+        self.assertEqual(list(foreign.parent.iterdir()), [foreign])
 
 
 class Commands(unittest.TestCase):
@@ -169,6 +171,8 @@ class Commands(unittest.TestCase):
                     options = [word for word in call if word.startswith("--")]
                     for option in options:
                         self.assertIn(option, asked.stdout)
+                    if "--output" in options:
+                        self.assertIn("--force", asked.stdout)
                     self.assertEqual("--resume" in asked.stdout, study.resumes)
 
     def test_of_one_folder_each(self):

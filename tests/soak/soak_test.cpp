@@ -361,7 +361,7 @@ TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
     EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
   EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
   // Without --resume it begins anew, and what stood there is kept.
-  ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--force", "--output", one}), 0);
   EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
   EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));
 }

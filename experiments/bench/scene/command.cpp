@@ -12,6 +12,7 @@
 #include "experiments/bench/output.h"
 #include "experiments/bench/scene/output.h"
 #include "experiments/run/interrupt.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
@@ -84,8 +85,8 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
 }  // namespace
 
 int measure_scenes(const SceneOptions& options) {
+  const run::OutputFolder held(options.output, command_line(options), {.force = options.force});
   const auto scenes = all_scenes(options);
-  run::make_folder(options.output);
   const run::Interrupt interrupt;
   const auto& stop = interrupt.requested();
   const auto begin = std::chrono::steady_clock::now();

@@ -13,7 +13,7 @@ struct SceneOptions {
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
   std::string output = "results/bench-scene";
-  bool no_pictures = false;
+  bool force = false, no_pictures = false;
 };
 
 /// `touchstone bench --scene`: measures, prints, writes and draws everything; returns the exit status: 1 where the

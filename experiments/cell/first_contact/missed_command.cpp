@@ -10,12 +10,12 @@
 #include "experiments/cell/first_contact/missed_study.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
-#include "experiments/run/write_file.h"
 
 namespace touchstone::cell {
 namespace {
@@ -24,12 +24,18 @@ struct Options {
   std::uint64_t samples = 2000, seed = 1;
   unsigned threads = run::all_threads();
   std::string output = "results/cell-missed";
-  bool no_pictures = false;
+  bool force = false, no_pictures = false;
 };
+
+std::string command_line(const Options& options) {
+  return fmt::format("touchstone cell missed --samples {} --seed {} --threads {} --output {}{}", options.samples,
+                     options.seed, options.threads, run::shell_quoted(options.output),
+                     options.no_pictures ? " --no-pictures" : "");
+}
 
 int run_missed(const Options& options) {
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const run::Interrupt interrupt;
   const auto study = [&] {
@@ -39,9 +45,7 @@ int run_missed(const Options& options) {
   }();
   kinematics::write_missed(folder, study);
   run::Run record;
-  record.command = fmt::format("touchstone cell missed --samples {} --seed {} --threads {} --output {}{}",
-                               options.samples, options.seed, options.threads, run::shell_quoted(options.output),
-                               options.no_pictures ? " --no-pictures" : "");
+  record.command = command_line(options);
   record.seed = options.seed;
   record.samples_asked = options.samples;
   record.samples_done = study.samples;
@@ -72,6 +76,7 @@ void add_missed(CLI::App& cell, int& status) {
   run::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for missed.csv, run.json and the picture")
       ->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_missed(*options); }); });
 }

@@ -10,6 +10,7 @@
 #include "experiments/cell/kinematics/layout_output.h"
 #include "experiments/run/interrupt.h"
 #include "experiments/run/options.h"
+#include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
@@ -21,12 +22,17 @@ namespace {
 
 struct Options {
   std::string output = "results/cell-layout";
-  bool no_pictures = false;
+  bool force = false, no_pictures = false;
 };
+
+std::string command_line(const Options& options) {
+  return fmt::format("touchstone cell layout --output {}{}", run::shell_quoted(options.output),
+                     options.no_pictures ? " --no-pictures" : "");
+}
 
 int run_layout(const Options& options) {
   const std::filesystem::path folder = options.output;
-  run::make_folder(folder);
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const run::Interrupt interrupt;
   std::optional<kinematics::LayoutStudy> study;
@@ -40,8 +46,7 @@ int run_layout(const Options& options) {
   }
   kinematics::write_layout(folder, *study);
   run::Run record;
-  record.command = fmt::format("touchstone cell layout --output {}{}", run::shell_quoted(options.output),
-                               options.no_pictures ? " --no-pictures" : "");
+  record.command = command_line(options);
   record.samples_asked = record.samples_done = kinematics::layout_work();
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run::write_run_record(folder, record);
@@ -61,6 +66,7 @@ void add_layout(CLI::App& cell, int& status) {
       "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
+  run::add_force(*command, options->force);
   run::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] { status = run::run_alone([&] { return run_layout(*options); }); });
 }

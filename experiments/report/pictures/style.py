@@ -5,6 +5,8 @@ import os
 
 import matplotlib
 
+from replacing import replacing
+
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
@@ -22,7 +24,8 @@ UNTOLD = {"png": {"Software": None}, "svg": {"Date": None}, "pdf": {"CreationDat
 def save(figure, folder, name, kinds=("png", "svg")):
     """FOLDER/name.png and .svg (or .pdf), without dates and versions."""
     for kind in kinds:
-        figure.savefig(folder / f"{name}.{kind}", dpi=150, metadata=UNTOLD[kind])
+        with replacing(folder / f"{name}.{kind}") as file:
+            figure.savefig(file, format=kind, dpi=150, metadata=UNTOLD[kind])
     plt.close(figure)
 
 
