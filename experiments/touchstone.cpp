@@ -12,6 +12,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/judge/json_fault.h"
+#include "experiments/run/standard_output.h"
 #include "geometry/io/legible.h"
 
 namespace {
@@ -37,10 +38,7 @@ int tell(const CLI::App& app, const CLI::ParseError& error) {
   return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (!occupy_standard_streams()) return 2;
+int run(int argc, char** argv) {
   CLI::App app("touchstone: does a ball touch a polygon, where, and how sure is the answer?");
   app.require_subcommand(1);
   int status = 0;
@@ -63,15 +61,28 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return tell(app, error);
-  } catch (const std::bad_alloc&) {
-    std::fputs("touchstone: out of memory\n", stderr);
-    return 2;
-  } catch (const nlohmann::json::exception& error) {
-    std::fprintf(stderr, "touchstone: %s\n", touchstone::judge::json_fault(error).c_str());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "touchstone: %s\n", touchstone::io::all_legible(error.what()).c_str());
-    return 2;
   }
   return status;
+}
+
+/// What an exception that ended a command says, legible and without a library's tags.
+std::string complaint(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+  if (const auto* json = dynamic_cast<const nlohmann::json::exception*>(&error))
+    return touchstone::judge::json_fault(*json);
+  return touchstone::io::all_legible(touchstone::run::message_of(error));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!occupy_standard_streams()) return 2;
+  try {
+    const int status = run(argc, argv);
+    touchstone::run::flush_standard_output();
+    return status;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "touchstone: %s\n", complaint(error).c_str());
+    return 2;
+  }
 }

@@ -21,6 +21,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 
@@ -94,7 +95,7 @@ class Runner {
  private:
   void keep(const Result& result) {
     fmt::print("{}", table(result));
-    std::fflush(stdout);
+    run::flush_standard_output();
     results_.push_back(result);
   }
 
@@ -143,7 +144,7 @@ int measure_all(const Options& options) {
     fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
   fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.repetitions, options.settings.seed, seconds, options.json);
-  std::fflush(stdout);
+  run::flush_standard_output();
   if (!stop) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.json);
   constexpr int kInterrupted = 130;

@@ -21,6 +21,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::cell {
@@ -111,8 +112,8 @@ int run(const AreaOptions& options) {
                          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
-  std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_area", folder);
+  run::flush_standard_output();
+  if (!options.no_pictures) run::draw_pictures("cell_area", held);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +15,7 @@
 #include "experiments/run/interrupt.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 
 namespace touchstone::cell {
 namespace {
@@ -37,7 +37,7 @@ int run(const ServeOptions& options) {
   routes.emplace(simulator, server.loopback());
   const std::string host = options.host.find(':') == std::string::npos ? options.host : "[" + options.host + "]";
   fmt::print("{}: http://{}:{}/ (Ctrl-C ends it)\n", simulator.cell().name, host, server.port());
-  std::fflush(stdout);
+  run::flush_standard_output();
   server.run(interrupt.requested());
   return 0;
 }

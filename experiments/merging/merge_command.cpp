@@ -20,6 +20,7 @@
 #include "experiments/run/progress_line.h"
 #include "experiments/run/real_number.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "geometry/io/legible.h"
 #include "geometry/io/read_mesh.h"
@@ -113,7 +114,7 @@ int run(const MergeOptions& options) {
   fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
              table(options.settings, results), results.size(), options.files.size(), seconds,
              options.settings.tolerance, options.settings.balls, options.settings.seed, folder.string());
-  std::fflush(stdout);
+  run::flush_standard_output();
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
                options.files.size());

@@ -16,6 +16,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 
 namespace touchstone::commands {
@@ -136,7 +137,7 @@ class Run {
         result_.samples, result_.missing, result_.samples - before, seconds_of_samples,
         static_cast<double>((result_.samples - before) * strata_asked()) / seconds_of_samples, seconds_since(begin));
     if (options_.search > 0) fmt::print("\n{}", search_table(settings_, onsets_, worst_));
-    std::fflush(stdout);
+    run::flush_standard_output();
     return tell_end();
   }
 
@@ -200,7 +201,7 @@ class Run {
     if (settings_.truth->name() != "exact")
       fmt::print("{} was held against exact about {} balls: {} differences.\n", options_.truth, result_.checked,
                  result_.disagreements.count());
-    std::fflush(stdout);
+    run::flush_standard_output();
     if (interrupt_.requested()) {
       fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume goes on\n",
                  options_.output, result_.samples, settings_.samples);

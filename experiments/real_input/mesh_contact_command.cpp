@@ -16,6 +16,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 
@@ -88,7 +89,7 @@ int run(Options& options) {
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
              meshes.parts_left_out, seconds, settings.seed);
   fmt::print("Results: {}\n", folder.string());
-  std::fflush(stdout);
+  run::flush_standard_output();
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
                result.faces);

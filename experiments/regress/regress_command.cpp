@@ -203,16 +203,15 @@ void add_regress(CLI::App& app, int& status) {
       "answer\n"
       "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
       "unsure,\n"
-      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if "
-      "--write\n"
-      "names a file that is there.");
+      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if\n"
+      "--write names a file that is there and --force is not given.");
   auto* baseline =
       command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
   command
       ->add_flag("--allow-missing", options->allow_missing,
                  "A method that --method names need not be in the baseline; it is then not held against anything")
       ->needs(baseline);
-  auto* write = command->add_option("--write", options->write, "Write what was found as a baseline");
+  command->add_option("--write", options->write, "Write what was found as a baseline");
   run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
   run::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")

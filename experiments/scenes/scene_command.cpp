@@ -25,6 +25,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 #include "experiments/scenes/ask.h"
@@ -299,7 +300,7 @@ int run(const SceneOptions& options) {
     run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
                                    source.count - sums.balls, options.threads, seconds, 1, interrupted});
     fmt::print("Results: {}\n", folder.string());
-    std::fflush(stdout);
+    run::flush_standard_output();
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,

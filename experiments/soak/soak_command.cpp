@@ -19,6 +19,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/soak/campaign.h"
 #include "experiments/soak/case.h"
@@ -50,7 +51,7 @@ class Announcer {
 
   void operator()(const Tally& tally) {
     for (; announced_ < tally.kept().size(); ++announced_) fmt::print("{}", tally.kept()[announced_].line);
-    std::fflush(stdout);
+    run::flush_standard_output();
   }
 
  private:
@@ -99,7 +100,7 @@ int run(const Options& options, const run::Processes& processes) {
   fmt::print("{}", table(tally));
   fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,
              static_cast<double>(done - before) / seconds);
-  std::fflush(stdout);
+  run::flush_standard_output();
   if (tally.differing() > 0)
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --method filtered` takes it, and "

@@ -19,6 +19,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/stability/output.h"
 
@@ -120,7 +121,7 @@ class Run {
     fmt::print("{}", table(settings_, summary, known));
     fmt::print("\n{} samples of each axis; {} polygons were not found. {:.0f} s. Tables and worst cases: {}\n",
                summary.samples(), missing, seconds, options_.output);
-    std::fflush(stdout);
+    run::flush_standard_output();
     if (stopped) {
       fmt::print(stderr,
                  "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume goes on\n",

@@ -16,6 +16,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
@@ -76,7 +77,7 @@ int run_thesis(const Options& options) {
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run::write_run_record(folder, record);
   fmt::print("{}", table(entries));
-  std::fflush(stdout);
+  run::flush_standard_output();
   if (!options.no_pictures) {
     run::draw_pictures("thesis", held);
     fmt::print("all of them on one page: {}\n", (folder / "index.html").string());

@@ -17,6 +17,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/tradeoff/output.h"
 
@@ -132,7 +133,7 @@ class Run {
         "questions timed {} times, in {:.0f} s. Everything: {}\n",
         errors.samples, errors.missing, timings.size(), list_count(timing_settings_), options_.queries,
         options_.repetitions, seconds, options_.output);
-    std::fflush(stdout);
+    run::flush_standard_output();
     return tell_end(stopped, errors, timings);
   }
 

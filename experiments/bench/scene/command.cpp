@@ -15,6 +15,7 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/pictures.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/write_file.h"
 
 namespace touchstone::bench {
@@ -93,7 +94,7 @@ int measure_scenes(const SceneOptions& options) {
   const std::vector<Library> libraries = all_libraries();
   const auto print = [](const std::string& text) {
     fmt::print("{}", text);
-    std::fflush(stdout);
+    run::flush_standard_output();
   };
 
   std::vector<SceneResult> results;
@@ -113,8 +114,8 @@ int measure_scenes(const SceneOptions& options) {
     fmt::print("Built without {}: it is no contestant here.\n", absent);
   fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.settings.repetitions, options.settings.seed, seconds, options.output);
-  std::fflush(stdout);
-  if (!stop && !options.no_pictures) run::draw_pictures("bench_scene", options.output);
+  run::flush_standard_output();
+  if (!stop && !options.no_pictures) run::draw_pictures("bench_scene", held);
   return exit_status(options, results, stop);
 }
 

@@ -15,6 +15,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
+#include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 
 namespace touchstone::cell {
@@ -53,8 +54,8 @@ int run_missed(const Options& options) {
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run::write_run_record(folder, record);
   fmt::print("{}", kinematics::missed_table(study));
-  std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_missed", folder);
+  run::flush_standard_output();
+  if (!options.no_pictures) run::draw_pictures("cell_missed", held);
   if (study.samples < options.samples) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", folder.string(), study.samples,
                options.samples);

@@ -15,7 +15,7 @@
 #include "experiments/run/processes.h"
 #include "experiments/run/progress_line.h"
 #include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
+#include "experiments/run/standard_output.h"
 
 namespace touchstone::cell {
 namespace {
@@ -51,8 +51,8 @@ int run_layout(const Options& options) {
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   run::write_run_record(folder, record);
   fmt::print("{}", kinematics::layout_table(*study));
-  std::fflush(stdout);
-  if (!options.no_pictures) run::draw_pictures("cell_layout", folder);
+  run::flush_standard_output();
+  if (!options.no_pictures) run::draw_pictures("cell_layout", held);
   return 0;
 }
 

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: every_command.py TOUCHSTONE SOURCE SCRATCH
+
+What holds of every subcommand, as the program's own help lists them: a result that cannot be written to standard output
+never ends with status 0, and a folder or file of results is neither written by two runs nor written over unasked. A new
+subcommand needs a line in COMMANDS. Exit status 1 otherwise.
+"""
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import unittest
+
+TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+PATIENCE = 300  # seconds, for what takes a few
+CELL = str(SOURCE / "experiments/cell/cells/aristo.json")
+OUTPUT = "OUTPUT"  # stands for a folder or file that is not there yet
+
+MESH = "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"
+CASE = ('{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},'
+        '"expected":{"contact":true}}\n')
+
+# Of each subcommand, calls that take a moment: they print something, and those with OUTPUT write it.
+COMMANDS = {
+    "judge": [["--method", "fast", "case.jsonl"]],
+    "methods": [[]],
+    "near-edge": [["--method", "fast", "--families", "l", "--samples", "1", "--search", "0", "--no-pictures", "--output", OUTPUT]],
+    "mesh-contact": [["mesh.obj", "--method", "fast", "--output", OUTPUT]],
+    "merge": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
+    "cases": [["--count", "3"]],
+    "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"],
+              ["--scene", "--most-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
+    "soak": [["--cases", "5", "--output", OUTPUT], ["--cases", "5", "--print"]],
+    "tradeoff": [["--method", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
+                  "--output", OUTPUT]],
+    "stability": [["--method", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
+    "scene": [["mesh.obj", "--random", "2"], ["mesh.obj", "--random", "2", "--output", OUTPUT]],
+    "cell show": [[CELL], [CELL, "--output", OUTPUT]],
+    "cell run": [[CELL, "--method", "fast", "--output", OUTPUT]],
+    "cell area": [[CELL, "--angle-step", "90", "--length-step", "2000", "--no-pictures", "--output", OUTPUT]],
+    "cell layout": [["--no-pictures", "--output", OUTPUT]],
+    "cell missed": [["--samples", "5", "--no-pictures", "--output", OUTPUT]],
+    "cell convert": [["mesh.obj", "converted.off"]],
+    "cell export": [[CELL, "exported.glb"]],
+    "cell serve": [["--port", "0"]],
+    "regress": [["--method", "fast", "--samples", "1", "--output", OUTPUT]],
+    "corpus make": [[OUTPUT]],
+    "corpus check": [[str(SOURCE / "tests/corpus/features.jsonl")]],
+    "corpus gripper": [[CELL]],
+    "corpus shrink": [["wrong.jsonl", "--method", "thesis"]],
+    "thesis": [["--quick", "--samples", "100", "--no-pictures", "--output", OUTPUT]],
+}
+
+
+def subcommands(*words):
+    """The names of all that can be called, from the help."""
+    text = subprocess.run([TOUCHSTONE, *words, "--help"], capture_output=True, text=True, check=True, timeout=PATIENCE).stdout
+    listed = text.partition("\nSubcommands:\n")[2]
+    names = re.findall(r"^  (\S+)", listed, re.MULTILINE)
+    return [name for word in names for name in subcommands(*words, word)] if names else [" ".join(words)]
+
+
+def writes(way):
+    return any(OUTPUT in word for word in way)
+
+
+def calls():
+    return [[*name.split(), *way] for name, ways in COMMANDS.items() for way in ways]
+
+
+def content(folder):
+    return {str(path.relative_to(folder)): path.read_bytes() if path.is_file() else None for path in sorted(folder.rglob("*"))}
+
+
+class EveryCommand(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree(SCRATCH, ignore_errors=True)
+        SCRATCH.mkdir(parents=True)
+        self.addCleanup(shutil.rmtree, SCRATCH)
+        (SCRATCH / "mesh.obj").write_text(MESH)
+        (SCRATCH / "case.jsonl").write_text(CASE)
+        drawn = subprocess.run([TOUCHSTONE, "cases", "--count", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)
+        (SCRATCH / "wrong.jsonl").write_text(drawn.stdout)
+
+    def run_in(self, call, output, **options):
+        words = [TOUCHSTONE, *(word.replace(OUTPUT, str(output)) for word in call)]
+        return subprocess.run(words, cwd=SCRATCH, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, timeout=PATIENCE, **options)
+
+    def test_has_a_call_here(self):
+        self.assertEqual(sorted(subcommands()), sorted(COMMANDS))
+
+    def test_fails_where_standard_output_cannot_be_written(self):
+        asked = [*calls(), *([*name.split(), "--help"] for name in COMMANDS), ["--help"]]
+        for number, call in enumerate(asked):
+            for how, reason in (("full", "No space left on device"), ("closed", "Bad file descriptor")):
+                with self.subTest(call=call, stdout=how):
+                    for name in ("converted.off", "exported.glb"):
+                        (SCRATCH / name).unlink(missing_ok=True)
+                    with open("/dev/full" if how == "full" else os.devnull, "w") as out:
+                        close = {} if how == "full" else {"preexec_fn": lambda: os.close(1)}
+                        done = self.run_in(call, SCRATCH / f"{how}-{number}", stdout=out, **close)
+                    self.assertEqual(done.returncode, 2, done.stderr)
+                    self.assertIn("cannot be written: " + reason, done.stderr)
+
+    def test_ends_with_an_error_where_nobody_reads_standard_output(self):
+        """A signal, or, where that is ignored, status 2."""
+        for ignored in (False, True):
+            with self.subTest(ignored=ignored):
+                reading, writing = os.pipe()
+                os.close(reading)
+                done = self.run_in(["methods"], "", stdout=writing, restore_signals=False,
+                                   preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN if ignored else signal.SIG_DFL))
+                os.close(writing)
+                self.assertEqual(done.returncode, 2 if ignored else -signal.SIGPIPE)
+                if ignored:
+                    self.assertEqual(done.stderr, "touchstone: standard output: cannot be written: Broken pipe\n")
+
+    def hold(self, folder):
+        """A run that holds the folder until what is returned is closed: it waits for balls from a pipe, which it opens when it
+        has its folder."""
+        pipe = SCRATCH / f"{folder.name}.balls"
+        os.mkfifo(pipe)
+        process = subprocess.Popen([TOUCHSTONE, "scene", "mesh.obj", "--balls", str(pipe), "--output", str(folder)], cwd=SCRATCH,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process, open(pipe, "w")
+
+    def test_writes_nothing_into_a_folder_that_another_run_holds(self):
+        folder = SCRATCH / "held"
+        process, balls = self.hold(folder)
+        with balls:
+            for call in filter(writes, calls()):
+                for more in ([], ["--force"], ["--resume"]):
+                    if more == ["--resume"] and call[0] not in ("near-edge", "soak", "tradeoff", "stability"):
+                        continue
+                    with self.subTest(call=call, more=more):
+                        before = content(folder)
+                        done = self.run_in([*call, *more], folder, stdout=subprocess.PIPE)
+                        self.assertEqual(done.returncode, 2, done.stderr)
+                        self.assertIn(f"{folder}: another run writes there: process {process.pid} on ", done.stderr)
+                        self.assertIn("Z: touchstone scene 'mesh.obj' --balls ", done.stderr)
+                        self.assertEqual(content(folder), before)
+            balls.write("0 0 0 1\n")
+        self.assertEqual(process.wait(PATIENCE), 0)
+        self.assertEqual(sorted(content(folder)), ["answers.jsonl", "counts.csv", "left-out.txt", "run.json"])
+
+    def test_frees_the_folder_where_it_is_killed(self):
+        folder = SCRATCH / "killed"
+        process, balls = self.hold(folder)
+        process.kill()
+        process.wait()
+        balls.close()
+        self.assertEqual(self.run_in(["soak", "--cases", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
+
+    def test_of_two_runs_at_once_one_is_refused_whole(self):
+        seeded = lambda seed, output: [TOUCHSTONE, "near-edge", "--method", "fast", "--families", "u", "--samples", "20", "--search", "1",
+                                       "--no-pictures", "--threads", "1", "--seed", seed, "--output", str(output)]
+        data = lambda folder: {name: bytes for name, bytes in content(folder).items() if name != "run.json"}
+        alone = {}
+        for seed in "1", "5":
+            subprocess.run(seeded(seed, SCRATCH / seed), check=True, stdout=subprocess.DEVNULL, timeout=PATIENCE)
+            alone[seed] = data(SCRATCH / seed)
+        self.assertNotEqual(alone["1"]["rates.csv"], alone["5"]["rates.csv"])
+        for turn in range(4):
+            folder = SCRATCH / f"both-{turn}"
+            running = {seed: subprocess.Popen(seeded(seed, folder), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                       for seed in alone}
+            told = {seed: process.communicate(timeout=PATIENCE)[1] for seed, process in running.items()}
+            self.assertEqual(sorted(process.returncode for process in running.values()), [0, 2], told)
+            won = next(seed for seed, process in running.items() if process.returncode == 0)
+            self.assertEqual(data(folder), alone[won])
+
+    def test_writes_over_nothing_unasked(self):
+        for number, call in enumerate(filter(writes, calls())):
+            output = SCRATCH / f"precious-{number}"
+            output.mkdir()
+            (output / "bench.json").write_text("precious\n")
+            before = content(SCRATCH)
+            with self.subTest(call=call):
+                done = self.run_in(call, output, stdout=subprocess.PIPE)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn("--force writes over ", done.stderr)
+                self.assertEqual(content(SCRATCH), before)
+        for name in (name for name, ways in COMMANDS.items() if any(map(writes, ways))):
+            with self.subTest(command=name):
+                self.assertIn(" --force ", self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout)
+
+    def test_follows_no_link_out_of_its_folder(self):
+        folder, victim = SCRATCH / "links", SCRATCH / "victim.txt"
+        folder.mkdir()
+        victim.write_text("precious\n")
+        written = ["soak.csv", "differences.jsonl", "checkpoint.json", "run.json"]
+        for name in written:
+            (folder / name).symlink_to(victim)
+        done = self.run_in(["soak", "--cases", "5", "--force", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(victim.read_text(), "precious\n")
+        self.assertFalse(any((folder / name).is_symlink() for name in written))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
