@@ -73,6 +73,12 @@ class MeshBuilder {
   /// How many vertices the file has had so far, those left out included.
   [[nodiscard]] std::size_t vertices_so_far() const { return number_in_mesh_.size(); }
 
+  /// Notes a part that is passed over though the format does not know it. Only the first one is kept.
+  void pass_over(Place place, const std::string& reason) {
+    if (passed_over_.empty()) passed_over_ = sentence(source_.name, place, reason);
+  }
+  [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
+
   /// The mesh, each face with the numbers that its vertices have there.
   [[nodiscard]] ReadMesh finish() && {
     if (number_in_mesh_.size() >= kLeftOut)
@@ -118,6 +124,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<Place> places_;                  // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
+  std::string passed_over_;                    // a sentence
   std::vector<std::string> left_out_;
   std::size_t parts_left_out_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 
 #include "geometry/io/place.h"
 #include "geometry/io/read_mesh.h"
@@ -28,6 +29,12 @@ struct MeshSource {
   /// The reader cannot tell where the next part begins.
   [[noreturn]] void lost(Place place, const std::string& reason) const {
     throw StructureLost(sentence(name, place, reason));
+  }
+
+  /// Text of two or four bytes a character begins so; UTF-8 does not.
+  [[nodiscard]] bool has_wide_byte_order_mark() const {
+    using namespace std::string_view_literals;
+    return bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv) || bytes.starts_with("\0\0\xFE\xFF"sv);
   }
 
   /// The point itself; broken if a coordinate is infinite or not a number.

@@ -59,15 +59,24 @@ io::MeshSource load(const std::filesystem::path& file) {
 
 }  // namespace
 
-ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) try {
+io::Content io::read_content(const std::filesystem::path& file, OnFault on_fault) try {
   const FloatingPointState nearest;  // subnormal floats of binary files become doubles, too
   const Format& format = format_of(file);
   const io::MeshSource source = load(file);
   io::MeshBuilder builder(source, on_fault, format.first_vertex);
   builder.attempt_file([&] { format.read(source, builder); });
-  return std::move(builder).finish();
+  std::string passed_over = builder.passed_over();
+  return {std::move(builder).finish(), std::move(passed_over)};
 } catch (const std::bad_alloc&) {
   throw BrokenMesh(io::all_legible(file.string()) + ": there is not enough memory to read it");
+}
+
+ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault) {
+  io::Content content = io::read_content(file, on_fault);
+  if (!content.read.mesh.faces.empty()) return std::move(content.read);
+  const std::string& why = content.read.left_out.empty() ? content.passed_over : content.read.left_out.front();
+  throw BrokenMesh(why.empty() ? io::all_legible(file.string()) + ": the file has no face"
+                               : why + "; the file has no face");
 }
 
 }  // namespace touchstone

@@ -39,12 +39,13 @@ inline constexpr std::size_t kMostSentences = 1000;
 /// that the file has: text is read as the nearest doubles. OBJ lines that carry no vertex or face (normals, texture
 /// coordinates, groups, materials) mean nothing here; negative OBJ indices count from the end.
 ///
-/// Throws BrokenMesh if the file cannot be opened, has an unknown extension, is truncated, or has a number that is
-/// malformed or beyond the finite doubles, an index out of range, a face of fewer than three vertices, or a wrong
-/// count. With OnFault::Skip a wrong line, vertex or face is left out and named, and faces that need a vertex left
-/// out are left out too; a file whose structure is lost (a bad header, truncation in binary data) keeps what came
-/// before. The caller's rounding mode and flush-to-zero setting change nothing, and are left as found. Cost: time and
-/// memory linear in the size of the file, whatever counts it holds.
+/// Throws BrokenMesh if the file cannot be opened, has an unknown extension, is truncated, is text in UTF-16 or UTF-32,
+/// or has a number that is malformed or beyond the finite doubles, an index out of range, a face of fewer than three
+/// vertices, or a wrong count; and, with OnFault::Skip too, if it has no face that can be read: nothing would touch it,
+/// and what was meant is another file. With OnFault::Skip a wrong line, vertex or face is left out and named, and faces
+/// that need a vertex left out are left out too; a file whose structure is lost (a bad header, truncation in binary
+/// data) keeps what came before. The caller's rounding mode and flush-to-zero setting change nothing, and are left as
+/// found. Cost: time and memory linear in the size of the file, whatever counts it holds.
 [[nodiscard]] ReadMesh read_mesh(const std::filesystem::path& file, OnFault on_fault = OnFault::Refuse);
 
 }  // namespace touchstone

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ: `v x y z` and `f 1 2 3`, each corner with or without `/texture/normal`, which mean nothing here.
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +27,17 @@ std::int64_t take_corner(TextReader& lines, std::size_t vertices_so_far) {
   return from_start;
 }
 
+/// Words of the format that say nothing of vertices and polygons.
+constexpr std::string_view kPassedOver[] = {
+    "vt",     "vn",     "vp",    "p",        "l",        "g",    "s",          "o",         "mg",   "usemtl", "mtllib",
+    "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "deg",  "bmat",   "step",
+    "cstype", "curv",   "curv2", "surf",     "parm",     "trim", "hole",       "scrv",      "sp",   "end",    "con",
+    "call",   "csh",    "bzp",   "bsp",      "cdc",      "cdp",  "res",        "ctech",     "stech"};
+
+bool is_passed_over(std::string_view word) {
+  return std::find(std::begin(kPassedOver), std::end(kPassedOver), word) != std::end(kPassedOver);
+}
+
 }  // namespace
 
 void read_obj(const MeshSource& source, MeshBuilder& builder) {
@@ -44,6 +57,8 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
         while (!lines.line_is_done()) corners.push_back(take_corner(lines, builder.vertices_so_far()));
         builder.add_face(lines.place(), corners);
       });
+    } else if (!is_passed_over(keyword)) {
+      builder.pass_over(lines.place(), TextReader::quoted(keyword) + " is no word of OBJ");
     }
   }
 }

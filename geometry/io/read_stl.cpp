@@ -27,12 +27,14 @@ void add_triangle(MeshBuilder& builder, Place place, const Triangle& triangle) {
 }
 
 /// A binary file may begin with "solid" too. It is known by having the very size that its count asks for or, if it is
-/// damaged, by a zero byte in its header, where the count has one below 2^24 facets.
+/// damaged, by a zero byte in its header, where the count has one below 2^24 facets. So has text in UTF-16, which is
+/// left to the reader of text to refuse.
 bool is_binary(const MeshSource& source) {
   if (source.bytes.size() >= kHeaderBytes) {
     const std::uint64_t count = ByteReader(source, kTitleBytes, std::endian::little).take<std::uint32_t>();
     if (source.bytes.size() - kHeaderBytes == count * kFacetBytes) return true;
   }
+  if (source.has_wide_byte_order_mark()) return false;
   return std::string_view(source.bytes).substr(0, kHeaderBytes).find('\0') != std::string_view::npos;
 }
 

@@ -28,6 +28,8 @@ class TextReader {
  public:
   TextReader(const MeshSource& source, TextSyntax syntax) : source_(source), text_(source.bytes), syntax_(syntax) {
     if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // the byte order mark of UTF-8
+    if (source.has_wide_byte_order_mark())
+      source.lost(place(), "the byte order mark is that of UTF-16 or UTF-32; text must be UTF-8");
   }
   TextReader(const TextReader&) = delete;
   TextReader& operator=(const TextReader&) = delete;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/io/read_mesh.h"
+#include "geometry/io/mesh_formats.h"
 #include "tests/geometry/mesh_fixture.h"
 #include "tests/run/address_sanitizer.h"
 
@@ -121,11 +121,11 @@ TEST(BrokenMeshes, AreNeverMoreThanWhatIsThere) {
       const std::string begin = content.substr(0, size);
       const TemporaryFile file(extension, begin);
       try {
-        EXPECT_LE(read_mesh(file.path()).mesh.faces.size(), 1U) << begin;
+        EXPECT_LE(io::read_content(file.path(), OnFault::Refuse).read.mesh.faces.size(), 1U) << begin;
       } catch (const BrokenMesh& broken) {
         EXPECT_TRUE(std::string(broken.what()).starts_with(file.path().string() + ": ")) << broken.what();
       }
-      EXPECT_LE(read_mesh(file.path(), OnFault::Skip).mesh.faces.size(), 1U) << begin;
+      EXPECT_LE(io::read_content(file.path(), OnFault::Skip).read.mesh.faces.size(), 1U) << begin;
     }
 }
 
@@ -139,7 +139,7 @@ TEST(BrokenMeshes, AreReadOrRefusedWhateverAByteIsChangedTo) {
         const TemporaryFile file(extension, changed);
         for (const OnFault on_fault : {OnFault::Refuse, OnFault::Skip}) {
           try {
-            const ReadMesh result = read_mesh(file.path(), on_fault);
+            const ReadMesh result = io::read_content(file.path(), on_fault).read;
             ASSERT_EQ(result.places.size(), result.mesh.faces.size()) << changed;
             for (const auto& vertex : result.mesh.vertices) ASSERT_TRUE(vertex.allFinite()) << changed;
             for (const auto& face : result.mesh.faces) {
@@ -181,7 +181,7 @@ TEST(BrokenMeshes, CountAllPartsLeftOutAndDescribeTheFirst) {
   const rlimit limit{most, most};
   if (pages == 0 || setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(3);
   try {
-    (void)read_mesh(file, OnFault::Skip);
+    (void)io::read_content(file, OnFault::Skip);
   } catch (const std::bad_alloc&) {
     std::_Exit(1);
   }

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "geometry/io/mesh_formats.h"
+
 namespace touchstone::geometry_tests {
 namespace {
 
@@ -28,15 +30,15 @@ TemporaryFile::~TemporaryFile() {
 
 Mesh read(const std::string& extension, std::string_view content) {
   const TemporaryFile file(extension, content);
-  const ReadMesh result = read_mesh(file.path());
+  const ReadMesh result = io::read_content(file.path(), OnFault::Refuse).read;
   EXPECT_EQ(result.left_out, Sentences{});
   return result.mesh;
 }
 
-std::string fault(const std::string& extension, std::string_view content) {
+std::string fault(const std::string& extension, std::string_view content, OnFault on_fault) {
   const TemporaryFile file(extension, content);
   try {
-    (void)read_mesh(file.path());
+    (void)read_mesh(file.path(), on_fault);
   } catch (const BrokenMesh& broken) {
     return after_file(file, broken.what());
   }
@@ -45,7 +47,7 @@ std::string fault(const std::string& extension, std::string_view content) {
 
 ReadMesh skip(const std::string& extension, std::string_view content) {
   const TemporaryFile file(extension, content);
-  ReadMesh result = read_mesh(file.path(), OnFault::Skip);
+  ReadMesh result = io::read_content(file.path(), OnFault::Skip).read;
   for (std::string& sentence : result.left_out) sentence = after_file(file, sentence);
   return result;
 }

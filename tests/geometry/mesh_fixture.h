@@ -34,13 +34,14 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-/// The mesh of a file in which nothing is wrong.
+/// The mesh of a file in which nothing is wrong, though it be without a face.
 [[nodiscard]] Mesh read(const std::string& extension, std::string_view content);
 
 /// What the file is refused for, from the line or byte on.
-[[nodiscard]] std::string fault(const std::string& extension, std::string_view content);
+[[nodiscard]] std::string fault(const std::string& extension, std::string_view content,
+                                OnFault on_fault = OnFault::Refuse);
 
-/// The mesh with OnFault::Skip, and what is left out from the line or byte on.
+/// The mesh with OnFault::Skip, though it be without a face, and what is left out from the line or byte on.
 [[nodiscard]] ReadMesh skip(const std::string& extension, std::string_view content);
 
 /// The sentence without the file that it begins with.

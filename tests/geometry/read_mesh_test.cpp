@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "tests/geometry/mesh_fixture.h"
@@ -44,8 +45,8 @@ TEST(ReadMesh, KnowsTheExtensionInAnyCase) {
   EXPECT_EQ(read(".Off", "OFF\n0 0 0\n").vertices.size(), 0u);
 }
 
-TEST(ReadMesh, AnEmptyFileIsAnEmptyObjAndNoOtherFormat) {
-  EXPECT_TRUE(read(".obj", "").vertices.empty());
+TEST(ReadMesh, AnEmptyFileIsOfNoFormatButObj) {
+  EXPECT_EQ(fault(".obj", ""), "the file has no face");
   EXPECT_EQ(fault(".off", ""), "line 1: the file is truncated: expected 'OFF'");
   EXPECT_EQ(fault(".stl", ""), "line 1: the file is truncated: expected 'solid'");
   EXPECT_EQ(fault(".ply", ""), "line 1: the file is truncated: its header has no end");
@@ -105,6 +106,49 @@ TEST(ReadMesh, ReadsAnyEndOfLine) {
 
 TEST(ReadMesh, PassesOverAByteOrderMark) {
   EXPECT_EQ(points(read(".obj", "\xEF\xBB\xBFv 1 2 3\n")), (Points{{1, 2, 3}}));
+}
+
+// Nothing would touch it, in silence.
+TEST(ReadMesh, RefusesAFileWithoutAFace) {
+  for (const auto& [extension, content] : std::map<std::string, std::string>{
+           {".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
+           {".off", "OFF\n1 0 0\n0 0 0\n"},
+           {".stl", std::string(84, '\0')},
+           {".Stl", "solid nothing\nendsolid nothing\n"},
+           {".ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 0\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n"}}) {
+    EXPECT_EQ(fault(extension, content), "the file has no face") << extension;
+    EXPECT_EQ(fault(extension, content, OnFault::Skip), "the file has no face") << extension;
+  }
+}
+
+TEST(ReadMesh, SaysWhyNoFaceIsLeft) {
+  const std::string wrong = "v 0 0 0\nv 0 x 0\nv 1 1 1\nf 1 2 3\nf 1 2\n";
+  EXPECT_EQ(fault(".obj", wrong, OnFault::Skip), "line 2: 'x' is not a number; the file has no face");
+  EXPECT_EQ(fault(".ply", "hello\n", OnFault::Skip), "line 1: expected 'ply', found 'hello'; the file has no face");
+}
+
+TEST(ReadMesh, RefusesTextThatIsNotUtf8ByItsByteOrderMark) {
+  using namespace std::string_literals;
+  const std::string reason = "line 1: the byte order mark is that of UTF-16 or UTF-32; text must be UTF-8";
+  for (const std::string& mark : {"\xFF\xFE"s, "\xFE\xFF"s, "\xFF\xFE\0\0"s, "\0\0\xFE\xFF"s})
+    for (const char* extension : {".obj", ".off", ".stl", ".ply"}) {
+      const std::string wide = mark +
+                               "v\0 \0"
+                               "1\0\n\0"s;
+      for (const std::string& content : {mark, wide, wide + std::string(100, '\0')}) {
+        EXPECT_EQ(fault(extension, content), reason) << extension;
+        EXPECT_EQ(fault(extension, content, OnFault::Skip), reason + "; the file has no face") << extension;
+      }
+    }
+}
+
+// The title of a binary STL may be anything.
+TEST(ReadMesh, ReadsABinaryStlThatBeginsWithThatMark) {
+  const std::string title = "\xFF\xFE" + std::string(78, ' ');
+  const std::string facet = row({0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f});
+  EXPECT_EQ(points(read(".stl", title + bytes(std::uint32_t{1}) + facet + bytes(std::uint16_t{0}))), kTrianglePoints);
 }
 
 TEST(ReadMesh, SkipOfABadHeaderKeepsNothingAndSaysSo) {

@@ -61,6 +61,24 @@ TEST(ReadObj, PassesOverLinesWithoutVertexOrFace) {
   EXPECT_TRUE(mesh.faces.empty());
 }
 
+// As a file in which every letter is a capital, or one of another format.
+TEST(ReadObj, NamesTheFirstWordThatItDoesNotKnowWhereNoFaceIs) {
+  EXPECT_EQ(fault(".obj", "# capitals\no part\nV 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n"),
+            "line 3: 'V' is no word of OBJ; the file has no face");
+  EXPECT_EQ(fault(".obj", kObj + "F 1 2 3\n"), "line 4: 'F' is no word of OBJ; the file has no face");
+  EXPECT_EQ(read(".obj", kObj + "F 1 2 3\nf 1 2 3\n").faces, (Faces{{0, 1, 2}}));
+}
+
+// Each word of the format's specification, in the order of its index.
+TEST(ReadObj, KnowsTheWordsOfTheFormatThatSayNothingOfFaces) {
+  for (const char* word :
+       {"bevel", "bmat",   "bsp",       "bzp",      "c_interp", "call",   "cdc", "cdp",  "con",        "csh", "cstype",
+        "ctech", "curv",   "curv2",     "d_interp", "deg",      "end",    "g",   "hole", "l",          "lod", "maplib",
+        "mg",    "mtllib", "o",         "p",        "parm",     "res",    "s",   "scrv", "shadow_obj", "sp",  "stech",
+        "step",  "surf",   "trace_obj", "trim",     "usemap",   "usemtl", "vn",  "vp",   "vt"})
+    EXPECT_EQ(fault(".obj", std::string(word) + " 1\n"), "the file has no face") << word;
+}
+
 TEST(ReadObj, FacesMayNameVerticesThatComeLater) {
   EXPECT_EQ(read(".obj", "f 1 2 3\n" + kObj).faces, (Faces{{0, 1, 2}}));
 }

@@ -152,8 +152,9 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   std::string bad;
   for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
   run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
-  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
-                                           {mesh, "--compare", "0", "--skip-bad", "--output", scratch.path.string()});
+  const auto ran =
+      run_tests::run_captured(commands::add_merge, "merge",
+                              {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
 }
@@ -179,14 +180,28 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   EXPECT_TRUE(merged.ends_with("m,1,1,3,0,0\n")) << merged;
 }
 
-TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIs) {
+TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\n");
-  const auto ran = run_tests::run_captured(commands::add_merge, "merge", {mesh, "--output", scratch.path.string()});
+  run::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
+  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
+                                           {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.out.find("nan"), std::string::npos) << ran.out;
   EXPECT_EQ(ran.out.find("0 of 0,"), std::string::npos) << ran.out;
+}
+
+TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
+  const run_tests::Scratch scratch;
+  const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(none, "V 0 0 0\n");
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto ran = run_tests::run_captured(
+      commands::add_merge, "merge",
+      {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is no word of OBJ; the file has no face\n");
+  EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
 }
 
 TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {

@@ -214,6 +214,14 @@ TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
   EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,2,exact,face,contact,35,0,"), std::string::npos);
 }
 
+TEST_F(MeshContact, AMeshWithoutAFaceIsAnErrorAndTheOthersGoOn) {
+  write("points.obj", "v 0 0 0\nv 1 0 0\n");
+  const Run run = touchstone("mesh-contact points.obj model/cube.obj --skip-bad --method exact --output o");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "touchstone: points.obj: the file has no face\n");
+  EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,"), std::string::npos);
+}
+
 TEST_F(MeshContact, NoMeshAtAllIsAnErrorWithoutATable) {
   const Run run = touchstone("mesh-contact absent.obj --output o");
   EXPECT_EQ(run.status, 2);

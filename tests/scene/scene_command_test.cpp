@@ -293,6 +293,23 @@ TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   EXPECT_NE(nothing.err.find("--random needs a mesh with a face"), std::string::npos) << nothing.err;
 }
 
+// "Nothing is touched" would be a wrong answer about what the file was meant to hold.
+TEST_F(SceneCommand, RefusesAMeshWithoutAFaceWhateverIsAskedOfIt) {
+  const std::string balls = write("balls.txt", "0 0 0 1\n");
+  const std::string wide = write("wide.obj", std::string("\xFF\xFEv\0 \0", 6));
+  const std::string capitals = write("capitals.obj", "V 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n");
+  for (const std::string skip : {"", "--skip-bad"})
+    for (const std::string& bad : {wide, capitals, write("empty.obj", ""), write("empty.stl", std::string(84, '\0'))})
+      for (const std::string question : {"--any", "--all", "--nearest"}) {
+        std::vector<std::string> arguments{path("cube.obj"), bad, "--balls", balls, question};
+        if (!skip.empty()) arguments.push_back(skip);
+        const Ran ran = touchstone_scene(arguments);
+        EXPECT_EQ(ran.status, 2) << bad;
+        EXPECT_EQ(ran.out, "") << bad;
+        EXPECT_TRUE(ran.err.starts_with("touchstone: " + bad + ": ")) << ran.err;
+      }
+}
+
 TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
   EXPECT_EQ(touchstone_scene({path("cube.obj")}).status, 2);
   EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--balls", "x"}).status, 2);

@@ -114,7 +114,6 @@ Machine::Machine(const std::filesystem::path& folder) {
   std::ranges::sort(files);
   for (const auto& file : files) {
     std::vector<Triangle> part = triangles_of(read_mesh(file, OnFault::Skip).mesh);
-    if (part.empty()) continue;
     scale_to_one(part);
     std::erase_if(part, [](const Triangle& t) { return !is_triangle(t); });
     triangle_count_ += part.size();
