@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "experiments/bench/output.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::bench {
 namespace {
@@ -23,8 +24,9 @@ std::string goal_text(const Goal& goal) {
 }
 
 std::string wrong_text(const Wrong& wrong) {
-  const double percent = 100 * static_cast<double>(wrong.count) / static_cast<double>(wrong.of);
-  return wrong.count == 0 ? fmt::format("0 of {}", wrong.of) : fmt::format("{}% of {}", number(percent), wrong.of);
+  if (wrong.count == 0) return fmt::format("0 of {}", wrong.of);
+  return fmt::format("{}% of {}", statistics::percent_to_digits(statistics::share_of(wrong.count, wrong.of), 3),
+                     wrong.of);
 }
 
 std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,

@@ -7,6 +7,7 @@
 #include "experiments/bench/ericson.h"
 #include "experiments/bench/families.h"
 #include "experiments/bench/triangle_queries.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -73,8 +74,10 @@ Contest draw(TriangleFamily family, const Settings& settings) {
   contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
   const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, contest.checked));
   if (contest.checked > 0)
-    contest.note = fmt::format("{:.1f} % touch", 100 * static_cast<double>(std::ranges::count(*truth, true)) /
-                                                     static_cast<double>(contest.checked));
+    contest.note =
+        statistics::percent_to_places(
+            statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), contest.checked), 1) +
+        " % touch";
 
   const auto add = [&](std::string name, auto ask, std::optional<Comparison> comparison) {
     contest.contestants.push_back(contestant(

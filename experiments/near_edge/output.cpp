@@ -8,6 +8,7 @@
 
 #include "experiments/run/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -99,7 +100,7 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
           for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
           if (tally.trials == 0) continue;
           text += fmt::format("{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
-                         all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
+                              all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
         }
   run::write_file(folder / "rates.csv", text);
 }
@@ -113,10 +114,9 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
         const auto& [samples, all, below, above] = counts.summary(group.strata, test, m);
         if (samples.trials == 0) continue;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", group.name, word(test),
-                       settings.methods[m]->name(), samples.failures, samples.trials, rate_and_limits(samples),
-                       all.failures, all.trials, below ? std::to_string(*below) : "",
-                       above ? std::to_string(*above) : "");
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
+                            samples.failures, samples.trials, rate_and_limits(samples), all.failures, all.trials,
+                            below ? std::to_string(*below) : "", above ? std::to_string(*above) : "");
       }
   run::write_file(folder / "bands.csv", text);
 }
@@ -145,18 +145,20 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
 std::string table(const Settings& settings, const Counts& counts) {
   std::string text;
   for (const Threshold threshold : all_thresholds()) {
-    text += fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold),
-                   movement(threshold), "method", "test", "failed of samples", "rate", "95 % limits",
-                   "band of offsets");
+    text += fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold), movement(threshold),
+                        "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
       for (const Test test : kTests) {
         const Summary summary = counts.summary(strata_of(threshold), test, m);
         const auto& [failures, trials] = summary.samples;
         if (trials == 0) continue;
         const auto limits = statistics::clopper_pearson(failures, trials);
-        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7.3f}%  {:<22} {}\n", settings.methods[m]->name(),
-                       word(test), fmt::format("{} of {}", failures, trials), 100 * rate(summary.samples),
-                       fmt::format("{:.3f} to {:.3f} %", 100 * limits.lower, 100 * limits.upper), band_text(summary));
+        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), word(test),
+                            fmt::format("{} of {}", failures, trials),
+                            statistics::percent_to_places(rate(summary.samples), 3),
+                            fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 3),
+                                        statistics::percent_to_places(limits.upper, 3)),
+                            band_text(summary));
       }
   }
   return text.append("\n").append(kLegend);

@@ -9,6 +9,7 @@
 #include "experiments/near_edge/output.h"
 #include "experiments/run/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -110,7 +111,8 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
       for (std::size_t k = kMostExponent + 1; k-- > 0;) {
         if (onset.wrong[k] == 0) continue;
         const auto limits = statistics::clopper_pearson(onset.wrong[k], onset.samples);
-        from = fmt::format("2^-{}: {:.2f} to {:.2f} %", k, 100 * limits.lower, 100 * limits.upper);
+        from = fmt::format("2^-{}: {} to {} %", k, statistics::percent_to_places(limits.lower, 2),
+                           statistics::percent_to_places(limits.upper, 2));
       }
       double climbed = 0;
       for (const std::size_t r : group.regions)

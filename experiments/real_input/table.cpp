@@ -7,6 +7,7 @@
 
 #include "experiments/real_input/output.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::real_input {
@@ -14,15 +15,8 @@ namespace {
 
 constexpr std::size_t kWidth = 120;  // columns of the terminal
 
-/// Three digits or so; what is not zero never looks like zero, nor what is not all like all.
-std::string percent(double share) {
-  const double value = 100 * share;
-  if (value == 0) return "0";
-  if (value < 0.01) return "<0.01";
-  if (value < 9.995) return fmt::format("{:.2f}", value);
-  if (value == 100) return "100";
-  return fmt::format("{:.1f}", std::min(value, 99.9));
-}
+/// Three digits or so.
+std::string percent(double share) { return statistics::percent_to_places(share, share < 0.09995 ? 2 : 1); }
 
 std::string percent(const Count& count) {
   return count.trials == 0 ? "-" : percent(static_cast<double>(count.wrong()) / static_cast<double>(count.trials));

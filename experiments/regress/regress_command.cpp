@@ -21,6 +21,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/io/legible.h"
 #include "robust/exact/exact.h"
 
@@ -51,8 +52,8 @@ std::string command_line(const Options& options) {
 
 std::string cell(const Summary& summary) {
   if (summary.wrong == 0) return "-";
-  const double share = 100.0 * static_cast<double>(summary.wrong) / static_cast<double>(summary.cases);
-  return fmt::format("{:.2g}{}", share, summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
+  return fmt::format("{}{}", statistics::percent_to_digits(statistics::share_of(summary.wrong, summary.cases), 2),
+                     summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
 }
 
 std::string table_of(const Standing& standing, const Settings& settings) {

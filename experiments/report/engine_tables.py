@@ -2,6 +2,7 @@
 """The cells of tables of engines, in pages of Markdown and in the report."""
 from names import ENGINES
 from readings.engines import Standing, families_of, rows_by_engine
+from shares import unless_whole
 
 
 def power(exponent):
@@ -17,7 +18,7 @@ def overall(rows, polygons):
     families, lines = families_of(rows), []
     for engine, own in rows_by_engine(rows).items():
         s = Standing.of(own)
-        share = (f"{100 * s.wrong / s.cases:.2g} %" if s.wrong else
+        share = (unless_whole(s.wrong / s.cases, f"{100 * s.wrong / s.cases:.2g}") + " %" if s.wrong else
                  f"0 of {s.cases:,} (< {100 * (1 - 0.05 ** (1 / polygons)):.2g} % of polygons)")
         lines.append([engine, ENGINES[engine], share, s.first_offset(power), f"{s.failed_families} of {len(families)}"])
     return lines

@@ -7,6 +7,7 @@ import math
 import re
 
 from results import DataError
+from shares import unless_whole
 
 PIXELS_AN_INCH = 150  # of the pictures in PNG: style.py
 
@@ -68,8 +69,12 @@ def rounded(value, digits=2):
     return f"{value:,.{places}f}".replace("-", "−")
 
 
+def percent_number(share, digits=2):
+    return unless_whole(share, rounded(100 * share, digits))
+
+
 def percent(share, digits=2):
-    return f"{rounded(100 * share, digits)}\u00a0%"  # on one line
+    return escaped(percent_number(share, digits)) + "\u00a0%"  # on one line
 
 
 def multiple(ratio, digits=2):

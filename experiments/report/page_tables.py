@@ -18,6 +18,7 @@ import tempfile
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
 from readings.engines import families_of
+from shares import unless_whole
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
@@ -50,7 +51,7 @@ def near_edge_counts(touchstone):
 def cell(failures, trials):
     """A rate; where nothing failed, its upper 95 % limit (one-sided, Clopper-Pearson)."""
     if failures:
-        return f"{100 * failures / trials:.0f} %"
+        return unless_whole(failures / trials, f"{100 * failures / trials:.0f}") + " %"
     return f"0 of {trials} (< {100 * (1 - 0.05 ** (1 / trials)):.2f} %)"
 
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "experiments/statistics/percent.h"
+
 namespace touchstone::run {
 namespace {
 
@@ -21,8 +23,7 @@ std::string duration_text(double seconds) {
 
 std::string progress_text(const std::string& what, std::uint64_t before, std::uint64_t done, std::uint64_t total,
                           double seconds) {
-  const double share = static_cast<double>(done) / static_cast<double>(total);
-  std::string text = fmt::format("{}: {:.0f} %", what, 100 * share);
+  std::string text = what + ": " + statistics::percent_to_places(statistics::share_of(done, total), 0) + " %";
   if (done > before) {
     const double pace = seconds / static_cast<double>(done - before);
     text += fmt::format(", {} left", duration_text(pace * static_cast<double>(total - done)));

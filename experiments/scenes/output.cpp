@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/judge/verdict.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::scenes {
 namespace {
@@ -44,13 +45,6 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
   rows.push_back(
       {"edges_never_looked_at", "edges never looked at", counts.edges() - counts.edges_looked_at(), counts.edges()});
   return rows;
-}
-
-/// What is not zero never looks like zero, nor what is not all like all.
-std::string percent(std::uint64_t part, std::uint64_t whole) {
-  if (part == 0 || part == whole) return part == 0 ? "0" : "100";
-  const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
-  return share < 0.01 ? "<0.01" : share > 99.99 ? ">99.99" : fmt::format("{:.2f}", share);
 }
 
 Verdict face(FaceId id, const std::vector<Object>& objects) {
@@ -122,7 +116,8 @@ std::string table(const FaceCounts& counts, std::uint64_t balls) {
   std::string text = fmt::format("{:<54}{:>16}{:>9}{:>14}\n", "", "in sum", "share", "a ball");
   for (const Row& row : rows_of(counts)) {
     const double each = balls == 0 ? 0 : static_cast<double>(row.count) / static_cast<double>(balls);
-    text += fmt::format("{:<54}{:>16}{:>7} %{:>14.2f}\n", row.explained, row.count, percent(row.count, row.of), each);
+    text += fmt::format("{:<54}{:>16}{:>7} %{:>14.2f}\n", row.explained, row.count,
+                        statistics::percent_to_places(statistics::share_of(row.count, row.of), 2), each);
   }
   return text;
 }

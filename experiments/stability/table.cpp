@@ -12,6 +12,7 @@
 #include "experiments/stability/output.h"
 #include "experiments/statistics/bounded_mean.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::stability {
 namespace {
@@ -21,11 +22,12 @@ constexpr std::size_t kName = 18, kColumn = 17, kMostMethods = (kWidth - kName) 
 
 std::string limits_text(std::uint64_t failed, std::uint64_t trials) {
   const auto limits = statistics::clopper_pearson(failed, trials);
-  return fmt::format("{:.3g} - {:.3g} %", 100 * limits.lower, 100 * limits.upper);
+  return fmt::format("{} - {} %", statistics::percent_to_digits(limits.lower, 3),
+                     statistics::percent_to_digits(limits.upper, 3));
 }
 
 std::string percent(std::uint64_t failed, std::uint64_t trials) {
-  return fmt::format("{:.3g} %", trials == 0 ? 0 : 100 * static_cast<double>(failed) / static_cast<double>(trials));
+  return statistics::percent_to_digits(statistics::share_of(failed, trials), 3) + " %";
 }
 
 /// A line of a table; cell(method) is what is said of each.
@@ -265,8 +267,11 @@ std::string area_table(const std::vector<thesis_figures::FalseArea>& areas) {
       areas.front().points, "outline", "share", "95 % limits", "missed");
   for (const auto& area : areas) {
     const auto limits = area.limits();
-    text += fmt::format("  {:<10}{:>7.1f} %  {:<20}{:>8}\n", area.outline->name, 100 * area.share(),
-                        fmt::format("{:.1f} to {:.1f} %", 100 * limits.lower, 100 * limits.upper), area.missed);
+    text += fmt::format("  {:<10}{:>7} %  {:<20}{:>8}\n", area.outline->name,
+                        statistics::percent_to_places(area.share(), 1),
+                        fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 1),
+                                    statistics::percent_to_places(limits.upper, 1)),
+                        area.missed);
   }
   return text;
 }

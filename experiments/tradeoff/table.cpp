@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/statistics/bounded_mean.h"
+#include "experiments/statistics/percent.h"
 #include "experiments/tradeoff/band.h"
 #include "experiments/tradeoff/front.h"
 #include "experiments/tradeoff/output.h"
@@ -23,9 +24,7 @@ std::string three_digits(double value) {
 }
 
 std::string percent(double share) {
-  if (share == 0) return "0";
-  if (share == 1) return "100";
-  return share < 0.0095 ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.1f}", 100 * share);
+  return share < 0.0095 ? statistics::percent_to_digits(share, 2) : statistics::percent_to_places(share, 1);
 }
 
 /// The mean over all places of a placement; how many were asked, in the list of the fewest and of the most.

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers and tables as LaTeX."""
 import math
+import re
+
+from shares import unless_whole
 
 
 def count(n):
@@ -9,12 +12,10 @@ def count(n):
 
 
 def percent(share):
-    """To two digits; what would round to 100 % without being it keeps a digit below it."""
+    """To two digits; only what is 0 % or 100 % looks so."""
     value = 100 * share
-    shown = f"{value:.0f}" if value >= 9.5 else f"{value:.2g}"
-    if share < 1 and float(shown) >= 100:
-        shown = f"{math.floor(10 * value) / 10:.1f}"
-    return rf"{shown}\,\%"
+    shown = unless_whole(share, f"{value:.0f}" if value >= 9.5 else f"{value:.2g}")
+    return re.sub("([<>]) ", r"$\1$\\,", shown) + r"\,\%"
 
 
 def power(x):

@@ -150,8 +150,8 @@ TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
   EXPECT_EQ(progress_text("samples", 0, 10, 40, 4), "samples: 25 %, 12 s left");
   EXPECT_EQ(progress_text("samples", 5, 10, 40, 2), "samples: 25 %, 12 s left");
   EXPECT_EQ(progress_text("samples", 10, 10, 40, 2), "samples: 25 %");
-  EXPECT_EQ(progress_text("samples", 0, 1, 1001, 3), "samples: 0 %, 50 min left");
-  EXPECT_EQ(progress_text("samples", 0, 1, 10'001, 3), "samples: 0 %, 8.3 h left");
+  EXPECT_EQ(progress_text("samples", 0, 1, 1001, 3), "samples: <1 %, 50 min left");
+  EXPECT_EQ(progress_text("samples", 0, 1, 10'001, 3), "samples: <1 %, 8.3 h left");
 }
 
 }  // namespace

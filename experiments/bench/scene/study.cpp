@@ -11,6 +11,7 @@
 
 #include "experiments/bench/scene/brute_force.h"
 #include "experiments/run/progress_line.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::bench {
 namespace {
@@ -122,9 +123,9 @@ class Asking {
       touching += numbers.empty() ? 0 : 1;
       touched += numbers.size();
     }
-    const auto all = static_cast<double>(count);
-    return fmt::format("{:.0f} % touch, {:.1f} triangles on average", 100 * static_cast<double>(touching) / all,
-                       static_cast<double>(touched) / all);
+    return fmt::format("{} % touch, {:.1f} triangles on average",
+                       statistics::percent_to_places(statistics::share_of(touching, count), 0),
+                       static_cast<double>(touched) / static_cast<double>(count));
   }
 
  private:

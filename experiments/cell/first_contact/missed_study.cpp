@@ -13,6 +13,7 @@
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/run/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 #include "experiments/workloads/random.h"
 
 namespace touchstone::kinematics {
@@ -119,10 +120,8 @@ std::string missed_table(const MissedStudy& study) {
     for (const Missed& m : study.counts[r]) {
       early += m.early;
       const double upper = statistics::clopper_pearson(m.missed, m.contacts).upper;
-      text += fmt::format(
-          "{:>8.2f} ({:>6.2f})",
-          100.0 * static_cast<double>(m.missed) / static_cast<double>(std::max<std::uint64_t>(m.contacts, 1)),
-          100 * upper);
+      text += fmt::format("{:>8} ({:>6})", statistics::percent_to_places(statistics::share_of(m.missed, m.contacts), 2),
+                          statistics::percent_to_places(upper, 2));
     }
     text += '\n';
   }

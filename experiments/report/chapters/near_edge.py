@@ -3,7 +3,8 @@
 import math
 
 from names import DISTANCES, NAMED, PLACEMENTS, TITLES, of_method
-from page import bar, code, count, counted, percent, picture, power, rounded, share_of_size, smaller, table, upper_limit, words
+from page import (bar, code, count, counted, escaped, percent, percent_number, picture, power, rounded, share_of_size, smaller, table,
+                  upper_limit, words)
 from readings.near_edge import CONTACT, Data, asked
 
 TITLE = "Random polygons, double by double"
@@ -15,7 +16,7 @@ def ranges(data, method):
 
 
 def from_to(low, high):
-    return percent(low) if percent(low) == percent(high) else f"{rounded(100 * low)} to {percent(high)}"
+    return percent(low) if percent(low) == percent(high) else f"{escaped(percent_number(low))} to {percent(high)}"
 
 
 def finding(study):

@@ -9,6 +9,7 @@ from matplotlib.patches import FancyBboxPatch, Polygon
 
 from pictures.cell_missed import draw_missed
 from pictures.style import STYLES, plt
+from shares import unless_whole
 
 BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, SKY, GREY = (style[0] for style in STYLES)
 
@@ -46,8 +47,8 @@ def flowchart(branches):
             axes.annotate(text, ((begin[0] + end[0]) / 2 + side, (begin[1] + end[1]) / 2 + 0.14), fontsize=8)
 
     def counts(name):
-        return (f"thesis {100 * method.get(name, 0) / total:.2f} %\n"
-                f"exact  {100 * exact.get(name, 0) / total:.2f} %")
+        share = lambda of: unless_whole(of.get(name, 0) / total, f"{100 * of.get(name, 0) / total:.2f}", 2)
+        return f"thesis {share(method)} %\nexact  {share(exact)} %"
 
     box(0, 8, f"{int(total):,} random balls\nabout the gripper's front".replace(",", " "), "#eeeeee")
     box(0, 6.3, "s = N·(C − P0)\nwhere is the sphere?")
@@ -213,7 +214,7 @@ def false_areas(outlines, rows):
         share = 100 * row["share"]
         axes.bar(i, share, color=ORANGE if row["outline"] == "gripper" else BLUE, width=0.6,
                  yerr=[[share - 100 * row["lower"]], [100 * row["upper"] - share]], capsize=3)
-        axes.annotate(f"{share:.3g} %", (i, 100 * row["upper"] + 3), ha="center", fontsize=8)
+        axes.annotate(f"{unless_whole(row['share'], f'{share:.3g}')} %", (i, 100 * row["upper"] + 3), ha="center", fontsize=8)
         corners = np.array(outlines[row["outline"]])
         corners = (corners - corners.min(axis=0)) / (corners.max(axis=0) - corners.min(axis=0)).max()
         corners -= (corners.max(axis=0)) / 2
@@ -297,7 +298,7 @@ def bars(labels, values, colors, ylabel, title="", size=(6, 3.8), limit=112):
     figure, axes = plt.subplots(figsize=size)
     axes.bar(range(len(values)), values, color=colors, width=0.6)
     for i, value in enumerate(values):
-        axes.annotate(f"{value:.3g} %", (i, value + limit / 60), ha="center", fontsize=9)
+        axes.annotate(f"{unless_whole(value / 100, f'{value:.3g}')} %", (i, value + limit / 60), ha="center", fontsize=9)
     axes.set_xticks(range(len(values)), labels)
     axes.set_ylabel(ylabel)
     axes.set_ylim(0, limit)

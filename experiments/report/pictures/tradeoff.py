@@ -14,6 +14,7 @@ from matplotlib.textpath import TextPath
 from names import OWN_TEST, PLACEMENTS, TITLES
 from pictures.near_edge import EVEN_STEPS, place, shade_even_steps
 from pictures.style import STYLES, draw, plt, save
+from shares import unless_whole
 
 # What their names begin with; a colour a kind of method, a marker a method of it.
 KINDS = [(("thesis",), "#D55E00", "thesis"), (("fast",), "#0072B2", "fast"), (("cgal",), "#009E73", "CGAL"),
@@ -75,7 +76,7 @@ class Spot:
 
     @property
     def name(self):
-        overflow = f" ({100 * self.not_finite:.2g} % overflow)" if self.not_finite > 0 else ""
+        overflow = f" ({unless_whole(self.not_finite, f'{100 * self.not_finite:.2g}')} % overflow)" if self.not_finite > 0 else ""
         return self.method + overflow
 
 
