@@ -4,8 +4,8 @@
        build.py --check RESULTS OUTPUT
 
 Makes OUTPUT/touchstone.pdf, every number, table and figure of it from the studies in RESULTS. The same data give the
-same bytes. A study or a number that is missing, an interrupted study, or studies of different programs are errors
-(status 1). --no-latex stops before LaTeX is called. --check builds nothing: it fails where OUTPUT was made from other
+same bytes. A study or a number that is missing, an interrupted study, a program without one of the engines that the paper is
+about, or studies of different programs are errors (status 1). --no-latex stops before LaTeX is called. --check builds nothing: it fails where OUTPUT was made from other
 data than those that are in RESULTS now, from another text or by other code.
 """
 import argparse
@@ -32,6 +32,10 @@ STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of
     "bench": (bench, "bench"), "engines": (engines, "engines"), "soak": (soak, "soak"), "real-input": (real_input, "real"),
     "bench-scene": (scenes, "scenes"), "thesis": (thesis, "thesis")}
 
+# Libraries of others that the paper's tables are about, as run.json names them; and the studies that ask them.
+ENGINES = ["embree", "fcl", "libccd", "bullet", "ode", "bullet-float"]
+ASKING = ["engines", "bench-scene"]
+
 # By figures, and not row by row.
 ALSO_READ = {"bench": {"bench.json"}, "near-edge": {f"map-reflex-vertex-foot-{distance}.csv" for distance in (0, 1000)}}
 
@@ -55,6 +59,9 @@ def read_studies(results):
             raise DataError(f"{results / name}: not run; ./reproduce --paper runs it")
         if not study.complete:
             raise DataError(f"{results / name}/run.json: interrupted; ./reproduce --paper ends it")
+        if name in ASKING and (lacking := [engine for engine in ENGINES if engine not in study.run.get("engines", [])]):
+            raise DataError(f"{results / name}/run.json: the program was built without {', '.join(lacking)}, which the paper is about; "
+                            "./reproduce --paper installs them and builds it anew")
         studies[name] = Recording(study)
     commits = {study.run.get("commit") for study in studies.values()}
     if len(commits) != 1:

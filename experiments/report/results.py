@@ -85,6 +85,10 @@ def is_text(value):
     return type(value) is str
 
 
+def is_texts(value):
+    return type(value) is list and all(map(is_text, value))
+
+
 def is_date(value):
     return is_text(value) and re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", value) is not None
 
@@ -95,7 +99,7 @@ RUN = {"command": is_text, "seed": is_natural, "samples_asked": is_natural, "sam
 
 
 def read_run(path):
-    """What run.json says; `commit` may be null, `interrupted` may be left out."""
+    """What run.json says; `commit` may be null, `interrupted` and `engines` may be left out."""
     try:
         run = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
@@ -111,6 +115,8 @@ def read_run(path):
             raise DataError(f"{path}: {name} cannot be {json.dumps(run[name])}")
     if not (run.get("commit") is None or is_text(run["commit"])):
         raise DataError(f"{path}: commit cannot be {json.dumps(run['commit'])}")
+    if "engines" in run and not is_texts(run["engines"]):
+        raise DataError(f"{path}: engines cannot be {json.dumps(run['engines'])}")
     return run
 
 

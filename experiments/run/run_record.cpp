@@ -8,7 +8,9 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string_view>
 #include <thread>
 
@@ -17,6 +19,9 @@
 
 #ifndef TOUCHSTONE_COMPILE_FLAGS
 #define TOUCHSTONE_COMPILE_FLAGS ""
+#endif
+#ifndef TOUCHSTONE_ENGINES
+#define TOUCHSTONE_ENGINES ""
 #endif
 
 namespace touchstone::run {
@@ -32,6 +37,12 @@ constexpr const char* kCompiler = "g++ " __VERSION__;
 nlohmann::ordered_json commit() {
   constexpr std::string_view commit = TOUCHSTONE_COMMIT;
   return commit.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(commit);
+}
+
+/// The libraries of others that the program was built with, where they are not needed to build it.
+std::vector<std::string> engines() {
+  std::istringstream names(TOUCHSTONE_ENGINES);
+  return {std::istream_iterator<std::string>(names), {}};
 }
 
 std::string processor() {
@@ -78,6 +89,7 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
       {"commit", commit()},
       {"compiler", kCompiler},
       {"flags", TOUCHSTONE_COMPILE_FLAGS},
+      {"engines", engines()},
       {"processor", processor()},
       {"cores", std::thread::hardware_concurrency()},
       {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
