@@ -34,9 +34,10 @@ int run(const ServeOptions& options) {
   std::optional<browser::Routes> routes;
   browser::HttpServer server(options.host, options.port,
                              [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
-  routes.emplace(simulator, server.loopback());
-  const std::string host = options.host.find(':') == std::string::npos ? options.host : "[" + options.host + "]";
-  fmt::print("{}: http://{}:{}/ (Ctrl-C ends it)\n", simulator.cell().name, host, server.port());
+  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()));
+  if (!server.loopback())
+    fmt::print(stderr, "touchstone: --host {}: other machines can reach this server, too\n", options.host);
+  fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
   run::flush_standard_output();
   server.run(interrupt.requested());
   return 0;

@@ -29,13 +29,26 @@ std::string error_of(const Received& received) { return nlohmann::json::parse(re
 
 class Server : public testing::Test {
  protected:
-  void still_serves() const { EXPECT_EQ(ask(serving.port(), "GET", "/after").body, "GET /after localhost "); }
+  void still_serves() const { EXPECT_EQ(ask(serving.port(), "GET", "/after").body, "GET /after " + host() + " "); }
+  [[nodiscard]] std::string host() const { return "localhost:" + std::to_string(serving.port()); }
   const Serving serving{echo, {.most_body = 1000, .patience = std::chrono::milliseconds(300)}};
 };
 
 TEST_F(Server, HandsOverMethodPathHostAndBody) {
-  EXPECT_EQ(ask(serving.port(), "POST", "/a/b?c=d", "text").body, "POST /a/b localhost text");
-  EXPECT_EQ(ask(serving.port(), "BREW", "/").body, "BREW / localhost ");
+  EXPECT_EQ(ask(serving.port(), "POST", "/a/b?c=d", "text").body, "POST /a/b " + host() + " text");
+  EXPECT_EQ(ask(serving.port(), "BREW", "/").body, "BREW / " + host() + " ");
+  EXPECT_EQ(send_raw(serving.port(), "GET / HTTP/1.0\r\n\r\n").body, "GET /  ");
+}
+
+// Two programs on the way could differ about who is meant.
+TEST_F(Server, RefusesAllButOneHost) {
+  for (const char* hosts :
+       {"", "Host: localhost\r\nHost: localhost\r\n", "Host: localhost\r\nX: y\r\nhost: evil\r\n"}) {
+    const Received refused = send_raw(serving.port(), std::string("GET / HTTP/1.1\r\n") + hosts + "\r\n");
+    EXPECT_EQ(refused.status, 400U) << hosts;
+    EXPECT_EQ(error_of(refused).rfind("a request of HTTP/1.1 has one Host, this one has ", 0), 0U) << hosts;
+  }
+  still_serves();
 }
 
 // On the same connection, a body after the first reply would be taken for the second one.
@@ -110,7 +123,14 @@ TEST_F(Server, ServesManyAtOnce) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     clients.emplace_back([&, i] { bodies[i] = ask(serving.port(), "POST", "/", std::to_string(i)).body; });
   for (std::thread& client : clients) client.join();
-  for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(bodies[i], "POST / localhost " + std::to_string(i));
+  for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(bodies[i], "POST / " + host() + " " + std::to_string(i));
+}
+
+// What a user is told to open must lead to the server, which 0.0.0.0 does not everywhere.
+TEST(Url, LeadsToTheServer) {
+  const auto url = [](const char* host) { return HttpServer(host, 0, echo, {}).url(); };
+  EXPECT_EQ(url("127.0.0.1").rfind("http://127.0.0.1:", 0), 0U);
+  EXPECT_EQ(url("0.0.0.0").rfind("http://127.0.0.1:", 0), 0U);
 }
 
 TEST_F(Server, NamesTheAddressThatItCannotListenAt) {

@@ -39,12 +39,6 @@ constexpr std::size_t kMostDrained = std::size_t{16} * 1024 * 1024;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
-/// Of `localhost:8080`, `[::1]:8080`, `127.0.0.1`.
-std::string without_port(std::string_view host) {
-  if (!host.empty() && host.front() == '[') return std::string(host.substr(0, host.find(']') + 1));
-  return std::string(host.substr(0, host.find(':')));
-}
-
 /// What to answer to something that could not be read; none where nobody waits for an answer.
 std::optional<HttpReply> reply_to(const error_code& error, const HttpServer::Limits& limits) {
   if (error == http::error::body_limit)
@@ -83,11 +77,16 @@ class Session : public std::enable_shared_from_this<Session> {
       return;
     }
     const auto& message = parser_->get();
-    const std::string_view target = view(message.target());
     head_ = message.method() == http::verb::head;
+    // More than one, or none, would let two programs on the way differ about who is meant (RFC 9112, 3.2).
+    const std::size_t hosts = message.count(http::field::host);
+    if (hosts > 1 || (hosts == 0 && message.version() >= 11))
+      return write(refusal(400, fmt::format("a request of HTTP/1.1 has one Host, this one has {}", hosts)),
+                   message.version(), false);
+    const std::string_view target = view(message.target());
     write(answer({.method = std::string(view(message.method_string())),
                   .path = std::string(target.substr(0, target.find('?'))),
-                  .host = without_port(view(message[http::field::host])),
+                  .host = std::string(view(message[http::field::host])),
                   .content_type = std::string(view(message[http::field::content_type])),
                   .body = message.body()}),
           message.version(), message.keep_alive());
@@ -185,6 +184,15 @@ HttpServer::HttpServer(const std::string& host, std::uint16_t port, Handler hand
 HttpServer::~HttpServer() = default;
 
 std::uint16_t HttpServer::port() const { return state_->acceptor.local_endpoint().port(); }
+
+std::string HttpServer::url() const {
+  asio::ip::address address = state_->acceptor.local_endpoint().address();
+  // Every address of this machine is meant: one that leads here.
+  if (address.is_unspecified())
+    address = address.is_v4() ? asio::ip::address(asio::ip::address_v4::loopback()) : asio::ip::address_v6::loopback();
+  const std::string host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
+  return fmt::format("http://{}:{}/", host, port());
+}
 
 bool HttpServer::loopback() const { return state_->acceptor.local_endpoint().address().is_loopback(); }
 

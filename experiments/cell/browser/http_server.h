@@ -14,7 +14,7 @@ namespace touchstone::cell::browser {
 struct HttpRequest {
   std::string method;  ///< `GET`, `POST`, ...
   std::string path;    ///< without what begins at a question mark
-  std::string host;    ///< of the header, without the port
+  std::string host;    ///< the header, with the port if it has one; empty if HTTP/1.0 has none
   std::string content_type;
   std::string body;
 };
@@ -30,10 +30,10 @@ struct HttpReply {
 
 /// Answers requests of HTTP/1.1, by Boost.Beast.
 ///
-/// What is no HTTP is answered by 400, a head of more than 8 kB by 431, a body of more than `most_body` bytes by 413,
-/// chunked or not, and what the handler throws by 500, each with a JSON object whose `error` says why; who takes longer
-/// than `patience` to send a request or to take the reply is cut off, and of more than 64 connections at once the last
-/// ones. Then it goes on serving.
+/// What is no HTTP is answered by 400, as is HTTP/1.1 without one Host, a head of more than 8 kB by 431, a body of more
+/// than `most_body` bytes by 413, chunked or not, and what the handler throws by 500, each with a JSON object whose
+/// `error` says why. A reply to HEAD has no body, whatever the handler gives. Who takes longer than `patience` to send
+/// a request or to take the reply is cut off, and of more than 64 connections at once the last ones. Then it goes on serving.
 class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;
@@ -50,6 +50,8 @@ class HttpServer {
   ~HttpServer();
 
   [[nodiscard]] std::uint16_t port() const;
+  /// Of the page, for a browser of this machine.
+  [[nodiscard]] std::string url() const;
   /// Only this machine can reach it.
   [[nodiscard]] bool loopback() const;
 

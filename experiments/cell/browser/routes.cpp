@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/browser/routes.h"
 
+#include <utility>
+
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/page.h"
 #include "experiments/cell/model/cell_entry.h"
@@ -15,20 +17,17 @@ std::string without(const std::string& prefix, const std::string& message) {
   return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
 }
 
-bool is_this_machine(const std::string& host) {
-  return host == "localhost" || host == "[::1]" || host.rfind("127.", 0) == 0;
-}
-
 }  // namespace
 
-Routes::Routes(const Simulator& simulator, bool loopback)
-    : simulator_(&simulator), loopback_(loopback), page_(live_page()), cell_(cell_json(simulator).dump()) {}
+Routes::Routes(const Simulator& simulator, KnownHosts hosts)
+    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()), cell_(cell_json(simulator).dump()) {}
 
 HttpReply Routes::answer(const HttpRequest& request) const {
-  if (loopback_ && !is_this_machine(request.host))
-    return refusal(421, "this server answers to localhost, not to \"" + request.host + "\"");
+  if (!hosts_.names(request.host))
+    return refusal(421, "this server answers to localhost or its address, not to \"" + request.host + "\"");
   const bool page = request.path == "/", cell = request.path == "/api/cell", run = request.path == "/api/run";
-  if (!page && !cell && !run) return refusal(404, "there are /, /api/cell and /api/run, not " + request.path);
+  if (!page && !cell && !run)
+    return refusal(404, "there are /, /api/cell and /api/run, not " + request.path);
   const std::string wanted = run ? "POST" : "GET";
   if (request.method != wanted)
     return refusal(405, request.path + " takes " + wanted + ", not " + request.method, wanted);

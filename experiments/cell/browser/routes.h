@@ -4,6 +4,7 @@
 #include <string>
 
 #include "experiments/cell/browser/http_server.h"
+#include "experiments/cell/browser/known_hosts.h"
 #include "experiments/cell/browser/recording.h"
 
 namespace touchstone::cell::browser {
@@ -12,13 +13,12 @@ namespace touchstone::cell::browser {
 ///   GET /          the page
 ///   GET /api/cell  cell_json
 ///   POST /api/run  a setting, as read_setting takes it: run_json; Content-Type must be application/json
-/// Otherwise {"error": reason}: 400 for what is no setting, 404, 405, 415 for another type, 422 for a cell that cannot
-/// be, and, where only this machine is meant, 421 for another Host than localhost or an address of it: so that no page
-/// from elsewhere, whose name is made to lead here, can ask.
+/// Otherwise {"error": reason}: 400 for what is no setting, 404, 405, 415 for another type,
+/// 422 for a cell that cannot be, and 421 for a Host that is not known, whatever is asked.
 class Routes {
  public:
   /// Requires that the simulator outlives it.
-  Routes(const Simulator& simulator, bool loopback);
+  Routes(const Simulator& simulator, KnownHosts hosts);
 
   /// Safe from several threads.
   [[nodiscard]] HttpReply answer(const HttpRequest& request) const;
@@ -27,7 +27,7 @@ class Routes {
   [[nodiscard]] HttpReply run(const HttpRequest& request) const;
 
   const Simulator* simulator_;
-  bool loopback_;
+  KnownHosts hosts_;
   std::string page_, cell_;
 };
 
