@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <deque>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -124,6 +127,35 @@ TEST_F(Server, ServesManyAtOnce) {
     clients.emplace_back([&, i] { bodies[i] = ask(serving.port(), "POST", "/", std::to_string(i)).body; });
   for (std::thread& client : clients) client.join();
   for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(bodies[i], "POST / " + host() + " " + std::to_string(i));
+}
+
+// Patience is far longer than the test: who comes later does not wait for it.
+TEST(FullServer, TakesTheOneThatHasBeenIdleLongestForANewOne) {
+  const Serving serving(echo, {.patience = std::chrono::minutes(10), .most_connections = 8});
+  std::deque<Connection> idle;
+  for (int i = 0; i < 8; ++i) idle.emplace_back(serving.port());
+  EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U);
+  EXPECT_EQ(idle.front().rest(), "");
+  idle.back().send("GET /last HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_EQ(idle.back().receive().status, 200U);
+}
+
+// A request that is being answered is not idle.
+TEST(FullServer, AnswersWhatItWorksOn) {
+  std::promise<void> at_work, go_on;
+  const Serving serving(
+      [&](const HttpRequest& request) {
+        if (request.path == "/slow") at_work.set_value(), go_on.get_future().wait();
+        return echo(request);
+      },
+      {.patience = std::chrono::minutes(10), .most_connections = 4});
+  auto slow = std::async(std::launch::async, [&] { return ask(serving.port(), "GET", "/slow").status; });
+  at_work.get_future().wait();
+  std::deque<Connection> idle;
+  for (int i = 0; i < 8; ++i) idle.emplace_back(serving.port());
+  EXPECT_EQ(idle[4].rest(), "");
+  go_on.set_value();
+  EXPECT_EQ(slow.get(), 200U);
 }
 
 // What a user is told to open must lead to the server, which 0.0.0.0 does not everywhere.

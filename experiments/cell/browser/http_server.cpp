@@ -16,13 +16,18 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cell/browser/connection_slots.h"
+
 namespace touchstone::cell::browser {
 
 /// What the sessions of a server have in common.
 struct SharedBySessions {
   HttpServer::Handler handler;
   HttpServer::Limits limits;
-  std::atomic<int> connections = 0;
+  ConnectionSlots slots;
+
+  SharedBySessions(HttpServer::Handler given, const HttpServer::Limits& most)
+      : handler(std::move(given)), limits(most), slots(most.most_connections) {}
 };
 
 namespace {
@@ -34,7 +39,7 @@ using boost::system::error_code;
 using Tcp = asio::ip::tcp;
 
 constexpr std::uint32_t kMostHead = 8 * 1024;
-constexpr int kMostConnections = 64, kThreads = 4;
+constexpr int kThreads = 4;
 constexpr std::size_t kMostDrained = std::size_t{16} * 1024 * 1024;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
@@ -54,13 +59,22 @@ std::optional<HttpReply> reply_to(const error_code& error, const HttpServer::Lim
 class Session : public std::enable_shared_from_this<Session> {
  public:
   Session(Tcp::socket socket, std::shared_ptr<SharedBySessions> shared)
-      : stream_(std::move(socket)), shared_(std::move(shared)) {
-    ++shared_->connections;
-  }
+      : stream_(std::move(socket)), shared_(std::move(shared)) {}
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  ~Session() { --shared_->connections; }
+  ~Session() {
+    if (slot_) shared_->slots.close(*slot_);
+  }
 
+  void start() {
+    slot_ = shared_->slots.open([session = weak_from_this()] {
+      const auto self = session.lock();
+      if (self) asio::post(self->stream_.get_executor(), [self] { self->stream_.close(); });
+    });
+    if (slot_) read();
+  }
+
+ private:
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHead);
@@ -70,12 +84,12 @@ class Session : public std::enable_shared_from_this<Session> {
                      [self = shared_from_this()](error_code error, std::size_t) { self->take(error); });
   }
 
- private:
   void take(const error_code& error) {
     if (error) {
       if (auto reply = reply_to(error, shared_->limits)) write(*std::move(reply), 11, false);
       return;
     }
+    if (!shared_->slots.begin_work(*slot_)) return;
     const auto& message = parser_->get();
     head_ = message.method() == http::verb::head;
     // More than one, or none, would let two programs on the way differ about who is meant (RFC 9112, 3.2).
@@ -110,6 +124,7 @@ class Session : public std::enable_shared_from_this<Session> {
     reply_->keep_alive(keep_alive);
     reply_->prepare_payload();
     if (head_) reply_->body().clear();  // its length is told, but it is not sent
+    shared_->slots.begin_waiting(*slot_);
     stream_.expires_after(shared_->limits.patience);
     http::async_write(stream_, *reply_, [self = shared_from_this(), keep_alive](error_code error, std::size_t) {
       if (error) return;
@@ -130,6 +145,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   beast::tcp_stream stream_;
   std::shared_ptr<SharedBySessions> shared_;
+  std::optional<ConnectionSlots::Number> slot_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> reply_;
@@ -148,12 +164,11 @@ struct HttpServer::State {
   asio::io_context context;
   Tcp::acceptor acceptor{context};
   asio::steady_timer clock{context};
-  std::shared_ptr<SharedBySessions> shared = std::make_shared<SharedBySessions>();
+  std::shared_ptr<SharedBySessions> shared;
 
   void accept() {
     acceptor.async_accept(asio::make_strand(context), [this](error_code error, Tcp::socket socket) {
-      if (!error && shared->connections < kMostConnections)
-        std::make_shared<Session>(std::move(socket), shared)->read();
+      if (!error) std::make_shared<Session>(std::move(socket), shared)->start();
       accept();
     });
   }
@@ -167,8 +182,7 @@ struct HttpServer::State {
 
 HttpServer::HttpServer(const std::string& host, std::uint16_t port, Handler handler, const Limits& limits)
     : state_(std::make_unique<State>()) {
-  state_->shared->handler = std::move(handler);
-  state_->shared->limits = limits;
+  state_->shared = std::make_shared<SharedBySessions>(std::move(handler), limits);
   try {
     const auto found = Tcp::resolver(state_->context).resolve(host, std::to_string(port));
     const Tcp::endpoint endpoint = found.begin()->endpoint();

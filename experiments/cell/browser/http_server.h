@@ -33,13 +33,15 @@ struct HttpReply {
 /// What is no HTTP is answered by 400, as is HTTP/1.1 without one Host, a head of more than 8 kB by 431, a body of more
 /// than `most_body` bytes by 413, chunked or not, and what the handler throws by 500, each with a JSON object whose
 /// `error` says why. A reply to HEAD has no body, whatever the handler gives. Who takes longer than `patience` to send
-/// a request or to take the reply is cut off, and of more than 64 connections at once the last ones. Then it goes on serving.
+/// a request or to take the reply is cut off; of more than `most_connections`, the one that has been idle longest is.
+/// Then it goes on serving.
 class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;
   struct Limits {
     std::size_t most_body = std::size_t{64} * 1024;
     std::chrono::milliseconds patience = std::chrono::seconds(10);
+    std::size_t most_connections = 64;
   };
 
   /// Listens; port 0 stands for a free one. The handler is called by several threads at once. Throws
