@@ -54,6 +54,10 @@ TEST_F(Server, RefusesAllButOneHost) {
   still_serves();
 }
 
+TEST(Refusal, IsWrittenWhateverItsReason) {
+  EXPECT_EQ(cell::browser::refusal(400, "\xff, \xe9\x41").body, "{\"error\":\"\xef\xbf\xbd, \xef\xbf\xbd\x41\"}");
+}
+
 // On the same connection, a body after the first reply would be taken for the second one.
 TEST_F(Server, SendsNoBodyToHead) {
   const std::string bytes = read_all(serving.port(),

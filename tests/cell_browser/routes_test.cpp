@@ -63,10 +63,12 @@ TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   const std::uint16_t port = serving.port();
   refuses(ask(port, "GET", "/api/runs"), 404, "there are /, /api/cell and /api/run, not /api/runs");
   refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
-  refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, not DELETE");
+  refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, HEAD, not DELETE");
   refuses(ask(port, "GET", "/api/run"), 405, "/api/run takes POST, not GET");
   EXPECT_EQ(ask(port, "GET", "/api/run").allow, "POST");
-  refuses(ask(port, "POST", "/api/run", "{}", "text/plain"), 415, "the Content-Type must be application/json");
+  EXPECT_EQ(ask(port, "DELETE", "/api/cell").allow, "GET, HEAD");
+  for (const char* type : {"text/plain", "application/jsonpwn", "application/json-seq;x=application/json", ""})
+    refuses(ask(port, "POST", "/api/run", "{}", type), 415, "the Content-Type must be application/json");
   refuses(ask(port, "POST", "/api/run", "{\"storage\""), 400, "request: is not JSON");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": -1}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
@@ -85,6 +87,29 @@ TEST_F(Page, AnswersToThisMachineAlone) {
   refuses(ask(port, "POST", "/api/run", "{}", "application/json", "127.evil.com"), 421, "this server answers to");
   refuses(send_raw(port, "GET / HTTP/1.1\r\nHost:\r\n\r\n"), 421, "this server answers to");
   refuses(send_raw(port, "GET / HTTP/1.0\r\n\r\n"), 421, "this server answers to");
+}
+
+TEST_F(Page, AnswersHeadAsGetWithoutABody) {
+  for (const char* path : {"/", "/api/cell"}) {
+    const std::string bytes = read_all(
+        serving.port(), std::string("HEAD ") + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+    EXPECT_TRUE(bytes.starts_with("HTTP/1.1 200 OK\r\n")) << bytes;
+    EXPECT_TRUE(bytes.ends_with("\r\n\r\n")) << bytes;
+    EXPECT_NE(bytes.find("Content-Length: " + std::to_string(ask(serving.port(), "GET", path).body.size()) + "\r\n"),
+              std::string::npos)
+        << bytes;
+  }
+}
+
+// Bytes that are not UTF-8 would not be JSON in the refusal that quotes them.
+TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
+  const std::uint16_t port = serving.port();
+  refuses(send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
+          "there are /, /api/cell and /api/run, not /\\xff");
+  refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
+          "this server answers to localhost or its address, not to \"\\xff\"");
+  refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: ");
+  refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: ");
 }
 
 TEST_F(Page, GivesEveryoneTheAnswerToTheirOwnQuestion) {

@@ -77,6 +77,7 @@ class Session : public std::enable_shared_from_this<Session> {
  private:
   void read() {
     parser_.emplace();
+    head_ = false;
     parser_->header_limit(kMostHead);
     parser_->body_limit(shared_->limits.most_body);
     stream_.expires_after(shared_->limits.patience);
@@ -157,7 +158,9 @@ class Session : public std::enable_shared_from_this<Session> {
 }  // namespace
 
 HttpReply refusal(unsigned status, const std::string& reason, std::string allow) {
-  return {status, "application/json", nlohmann::json{{"error", reason}}.dump(), std::move(allow)};
+  const nlohmann::json body{{"error", reason}};
+  return {status, "application/json", body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+          std::move(allow)};
 }
 
 struct HttpServer::State {

@@ -25,7 +25,7 @@ struct HttpReply {
   std::string allow;  ///< methods, of 405
 };
 
-/// A reply whose body is a JSON object: its `error` is the reason.
+/// A reply whose body is a JSON object: its `error` is the reason; U+FFFD stands for what is not UTF-8 of it.
 [[nodiscard]] HttpReply refusal(unsigned status, const std::string& reason, std::string allow = "");
 
 /// Answers requests of HTTP/1.1, by Boost.Beast.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/browser/routes.h"
 
+#include <boost/beast/core/string.hpp>
+#include <string_view>
 #include <utility>
 
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/page.h"
 #include "experiments/cell/model/cell_entry.h"
+#include "experiments/run/legible.h"
 
 namespace touchstone::cell::browser {
 namespace {
@@ -17,6 +20,13 @@ std::string without(const std::string& prefix, const std::string& message) {
   return message.rfind(prefix, 0) == 0 ? message.substr(prefix.size()) : message;
 }
 
+/// Parameters may follow a media type; its case does not matter.
+bool is_json(std::string_view content_type) {
+  std::string_view type = content_type.substr(0, content_type.find(';'));
+  while (type.ends_with(' ') || type.ends_with('\t')) type.remove_suffix(1);
+  return boost::beast::iequals({type.data(), type.size()}, kJson);
+}
+
 }  // namespace
 
 Routes::Routes(const Simulator& simulator, KnownHosts hosts)
@@ -24,20 +34,21 @@ Routes::Routes(const Simulator& simulator, KnownHosts hosts)
 
 HttpReply Routes::answer(const HttpRequest& request) const {
   if (!hosts_.names(request.host))
-    return refusal(421, "this server answers to localhost or its address, not to \"" + request.host + "\"");
+    return refusal(421,
+                   "this server answers to localhost or its address, not to \"" + run::legible(request.host) + "\"");
   const bool page = request.path == "/", cell = request.path == "/api/cell", run = request.path == "/api/run";
   if (!page && !cell && !run)
-    return refusal(404, "there are /, /api/cell and /api/run, not " + request.path);
-  const std::string wanted = run ? "POST" : "GET";
-  if (request.method != wanted)
-    return refusal(405, request.path + " takes " + wanted + ", not " + request.method, wanted);
+    return refusal(404, "there are /, /api/cell and /api/run, not " + run::legible(request.path));
+  const std::string wanted = run ? "POST" : "GET, HEAD";
+  if (run ? request.method != "POST" : request.method != "GET" && request.method != "HEAD")
+    return refusal(405, request.path + " takes " + wanted + ", not " + run::legible(request.method), wanted);
   if (page) return {200, "text/html; charset=utf-8", page_, ""};
   if (cell) return {200, kJson, cell_, ""};
   return this->run(request);
 }
 
 HttpReply Routes::run(const HttpRequest& request) const {
-  if (request.content_type.rfind(kJson, 0) != 0) return refusal(415, std::string("the Content-Type must be ") + kJson);
+  if (!is_json(request.content_type)) return refusal(415, std::string("the Content-Type must be ") + kJson);
   try {
     const Setting setting = read_setting(request.body, simulator_->cell());
     return {200, kJson, run_json(simulator_->run(setting)).dump(), ""};

@@ -13,7 +13,7 @@ namespace touchstone::cell::browser {
 ///   GET /          the page
 ///   GET /api/cell  cell_json
 ///   POST /api/run  a setting, as read_setting takes it: run_json; Content-Type must be application/json
-/// Otherwise {"error": reason}: 400 for what is no setting, 404, 405, 415 for another type,
+/// HEAD is answered as GET. Otherwise {"error": reason}: 400 for what is no setting, 404, 405, 415 for another type,
 /// 422 for a cell that cannot be, and 421 for a Host that is not known, whatever is asked.
 class Routes {
  public:
