@@ -343,10 +343,11 @@ def heights(cell, places, which):
     left.grid(alpha=0.25)
     for case, color in ((1, BLUE), (2, ORANGE)):
         rows = [row for row in places if row["scan"] == f"heights {case}"]
+        step = rows[1]["height_mm"] - rows[0]["height_mm"]  # one is tried for so much of the bar
         for outcome, run in itertools.groupby(rows, key=lambda row: row["outcome"]):
             run = [row["height_mm"] for row in run]
             if outcome in ("from the side", "from above"):
-                right.bar(case, run[-1] - run[0] + 2, 0.8, bottom=run[0] - 1, linewidth=0, color=color,
+                right.bar(case, run[-1] - run[0] + step, 0.8, bottom=run[0] - step / 2, linewidth=0, color=color,
                           alpha=0.85 if outcome == "from the side" else 0.4)
         for end, offset in (("highest", 12), ("lowest", -30)):
             if f"case {case}, {end}" in cell.sides:

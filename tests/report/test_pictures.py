@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Usage: test_pictures.py SOURCE
+
+Pictures take the steps of a study from its data."""
+import pathlib
+import sys
+import types
+import unittest
+
+SOURCE = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(SOURCE / "experiments/report"))
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+from pictures import thesis_cell
+
+STATION = {"azimuth": 0, "radius": 500, "height": 412}
+
+
+def bars(step):
+    """(from, to) of each bar of the heights, of which the lowest two fail, five are from above and five from the side."""
+    outcomes = ["no contact"] * 2 + ["from above"] * 5 + ["from the side"] * 5
+    places = [{"scan": f"heights {case}", "height_mm": 1.0 + i * step, "outcome": outcome}
+              for case in (1, 2) for i, outcome in enumerate(outcomes)]
+    cell = types.SimpleNamespace(
+        drawing={"material": {"side": 40}, "sphere_radius": 6, "stations": {"storage 1": STATION, "storage 2": STATION}},
+        sides={f"case {case}, move {case + 1}": [{"out": 0, "up": 0, "height": 412}] for case in (1, 2)})
+    figure = thesis_cell.heights(cell, places, "highest")
+    return [(bar.get_y(), bar.get_y() + bar.get_height()) for bar in figure.axes[1].patches]
+
+
+class Heights(unittest.TestCase):
+    def test_the_bars_leave_no_gap_between_heights_that_complete(self):
+        for step in (2, 5, 10):
+            with self.subTest(step=step):
+                above, beside = bars(step)[:2]
+                self.assertEqual(above[0], 1 + 2 * step - step / 2)
+                self.assertEqual(above[1], beside[0])
+                self.assertEqual(beside[1], 1 + 11 * step + step / 2)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
