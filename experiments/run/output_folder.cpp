@@ -15,9 +15,9 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/run/legible.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::run {
 namespace {
@@ -30,7 +30,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 std::string holder(int descriptor) {
   std::array<char, 1000> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-  return length > 0 ? ": " + legible({text.data(), static_cast<std::size_t>(length)}) : "";
+  return length > 0 ? ": " + io::legible({text.data(), static_cast<std::size_t>(length)}) : "";
 }
 
 bool is_same_file(int descriptor, const std::filesystem::path& path) {
@@ -91,7 +91,7 @@ void OutputFolder::refuse_content(Existing existing) const {
   for (const auto& entry : std::filesystem::directory_iterator(path_)) names.insert(entry.path().filename().string());
   names.erase(kLock);
   if (names.empty()) return;
-  const std::string name = legible(*names.begin());
+  const std::string name = io::legible(*names.begin());
   if (existing.resume) refuse("has no checkpoint.json to go on from, but " + name);
   refuse(fmt::format("is not empty (it has {}); --force writes over what is there{}", name,
                      has_checkpoint ? ", --resume goes on with it" : ""));

@@ -8,7 +8,7 @@
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/page.h"
 #include "experiments/cell/model/cell_entry.h"
-#include "experiments/run/legible.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::cell::browser {
 namespace {
@@ -35,13 +35,13 @@ Routes::Routes(const Simulator& simulator, KnownHosts hosts)
 HttpReply Routes::answer(const HttpRequest& request) const {
   if (!hosts_.names(request.host))
     return refusal(421,
-                   "this server answers to localhost or its address, not to \"" + run::legible(request.host) + "\"");
+                   "this server answers to localhost or its address, not to \"" + io::legible(request.host) + "\"");
   const bool page = request.path == "/", cell = request.path == "/api/cell", run = request.path == "/api/run";
   if (!page && !cell && !run)
-    return refusal(404, "there are /, /api/cell and /api/run, not " + run::legible(request.path));
+    return refusal(404, "there are /, /api/cell and /api/run, not " + io::legible(request.path));
   const std::string wanted = run ? "POST" : "GET, HEAD";
   if (run ? request.method != "POST" : request.method != "GET" && request.method != "HEAD")
-    return refusal(405, request.path + " takes " + wanted + ", not " + run::legible(request.method), wanted);
+    return refusal(405, request.path + " takes " + wanted + ", not " + io::legible(request.method), wanted);
   if (page) return {200, "text/html; charset=utf-8", page_, ""};
   if (cell) return {200, kJson, cell_, ""};
   return this->run(request);
