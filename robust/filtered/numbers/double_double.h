@@ -7,6 +7,11 @@
 #include "robust/filtered/target.h"
 #include "robust/filtered/vector3.h"
 
+#if defined(__clang__)
+// clang++ defines no macro for the flags that reorder sums; error-free ones must not be, whoever includes this.
+#pragma clang fp reassociate(off)
+#endif
+
 /// Error-free transformations and the arithmetic of unevaluated sums of two doubles.
 ///
 /// Requires round to nearest and neither overflow nor underflow of any intermediate result; compiled without
