@@ -11,7 +11,7 @@
 #include "robust/scene/ball_walk.h"
 #include "tests/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::filtered::proofs::culling {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
@@ -41,4 +41,4 @@ TEST(Culling, LeavesOutNoBoxThatIsTouched) {
 TEST(Culling, ReachesBeyondWhatUnderflowMoves) { EXPECT_LE(7 * kSmallestDouble, kTiny * power(kU, 2)); }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::filtered::proofs::culling

@@ -14,7 +14,7 @@
 #include "robust/filtered/prepared.h"
 #include "tests/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::filtered::proofs::normal_of_polygon {
 namespace {
 
 using workloads::Random;
@@ -93,4 +93,4 @@ TEST(NormalOfPolygon, IsKnownToTheSmallestDoubleWhereItUnderflows) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::filtered::proofs::normal_of_polygon

@@ -13,7 +13,7 @@
 #include "robust/proofs/error_bound.h"
 #include "tests/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::filtered::proofs::rounded_plane {
 namespace {
 
 using scene::rounded_plane::Plane;
@@ -64,8 +64,9 @@ struct Needs {
 
 /// The least that kNormal unit size^2 and kHeight unit size^3 may be as computed, where two roundings more pay for
 /// those above of the errors themselves.
-mpq_class computed(double constant) { return mpq_class(constant) * power(1 - kU, 6); }
-const mpq_class kNormal = computed(scene::rounded_plane::kNormal), kHeight = computed(scene::rounded_plane::kHeight);
+mpq_class as_computed(double constant) { return mpq_class(constant) * power(1 - kU, 6); }
+const mpq_class kNormal = as_computed(scene::rounded_plane::kNormal),
+                kHeight = as_computed(scene::rounded_plane::kHeight);
 
 TEST(RoundedPlane, IsKnownForLoopsOfFewVertices) {
   for (std::size_t n = 3; n <= 64; ++n) {
@@ -101,4 +102,4 @@ TEST(RoundedPlane, HasSumsThatAreNoWorseThanTheyAreAsAWhole) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::filtered::proofs::rounded_plane

@@ -8,7 +8,7 @@
 #include "tests/proofs/permanent_inputs.h"
 #include "tests/proofs/rationals.h"
 
-namespace touchstone::filtered::proofs {
+namespace touchstone::filtered::proofs::rounded_sum {
 namespace {
 
 const mpq_class kU = 0x1p-53;  // round to nearest
@@ -42,4 +42,4 @@ TEST(RoundedSum, LosesASixteenthToUnderflow) {
 }
 
 }  // namespace
-}  // namespace touchstone::filtered::proofs
+}  // namespace touchstone::filtered::proofs::rounded_sum
