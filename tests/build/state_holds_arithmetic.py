@@ -8,7 +8,7 @@ with 0x1f80, `ldmxcsr` if they differ; at the end `stmxcsr`, a comparison with w
 there may be floating-point arithmetic, comparison or conversion of SSE or AVX
   (1) from the function's start to the first state's beginning, except in functions whose first stage is valid in
       every rounding direction (ANY_ROUNDING),
-  (2) from `stmxcsr` at a state's beginning to the jump that leaves out `ldmxcsr`, or to that,
+  (2) from `stmxcsr` at a state's beginning to `ldmxcsr`, or to the jump that leaves it out,
   (3) from `stmxcsr` at a state's end to the function's return, the next state or a jump out of the function.
 What is reached by exceptions or tables of jumps alone is followed from there for (2) and (3). Functions that are
 called are not followed. With a compiler, samples that break each rule are compiled and must be found, others must not.
@@ -65,6 +65,16 @@ def begins(body, i):
     return False
 
 
+def sets(body, i):
+    """Does the run of instructions from i on, up to a jump or call, set MXCSR?"""
+    for instruction in body[i:]:
+        if "ldmxcsr" in instruction.mnemonic:
+            return True
+        if instruction.mnemonic.startswith(("j", "call", "ret")) or "stmxcsr" in instruction.mnemonic:
+            return False
+    return False
+
+
 def successors(body, by_address, i):
     """The numbers of the instructions of this function that may follow, but for jumps by a table."""
     instruction = body[i]
@@ -92,9 +102,10 @@ def faults(name, body):
             mnemonic = body[i].mnemonic
             if "stmxcsr" in mnemonic:
                 state = ENTERING if begins(body, i) else AFTER
-            elif state == ENTERING and (mnemonic.startswith("j") or "ldmxcsr" in mnemonic):
+            elif state == ENTERING and "ldmxcsr" in mnemonic:
                 state = INSIDE
-            work += [(j, state) for j in successors(body, by_address, i)]
+            decided = state == ENTERING and mnemonic.startswith("j")
+            work += [(j, INSIDE if decided and not sets(body, j) else state) for j in successors(body, by_address, i)]
 
     follow(0, BEFORE)
     for i in range(len(body)):
