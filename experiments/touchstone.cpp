@@ -4,11 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
+#include <string_view>
 
 #include "experiments/commands.h"
 #include "experiments/judge/json_fault.h"
@@ -27,20 +28,34 @@ bool occupy_standard_streams() {
   return true;
 }
 
-/// Prints CLI11's complaint, which may quote the command line, or the help that was asked for. Returns the exit status.
-int tell(const CLI::App& app, const CLI::ParseError& error) {
-  std::ostringstream out, err;
-  const int status = app.exit(error, out, err);
-  std::fputs(out.str().c_str(), stdout);
-  std::istringstream lines(err.str());
-  for (std::string line; std::getline(lines, line);)
-    std::fprintf(stderr, "%s\n", touchstone::io::all_legible(line).c_str());
-  return status;
+constexpr std::string_view kOutOfMemory = "touchstone: out of memory\n";
+const std::terminate_handler usual_end = std::get_terminate();
+
+/// Where memory ends within a destructor or a thread, so that main does not learn of it. (Destructors of the JSON
+/// library allocate.)
+[[noreturn]] void end_out_of_memory() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kOutOfMemory.data(), kOutOfMemory.size());
+    _exit(2);
+  } catch (...) {
+    usual_end();
+  }
+  usual_end();
+  std::abort();
+}
+
+/// A complaint about the command line, which it may quote.
+std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
+  const std::string sentence = touchstone::io::all_legible(error.what());
+  return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
 }
 
 int run(int argc, char** argv) {
   CLI::App app("touchstone: does a ball touch a polygon, where, and how sure is the answer?");
   app.require_subcommand(1);
+  app.failure_message(legible_complaint);
   int status = 0;
   touchstone::commands::add_judge(app, status);
   touchstone::commands::add_methods(app);
@@ -57,17 +72,12 @@ int run(int argc, char** argv) {
   touchstone::commands::add_regress(app, status);
   touchstone::commands::add_corpus(app, status);
   touchstone::commands::add_thesis(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return tell(app, error);
-  }
+  CLI11_PARSE(app, argc, argv);
   return status;
 }
 
 /// What an exception that ended a command says, legible and without a library's tags.
 std::string complaint(const std::exception& error) {
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
   if (const auto* json = dynamic_cast<const nlohmann::json::exception*>(&error))
     return touchstone::judge::json_fault(*json);
   return touchstone::io::all_legible(touchstone::run::message_of(error));
@@ -77,12 +87,15 @@ std::string complaint(const std::exception& error) {
 
 int main(int argc, char** argv) {
   if (!occupy_standard_streams()) return 2;
+  std::set_terminate(end_out_of_memory);
   try {
     const int status = run(argc, argv);
     touchstone::run::flush_standard_output();
     return status;
+  } catch (const std::bad_alloc&) {
+    std::fputs(kOutOfMemory.data(), stderr);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "touchstone: %s\n", complaint(error).c_str());
-    return 2;
   }
+  return 2;
 }

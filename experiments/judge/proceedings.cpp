@@ -14,7 +14,7 @@
 namespace touchstone::judge {
 namespace {
 
-/// As complaints name a case.
+/// The case, as complaints name it.
 std::string name(const Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
 
 }  // namespace
@@ -29,7 +29,7 @@ void Proceedings::give_rejection(const Line& line) {
   const Case& question = *line.read;
   Rejection rejection = std::get<Rejection>(question.content);
   const std::string reason = rejection.message;
-  if (!question.id) rejection.message = fmt::format("{}: {}", line.place, reason);
+  if (!question.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
   const bool expected = question.expected && question.expected->contains("error");
   const auto give = [&](std::string_view method) {
     const Verdict verdict = verdict_of(question.id, method, rejection);

@@ -137,6 +137,16 @@ TEST(Judge, ComplainsOnOneLineWhateverTheIdIs) {
             "\n");
 }
 
+// Verdicts are JSON, and so UTF-8.
+TEST(Judge, GoesOnBehindACaseWithoutAnIdInAFileWhoseNameIsNotUtf8) {
+  Order order;
+  order.files = {write_file("\xff.jsonl", "{}\n" + with(kTouching, ""))};
+  const Result result = run(with(kTouching, ""), order);
+  EXPECT_EQ(result.status, InputRejected);
+  EXPECT_NE(result.verdicts.find(R"(\\xff.jsonl: line 1: the case has no key)"), std::string::npos) << result.verdicts;
+  EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3);
+}
+
 TEST(Judge, NamesFileAndLineOfWhatIsNotJsonAndGoesOn) {
   const Result result = run("\n" + with(kTouching, "") + "\nnonsense\n" + with(kTouching, ""));
   EXPECT_NE(result.complaints.find(".jsonl: line 3: not JSON: column 2: syntax error"), std::string::npos)

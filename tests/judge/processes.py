@@ -11,6 +11,7 @@ import select
 import signal
 import subprocess
 import sys
+import tempfile
 
 CASE = b'{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]}}\n'
 SECONDS = 60  # until what does not end is taken for a fault
@@ -71,6 +72,21 @@ def check_engine_that_ends(program, before, options):
         sys.exit(f"{what}: what it started goes on")
 
 
+def check_foreign_holder(program, options):
+    """This process holds the engine's output open, too, and nobody kills it for that."""
+    with tempfile.TemporaryDirectory() as folder:
+        go = os.path.join(folder, "go")
+        os.mkfifo(go)
+        judge, reader = start(program, f"echo $$ > {{pipe}}; read go <{go}; " + VERDICT, *options)
+        held = os.open(f"/proc/{int(os.read(reader, 20))}/fd/1", os.O_WRONLY)
+        with open(go, "w") as file:
+            file.write("go\n")
+        verdicts, _ = judge.communicate(timeout=SECONDS)
+        os.close(held)
+    if judge.returncode != 0 or verdicts.count(b"\n") != 2:
+        sys.exit(f"output held open, options {options}: exit status {judge.returncode}: {verdicts}")
+
+
 def check_unreadable_input(program, redirection):
     for options in "", "--exec cat", "--exec cat --time-limit 9":
         command = f"judge {options} {redirection}"
@@ -90,6 +106,7 @@ def main(program):
             check_signal(program, signal.SIGKILL, -signal.SIGKILL, helper, options)
             check_engine_that_ends(program, helper, options)
         check_engine_that_ends(program, LEAVES_MANY, options)
+        check_foreign_holder(program, options)
 
 
 if __name__ == "__main__":
