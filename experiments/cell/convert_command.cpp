@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,8 +32,7 @@ std::string row(const char* what, const ModelCounts& counts) {
 
 int run(const ConvertOptions& options) {
   constexpr int kDiffers = 1;
-  if (!options.force && std::filesystem::exists(options.to))
-    throw BadConversion(options.to + ": is there already; --force writes over it");
+  run::refuse_overwrite(options.to, options.force);
   LinkModel model = read_model(options.from);
   if (!options.name.empty()) {
     // A mesh is one part of the link's name.

@@ -23,6 +23,7 @@ struct ExportOptions {
   RunOptions run;
   std::string file;
   double rate = 25;
+  bool force = false;
 };
 
 int run(const ExportOptions& options) {
@@ -30,6 +31,7 @@ int run(const ExportOptions& options) {
   if (extension != ".html" && extension != ".gltf" && extension != ".glb")
     throw std::invalid_argument(
         fmt::format("{}: the extension '{}' is none of .html, .gltf and .glb", options.file, extension));
+  run::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
   const browser::Recording recording = simulator.run(browser::setting_of(simulator.cell()));
   const std::string text = extension == ".html"
@@ -58,6 +60,7 @@ void add_export(CLI::App& cell, int& status) {
   command->add_option("--rate", options->rate, "Stops a second of the animation (.gltf, .glb)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command->add_flag("--force", options->force, "Write over a file that is there");
   add_run_options(*command, options->run);
   command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
 }

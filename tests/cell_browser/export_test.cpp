@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,7 @@
 #include "experiments/cell/browser/gltf.h"
 #include "experiments/cell/browser/page.h"
 #include "experiments/commands.h"
+#include "experiments/run/write_file.h"
 #include "tests/cell_browser/aristo.h"
 #include "tests/run/run_command.h"
 #include "tests/run/scratch.h"
@@ -214,6 +216,20 @@ TEST_F(ExportCommand, WritesWhatTheExtensionSays) {
   EXPECT_EQ(run_tests::text_of(path("run.html")).rfind("<!DOCTYPE html>", 0), 0U);
   EXPECT_EQ(run({file, path("run.glb"), "--set", "storage.angle=2"}).status, 0);
   EXPECT_EQ(run_tests::text_of(path("run.glb")).rfind("glTF", 0), 0U);
+}
+
+TEST_F(ExportCommand, WritesOverNothingUnlessForced) {
+  run::write_file(path("run.glb"), "mine");
+  const run_tests::Ran refused = run({file, path("run.glb")});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err, path("run.glb") + ": is there already; --force writes over it");
+  EXPECT_EQ(run_tests::text_of(path("run.glb")), "mine");
+  EXPECT_EQ(run({file, path("run.glb"), "--force"}).status, 0);
+  EXPECT_EQ(run_tests::text_of(path("run.glb")).rfind("glTF", 0), 0U);
+  // A link to what is not there would be followed.
+  std::filesystem::create_symlink(path("victim"), path("link.glb"));
+  EXPECT_EQ(run({file, path("link.glb")}).status, 2);
+  EXPECT_FALSE(std::filesystem::exists(path("victim")));
 }
 
 TEST_F(ExportCommand, NamesWhatIsWrong) {
