@@ -112,6 +112,14 @@ TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
   refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: ");
 }
 
+// The storage stands in the robot: there is no first stop.
+TEST_F(Page, AnswersWithARunWithoutStops) {
+  const Received run = ask(serving.port(), "POST", "/api/run", R"({"storage": {"radius": 150}})");
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_TRUE(json_of(run)["stops"].empty());
+  EXPECT_EQ(json_of(run)["failure"].get<std::string>().rfind("at home ", 0), 0U) << json_of(run)["failure"];
+}
+
 TEST_F(Page, GivesEveryoneTheAnswerToTheirOwnQuestion) {
   std::vector<std::thread> clients;
   std::vector<std::string> bodies(6);

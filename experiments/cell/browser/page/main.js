@@ -138,7 +138,7 @@ async function main() {
   // Words.
   const face = (number) => `face ${number} (${cell.material_faces[number]})`;
   function sentence(look, number) {
-    if (!run) return "The arm is at home.";
+    if (!run || !run.stops.length) return "The arm is at home.";
     const move = number > 0 ? run.moves[look.move] : null;
     const joint = move && cell.robot.joints.findIndex(({name}) => name === move.joint);
     const before = move && run.stops[run.stops.findIndex((s, i) => i > 0 && s.move === look.move) - 1];
@@ -208,7 +208,7 @@ async function main() {
     const list = run ? run.disagreements : [], here = look.errors || [];
     const parts = here.map((d) =>
       node("p", `Wrong here: ${d.methods.join(", ")}, on face ${d.face} of ${d.owner}.`, {class: "verdict wrong"}));
-    if (run) {
+    if (run && run.stops.length) {
       const where = new Set(list.map((d) => d.stop)).size;
       const asked = run.methods.reduce((sum, method) => sum + method.asked, 0).toLocaleString("en");
       parts.push(node("p", !list.length ? `No method errs at any stop of this run (${asked} questions to ${run.methods.length} methods).`
@@ -419,17 +419,20 @@ async function main() {
   }
   function take(answer) {
     run = answer;
-    complain(run.failure && `The process does not come out; it ends after stop ${run.stops.length - 1}:`, run.failure);
+    const end = run.stops.length - 1;
+    complain(run.failure && (end < 0 ? "The process does not begin:" : `The process does not come out; it ends after stop ${end}:`),
+             run.failure);
     if (scene && run.stand) {
       const stand = meshes.find(({part}) => part.name === run.stand.name);
       scene.forget(stand.mesh);
       stand.part = run.stand, stand.mesh = scene.mesh(run.stand);
     }
-    usable(run.stops.length > 1);
-    at("stop").max = run.stops.length - 1;
+    usable(end > 0);
+    at("stop").max = Math.max(0, end);
     listMoves();
     listMethods();
     player.load(run.stops);
+    if (end < 0) show(0);
     showSetting();
   }
 
