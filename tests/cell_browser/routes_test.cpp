@@ -69,7 +69,7 @@ TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   EXPECT_EQ(ask(port, "DELETE", "/api/cell").allow, "GET, HEAD");
   for (const char* type : {"text/plain", "application/jsonpwn", "application/json-seq;x=application/json", ""})
     refuses(ask(port, "POST", "/api/run", "{}", type), 415, "the Content-Type must be application/json");
-  refuses(ask(port, "POST", "/api/run", "{\"storage\""), 400, "request: is not JSON");
+  refuses(ask(port, "POST", "/api/run", "{\"storage\""), 400, "request: is not JSON: column 11: ");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": -1}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", std::string(65537, ' ')), 413, "a request's body may have 65536 bytes");
@@ -108,8 +108,10 @@ TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
           "there are /, /api/cell and /api/run, not /\\xff");
   refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
           "this server answers to localhost or its address, not to \"\\xff\"");
-  refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: ");
-  refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: ");
+  refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: column 3: ");
+  refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: column 1: ");
+  refuses(ask(port, "POST", "/api/run", "{\"storage\": {\"\\u001b[31m\": 1}}"), 400,
+          "request: storage.\\x1b[31m: is an unknown key");
 }
 
 // The storage stands in the robot: there is no first stop.

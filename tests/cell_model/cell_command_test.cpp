@@ -83,7 +83,7 @@ TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
     return ran.err;
   };
   EXPECT_EQ(err({path("two words.obj"), path("a.txt")}),
-            path("two words.obj") + ": the name \"two words\" is not one word without '#'; --name gives another");
+            path("two words.obj") + ": the name \"two words\" is not one word of UTF-8 without '#'; --name gives another");
   EXPECT_EQ(err({path("two words.obj"), path("a.step")}),
             path("a.step") + ": the extension '.step' is none of .txt, .obj, .off, .stl and .ply");
   EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),

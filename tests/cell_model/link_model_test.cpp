@@ -135,11 +135,14 @@ TEST(LinkModelFile, EveryFaultIsNamedWithItsLine) {
 }
 
 TEST(LinkModelFile, ANameIsOneWord) {
-  for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n", "a\x01", "a\x7f"})
+  for (const char* const name : {"", "two words", "a#b", "a\tb", "a\n", "a\x01", "a\x7f", "a\xff", "\xe9"})
     EXPECT_THROW((void)cell::link_model_text({name, {}}), std::invalid_argument) << name;
   EXPECT_EQ(fault(std::string("Link A\nParts 1\nPart a") + '\0' + "b\n"),
-            "line 3: the name 'a\\x00b' has a control character");
+            "line 3: the name 'a\\x00b' has a control character, or is not UTF-8");
+  EXPECT_EQ(fault("Link \xff\xfe\nParts 0\n"),
+            "line 1: the name '\\xff\\xfe' has a control character, or is not UTF-8");
   EXPECT_THROW((void)cell::link_model_text({"A", {{"b c", {}, {}}}}), std::invalid_argument);
+  EXPECT_EQ(cell::link_model_text({"\xc3\xa9", {}}), "Link \xc3\xa9\nParts 0\n");
 }
 
 class Conversion : public testing::Test {

@@ -243,11 +243,39 @@ TEST_F(BadCells, KeysAreNamed) {
   EXPECT_EQ(fault("/meshes", "nowhere"), "meshes: there is no folder " + (scratch.path / "nowhere").string());
   EXPECT_EQ(fault("[]"), "the whole: must be an object");
   EXPECT_EQ(fault("{\"name\":1,\"name\":2}"), "the key \"name\" is there twice");
-  EXPECT_TRUE(fault("{").starts_with("is not JSON: ")) << fault("{");
+  EXPECT_EQ(
+      fault("{\n  \"name\": x}"),
+      "is not JSON: line 2, column 11: syntax error while parsing value - invalid literal; last read: '\"name\": x'");
+  EXPECT_EQ(fault(std::string(70, '[') + std::string(70, ']')), "is nested deeper than 64 levels");
   EXPECT_EQ(fault("/step", nullptr), "the whole: the key \"step\" is missing");
   std::string overflow = whole.dump();
   overflow.replace(overflow.find("\"step\":1"), 8, "\"step\":1e999");
   EXPECT_EQ(fault(overflow), "step: is beyond the finite doubles");
+}
+
+// What the file says reaches terminals, pages and JSON; a refusal shows it as it is legible.
+TEST_F(BadCells, TextsAreUtf8WithoutControlCharacters) {
+  EXPECT_EQ(fault("/name", "a\x1b[31m"), R"(name: must have no control character, is "a\x1b[31m")");
+  EXPECT_EQ(fault("/storage/slots/1/name", "\n"),
+            R"(storage.slots[1].name: must have no control character, is "\x0a")");
+  EXPECT_EQ(fault("/machine/\x1b]0;x\x07", 1).substr(0, 40), R"(machine.\x1b]0;x\x07: is an unknown key;)");
+  EXPECT_EQ(fault("/name", "\xc3\xa9"), "");
+  std::string latin = whole.dump();
+  latin.replace(latin.find("Aristo"), 6, "\xe9");
+  EXPECT_NE(fault(latin).find("is not JSON: syntax error while parsing value - invalid string: "), std::string::npos)
+      << fault(latin);
+}
+
+TEST_F(BadCells, AFileWithoutEndIsNotReadToItsEnd) {
+  try {
+    (void)cell::read_cell("/dev/zero");
+    FAIL();
+  } catch (const BadCell& error) {
+    EXPECT_STREQ(error.what(), "/dev/zero: has more than 16 MiB");
+  }
+  std::filesystem::remove(scratch.path / "aristo.urdf");
+  std::filesystem::create_symlink("/dev/zero", scratch.path / "aristo.urdf");
+  EXPECT_EQ(fault("/name", "x"), "robot.urdf: there is no file " + (scratch.path / "aristo.urdf").string());
 }
 
 TEST_F(BadCells, SolidsAreNamed) {

@@ -55,7 +55,7 @@ HttpReply Routes::run(const HttpRequest& request) const {
   } catch (const BadSetting& error) {
     return refusal(400, error.what());
   } catch (const BadCell& error) {
-    return refusal(422, without(simulator_->cell().file.string() + ": ", error.what()));
+    return refusal(422, without(io::all_legible(simulator_->cell().file.string()) + ": ", error.what()));
   }
 }
 

@@ -53,7 +53,9 @@ std::vector<CellEntry> CellEntry::items() const {
 
 std::string CellEntry::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) bad("must be a text that is not empty");
-  return value_->get<std::string>();
+  std::string text = value_->get<std::string>();
+  if (io::all_legible(text) != text) bad("must have no control character, is \"" + io::legible(text) + "\"");
+  return text;
 }
 
 std::string CellEntry::name() const {

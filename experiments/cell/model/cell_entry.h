@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -12,13 +13,19 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/io/legible.h"
+
 namespace touchstone::cell {
 
-/// A cell that cannot be; the message begins with the file and the key, as in `cell.json: machine.height: ...`.
+/// A cell that cannot be; the message begins with the file and the key, as in `cell.json: machine.height: ...`, and is
+/// legible, whatever stands in the file.
 class BadCell : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit BadCell(const std::string& message) : std::runtime_error(io::all_legible(message)) {}
 };
+
+/// Of a cell file, and of a URDF file.
+inline constexpr std::size_t kMostCellMib = 16;
 
 /// Letters, digits, '-' and '_', at least one: what may name a part, and the file that it is written to.
 [[nodiscard]] bool is_name(std::string_view word);
@@ -46,7 +53,7 @@ class CellEntry {
   [[nodiscard]] bool is_object() const { return value_->is_object(); }
   [[nodiscard]] bool is_array() const { return value_->is_array(); }
 
-  [[nodiscard]] std::string text() const;     ///< not empty
+  [[nodiscard]] std::string text() const;     ///< not empty, legible
   [[nodiscard]] std::string name() const;     ///< `is_name`
   [[nodiscard]] double number() const;        ///< finite
   [[nodiscard]] double positive() const;      ///< > 0

@@ -5,14 +5,13 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "experiments/cell/model/read_at_most.h"
 #include "geometry/io/legible.h"
 #include "geometry/io/text_reader.h"
 
@@ -21,7 +20,7 @@ namespace {
 
 using io::TextReader;
 
-bool is_control(char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }
+constexpr std::size_t kMostMib = 256;
 
 class Reader {
  public:
@@ -61,8 +60,8 @@ class Reader {
     expect(word);
     std::string name(lines_.take());
     if (name.empty()) lines_.broken(std::string("a name is expected after '") + word + "'");
-    if (std::any_of(name.begin(), name.end(), is_control))
-      lines_.broken("the name '" + io::legible(name) + "' has a control character");
+    if (io::all_legible(name) != name)
+      lines_.broken("the name '" + io::legible(name) + "' has a control character, or is not UTF-8");
     line_is_done();
     return name;
   }
@@ -125,9 +124,8 @@ void append_loop(std::string& text, const std::vector<std::uint32_t>& loop) {
 }
 
 const std::string& one_word(const std::string& name) {
-  for (const char c : name)
-    if (is_control(c) || c == ' ' || c == '#')
-      throw std::invalid_argument("the name \"" + io::legible(name) + "\" is not one word without '#'");
+  if (io::all_legible(name) != name || name.find_first_of(" #") != std::string::npos)
+    throw std::invalid_argument("the name \"" + io::legible(name) + "\" is not one word of UTF-8 without '#'");
   if (name.empty()) throw std::invalid_argument("a name is empty");
   return name;
 }
@@ -151,10 +149,7 @@ class Vertices {
 }  // namespace
 
 LinkModel read_link_model(const std::filesystem::path& file) {
-  io::MeshSource source{file.string(), {}};
-  std::ifstream stream(file, std::ios::binary);
-  source.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw BrokenMesh(file.string() + ": cannot be read");
+  const io::MeshSource source{file.string(), read_at_most<BrokenMesh>(file, kMostMib)};
   return Reader(source).file();
 }
 

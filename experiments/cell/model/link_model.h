@@ -21,8 +21,8 @@
 ///   loop     = count number*
 ///
 /// Each of Link, Parts, Part, Vertices, Polygons, a vertex and a polygon has a line of its own. A name is one word
-/// without '#' and control characters. Numbers of vertices count from 0 within their part. Blank lines, and what
-/// follows '#', mean nothing. Counts are those of what follows. A loop has at least three vertices.
+/// of UTF-8 without '#' and control characters. Numbers of vertices count from 0 within their part. Blank lines, and
+/// what follows '#', mean nothing. Counts are those of what follows. A loop has at least three vertices.
 namespace touchstone::cell {
 
 struct LinkPolygon {
@@ -45,9 +45,9 @@ struct LinkModel {
   friend bool operator==(const LinkModel&, const LinkModel&) = default;
 };
 
-/// Throws BrokenMesh, which names the file and the line, for a file that is not there, a word, name or number that is
-/// not what the layout asks for, a number beyond the finite doubles, a loop of fewer than three vertices, a vertex that
-/// there is not, and a count that does not fit. Numbers are read as the nearest doubles.
+/// Throws BrokenMesh, which names the file and the line, for a file that is not there or has more than 256 MiB, a word,
+/// name or number that is not what the layout asks for, a number beyond the finite doubles, a loop of fewer than three
+/// vertices, a vertex that there is not, and a count that does not fit. Numbers are read as the nearest doubles.
 [[nodiscard]] LinkModel read_link_model(const std::filesystem::path& file);
 
 /// The text of a model file: read again it is the same model, bit by bit. Throws std::invalid_argument for a name that

@@ -4,14 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "experiments/cell/model/change_cell.h"
 #include "experiments/cell/model/reach.h"
+#include "experiments/cell/model/read_at_most.h"
 #include "experiments/cell/model/read_solid.h"
 #include "experiments/cell/model/read_urdf.h"
 #include "experiments/judge/strict_json.h"
@@ -20,14 +19,13 @@ namespace touchstone::cell {
 namespace {
 
 judge::StrictJson load(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw BadCell(file.string() + ": cannot be read");
+  const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   try {
     judge::StrictJson json = judge::read_strict_json(text);
     if (json.duplicate_key)
       throw BadCell(fmt::format("{}: the key \"{}\" is there twice", file.string(), *json.duplicate_key));
-    if (json.too_deep) throw BadCell(file.string() + ": is nested too deep");
+    if (json.too_deep)
+      throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), judge::kMostLevels));
     return json;
   } catch (const judge::NotJson& error) {
     throw BadCell(fmt::format("{}: is not JSON: {}", file.string(), error.what()));

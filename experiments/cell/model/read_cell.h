@@ -31,10 +31,11 @@ namespace touchstone::cell {
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
 /// `meshes` stands in for the folder of the key; `changes` are made first, in order (change_cell.h). Throws BadCell,
-/// whose message begins with the file and the key, for a file that is not there or no JSON, a key that is missing,
-/// unknown or given twice, a value of another type or out of range, a name that is none (is_name) or taken, a file that
-/// is missing, a first joint that does not turn about z, home angles beyond a joint's limits, a slot that there is not,
-/// a place that is out of the arm's reach (reach.h), a label of what is not there, and a number without one.
+/// whose message begins with the file and the key, for a file that is not there, has more than kMostCellMib or is no
+/// JSON, a key that is missing, unknown or given twice, a value of another type or out of range, a name that is none
+/// (is_name) or taken, a file that is missing, a first joint that does not turn about z, home angles beyond a joint's
+/// limits, a slot that there is not, a place that is out of the arm's reach (reach.h), a label of what is not there,
+/// and a number without one.
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});

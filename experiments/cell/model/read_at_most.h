@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace touchstone::cell {
+
+/// All bytes of a file. Throws an `Error`, made of a sentence that names the file, where it cannot be read or has more
+/// than `most_mib` MiB: of a device that never ends, no more is read.
+template <class Error>
+[[nodiscard]] std::string read_at_most(const std::filesystem::path& file, std::size_t most_mib) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  constexpr std::size_t kBlock = std::size_t{1} << 16;
+  while (stream && text.size() <= most_mib << 20) {
+    const std::size_t size = text.size();
+    text.resize(size + kBlock);
+    stream.read(text.data() + size, kBlock);
+    text.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (!stream.is_open() || stream.bad()) throw Error(file.string() + ": cannot be read");
+  if (text.size() > most_mib << 20) throw Error(fmt::format("{}: has more than {} MiB", file.string(), most_mib));
+  return text;
+}
+
+}  // namespace touchstone::cell
