@@ -323,28 +323,95 @@ TEST_F(BadCells, RobotsAreNamed) {
 
 TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_EQ(urdf_fault("lower=\"-1.570796326794897\" upper=\"1.570796326794897\"", "lower=\"1\" upper=\"-1\""),
-            "joint shoulder: limits are crossed: lower 57.295779513 and upper -57.295779513 degrees");
+            "line 23: joint shoulder: limits are crossed: lower 57.295779513 and upper -57.295779513 degrees");
   EXPECT_EQ(urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"prismatic\""),
-            "joint wrist_pitch: is neither revolute, continuous nor fixed");
-  EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "joint hand_roll: has no axis");
+            "line 44: joint wrist_pitch: is neither revolute, continuous nor fixed");
+  EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "line 51: joint hand_roll: has no axis");
   EXPECT_EQ(urdf_fault("<parent link=\"Axis5\"/>", "<parent link=\"Axis4\"/>"),
-            "link Axis4: has more than one child; a serial arm is expected");
+            "line 13: link Axis4: has more than one child; a serial arm is expected");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.3\"/>", "<origin xyz=\"0 0 0.3\"/><mimic joint=\"shoulder\"/>"),
-            "joint elbow: mimics another joint; couplings are given in the cell file");
+            "line 30: joint elbow: mimics another joint; couplings are given in the cell file");
   const auto link = [&](const char* inside) {
     return urdf_fault("<link name=\"Base\"/>",
                       "<link name=\"Base\"><visual><geometry>" + std::string(inside) + "</geometry></visual></link>");
   };
-  EXPECT_EQ(link("<sphere radius=\"1\"/>"), "link Base: visual0: a sphere has no planar faces");
-  EXPECT_EQ(link("<box size=\"1 0 1\"/>"), "link Base: visual0: a size must be positive, is 0");
+  EXPECT_EQ(link("<sphere radius=\"1\"/>"), "line 9: link Base: visual0: a sphere has no planar faces");
+  EXPECT_EQ(link("<box size=\"1 0 1\"/>"), "line 9: link Base: visual0: a size must be positive, is 0");
   EXPECT_EQ(link("<mesh filename=\"none.stl\"/>"),
-            "link Base: visual0: mesh: there is no file " + (scratch.path / "none.stl").string());
+            "line 9: link Base: visual0: mesh: there is no file " + (scratch.path / "none.stl").string());
   EXPECT_EQ(link("<mesh filename=\"aristo.urdf\" scale=\"2 2 2\"/>"),
-            "link Base: visual0: mesh: the scale 2 2 2 is not that of a unit of length in metres");
+            "line 9: link Base: visual0: mesh: the scale 2 2 2 is not that of a unit of length in metres");
   EXPECT_NE(urdf_fault("</robot>", ""), "");
   EXPECT_NE(urdf_fault("<link name=\"Axis3\"/>", ""), "");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.2\"/>", "<origin xyz=\"0.1 0 0.2\"/>"),
             "robot.urdf: the first joint, \"base\", does not turn about the z axis of the first link");
+}
+
+// urdfdom's own words have no line; XML is checked before it reads it.
+TEST_F(BadCells, XmlFaultsAreNamedWithTheirLine) {
+  const auto text = [&](const std::string& urdf) {
+    run::write_file(scratch.path / "aristo.urdf", urdf);
+    const std::string message = fault(whole.dump()), file = (scratch.path / "aristo.urdf").string();
+    return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
+  };
+  EXPECT_EQ(text(""), "line 1: is not XML in UTF-8: no element found");
+  EXPECT_EQ(text("<robot name=\"a\">\n<link name=\"b\">\n</robot>"), "line 3: is not XML in UTF-8: mismatched tag");
+  EXPECT_EQ(text("<robot>\n<1/></robot>"), "line 2: is not XML in UTF-8: not well-formed (invalid token)");
+  EXPECT_EQ(text("<robot\n name=\"\xe9\"/>"), "line 2: is not XML in UTF-8: not well-formed (invalid token)");
+  EXPECT_EQ(text("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<robot name=\"\xe9\"/>"),
+            "line 2: is not XML in UTF-8: not well-formed (invalid token)");
+  EXPECT_EQ(text("<!DOCTYPE robot [<!ENTITY a \"aaaa\">]>\n<robot name=\"&a;\"/>"),
+            "line 1: a document type is not read");
+  EXPECT_EQ(text("<robot name=\"a\">\n<?x <a><a> ?></robot>"), "line 2: an instruction holds a '>'");
+}
+
+// Names reach terminals, pages and files of JSON.
+TEST_F(BadCells, NamesInUrdfAreUtf8WithoutControlCharacters) {
+  const std::string robot = "<robot name=\"Aristo\">";
+  const auto named = [&](const std::string& name) { return urdf_fault(robot, "<robot name=\"" + name + "\">"); };
+  EXPECT_EQ(named("&#xe9;"), "");
+  EXPECT_EQ(named("&#x9;"), R"(line 8: robot \x09: the name has a control character, or is not UTF-8)");
+  EXPECT_EQ(named("\x7f"), R"(line 8: robot \x7f: the name has a control character, or is not UTF-8)");
+  EXPECT_EQ(named("\xc3\xa9"), "");
+  // To urdfdom, an entity is a lone byte where the declaration says so.
+  std::string latin = run_tests::text_of(kCells / "aristo.urdf");
+  latin.replace(0, latin.find("?>"), "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"");
+  latin.replace(latin.find(robot), robot.size(), "<robot name=\"&#xe9;\">");
+  run::write_file(scratch.path / "aristo.urdf", latin);
+  EXPECT_EQ(fault(whole.dump()), (scratch.path / "aristo.urdf").string() +
+                                     R"(: robot \xe9: the name has a control character, or is not UTF-8)");
+}
+
+// urdfdom's parser recurses, and is quadratic, in what these limits bound; they are checked before it reads.
+TEST_F(BadCells, XmlIsLimitedInDepthAndNumbers) {
+  const auto inside = [&](const std::string& xml) {
+    return urdf_fault("<link name=\"Base\"/>", "<link name=\"Base\">" + xml + "</link>");
+  };
+  const auto nested = [](std::size_t levels) {
+    std::string xml;
+    for (std::size_t i = 0; i < levels; ++i) xml += "<x>";
+    for (std::size_t i = 0; i < levels; ++i) xml += "</x>";
+    return xml;
+  };
+  const auto repeated = [](std::size_t count, const auto& piece) {
+    std::string xml;
+    for (std::size_t i = 0; i < count; ++i) xml += piece(std::to_string(i));
+    return xml;
+  };
+  EXPECT_EQ(inside(nested(62)), "");
+  const std::string deep = "elements are nested in more than 64 levels";
+  EXPECT_EQ(inside(nested(63)), "line 9: " + deep);
+  EXPECT_EQ(inside(nested(500'000)), "line 9: " + deep);
+  EXPECT_EQ(urdf_fault("</robot>", repeated(200'000, [](const std::string&) { return "<a>"; })).substr(9), deep);
+  const auto attribute = [](const std::string& number) { return " a" + number + "=\"\""; };
+  EXPECT_EQ(inside("<x" + repeated(64, attribute) + "/>"), "");
+  EXPECT_EQ(inside("<x" + repeated(65, attribute) + "/>"), "line 9: an element has more than 64 attributes");
+  EXPECT_EQ(inside(repeated(100'000, [](const std::string&) { return "<x/>"; })),
+            "line 9: there are more than 100000 elements");
+  EXPECT_EQ(urdf_fault("</robot>",
+                       repeated(2'000, [](const std::string& i) { return "<link name=\"l" + i + "\"/>"; }) + "</robot>")
+                .substr(9),
+            "there are more than 2000 links, joints and other named elements");
 }
 
 // Sizes in metres become half above and half below the origin in mm, turned and moved.

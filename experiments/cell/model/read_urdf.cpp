@@ -9,13 +9,15 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "experiments/cell/model/check_xml.h"
+#include "experiments/cell/model/read_at_most.h"
+#include "experiments/run/legible.h"
 
 namespace touchstone::cell {
 namespace {
@@ -37,13 +39,11 @@ class Sentences : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// The link or joint that is being read.
+/// The link or joint that is being read, after the file and its line.
 struct Place {
-  std::string file, what;
+  std::string where;
 
-  [[noreturn]] void bad(const std::string& reason) const {
-    throw BadCell(fmt::format("{}: {}: {}", file, what, reason));
-  }
+  [[noreturn]] void bad(const std::string& reason) const { throw BadCell(where + ": " + reason); }
   [[nodiscard]] double finite(double number) const {
     if (!std::isfinite(number)) bad("a number is not finite");
     return number;
@@ -52,18 +52,18 @@ struct Place {
 
 class UrdfReader {
  public:
-  UrdfReader(std::string file, int sides, const SolidContext& context)
-      : file_(std::move(file)), sides_(sides), context_(context) {}
+  UrdfReader(std::string file, const XmlLines& lines, int sides, const SolidContext& context)
+      : file_(std::move(file)), lines_(lines), sides_(sides), context_(context) {}
 
   [[nodiscard]] Robot robot(const urdf::ModelInterface& model) const {
     Robot robot;
     robot.name = model.getName();
+    require_legible(place("robot", robot.name), robot.name);
     robot.urdf = file_;
     for (urdf::LinkConstSharedPtr at = model.getRoot(); at;) {
       robot.links.push_back(link(*at));
       if (at->child_joints.empty()) break;
-      if (at->child_joints.size() > 1)
-        Place{file_, "link " + at->name}.bad("has more than one child; a serial arm is expected");
+      if (at->child_joints.size() > 1) place("link", at->name).bad("has more than one child; a serial arm is expected");
       robot.joints.push_back(joint(*at->child_joints.front()));
       at = at->child_links.front();
     }
@@ -72,6 +72,17 @@ class UrdfReader {
   }
 
  private:
+  [[nodiscard]] Place place(const char* kind, const std::string& name) const {
+    const auto line = lines_.find({kind, name});
+    const std::string at = line == lines_.end() ? "" : fmt::format("line {}: ", line->second);
+    return {fmt::format("{}: {}{} {}", file_, at, kind, name)};
+  }
+
+  /// Names reach terminals, pages and files of JSON. An entity like `&#233;` becomes a lone byte in urdfdom.
+  static void require_legible(const Place& place, const std::string& name) {
+    if (run::all_legible(name) != name) place.bad("the name has a control character, or is not UTF-8");
+  }
+
   [[nodiscard]] double length(const Place& place, double metres) const {
     return scenes::converted(place.finite(metres), scenes::find_unit("m"), context_.unit);
   }
@@ -128,15 +139,15 @@ class UrdfReader {
 
   [[nodiscard]] Link link(const urdf::Link& given) const {
     Link link{given.name, {}};
-    if (!is_name(given.name)) Place{file_, "link " + given.name}.bad("a name must be of letters, digits, '-' and '_'");
+    if (!is_name(given.name)) place("link", given.name).bad("a name must be of letters, digits, '-' and '_'");
     const auto add = [&](const auto& elements, const char* kind) {
       for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& element = *elements[i];
         std::string name = element.name.empty() ? fmt::format("{}{}", kind, i) : element.name;
-        const Place place{file_, fmt::format("link {}: {}", given.name, name)};
-        if (!is_name(name)) place.bad("a name must be of letters, digits, '-' and '_'");
-        if (!element.geometry) place.bad("has no geometry");
-        link.parts.push_back({std::move(name), {shape(place, *element.geometry), pose(place, element.origin)}});
+        const Place part{place("link", given.name).where + ": " + name};
+        if (!is_name(name)) part.bad("a name must be of letters, digits, '-' and '_'");
+        if (!element.geometry) part.bad("has no geometry");
+        link.parts.push_back({std::move(name), {shape(part, *element.geometry), pose(part, element.origin)}});
       }
     };
     if (given.collision_array.empty())
@@ -152,7 +163,8 @@ class UrdfReader {
   }
 
   [[nodiscard]] Joint joint(const urdf::Joint& given) const {
-    const Place place{file_, "joint " + given.name};
+    const Place place = this->place("joint", given.name);
+    require_legible(place, given.name);
     Joint joint{given.name, Joint::Kind::Fixed, pose(place, given.parent_to_joint_origin_transform), {0, 0, 1}, 0, 0,
                 0};
     if (given.mimic) place.bad("mimics another joint; couplings are given in the cell file");
@@ -176,6 +188,7 @@ class UrdfReader {
   }
 
   std::string file_;
+  const XmlLines& lines_;
   int sides_;
   const SolidContext& context_;
 };
@@ -183,9 +196,13 @@ class UrdfReader {
 }  // namespace
 
 Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw BadCell(file.string() + ": cannot be read");
+  const std::string text = read_at_most<BadCell>(file, kMostCellMib);
+  XmlLines lines;
+  try {
+    lines = check_xml(text);
+  } catch (const BadXml& bad) {
+    throw BadCell(file.string() + ": " + bad.what());
+  }
   urdf::ModelInterfaceSharedPtr model;
   std::string said;
   {
@@ -194,7 +211,7 @@ Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext
     said = sentences.text();
   }
   if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is no URDF file" : said));
-  return UrdfReader(file.string(), sides, context).robot(*model);
+  return UrdfReader(file.string(), lines, sides, context).robot(*model);
 }
 
 }  // namespace touchstone::cell

@@ -17,9 +17,10 @@ namespace touchstone::cell {
 /// collision elements, its visual ones where it has none: boxes, cylinders (prisms of `sides` sides), and meshes whose
 /// scale is that of a unit of length, named relative to the mesh folder.
 ///
-/// Throws BadCell, which names the file and the link or joint, for a file that urdfdom refuses, a name that is none
-/// (is_name), a link of several children, a joint that is neither revolute, continuous (limits -360 and 360) nor fixed,
-/// mimics another, has no axis or crossed limits, a sphere, another scale, or a mesh that is not there.
+/// Throws BadCell, which names the file, the line and the link or joint, for a file of more than kMostCellMib, for what
+/// check_xml refuses, a name that is none (is_name; of the robot and of joints: with a control character), a link of
+/// several children, a joint that is neither revolute, continuous (limits -360 and 360) nor fixed, mimics another, has
+/// no axis or crossed limits, a sphere, another scale, or a mesh that is not there.
 [[nodiscard]] Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext& context);
 
 }  // namespace touchstone::cell
