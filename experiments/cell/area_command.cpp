@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,12 @@ int run(const AreaOptions& options) {
   const Reach reach = reach_of(cell);
   const double step = options.length_step, furthest = reach.radius + reach.outer + step,
                lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;
+  constexpr double kMostPlaces = 1e7;
+  if (const double places =
+          furthest / step * (360 / options.angle_step + (reach.height + reach.outer - lowest) / step);
+      !(places <= kMostPlaces))
+    throw std::invalid_argument(fmt::format("--length-step {:g}: that is about {:.2g} places; at most {:g} are tried",
+                                            step, places, kMostPlaces));
   const std::vector<double> radii = multiples(step, furthest, step);
   const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
   const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};

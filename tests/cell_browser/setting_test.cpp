@@ -62,6 +62,23 @@ TEST(Setting, MarksWhatItChangesAsChosen) {
   EXPECT_EQ(cell.label("storage.angle"), cell::Label::Chosen);
 }
 
+TEST(Setting, RefusesAStepThatWouldTakeTooManyStops) {
+  cell::Cell cell = aristo();
+  cell.step = 90;
+  cell.robot.joints[1].upper = 1e5;
+  Setting setting = setting_of(cell);
+  (void)changed(cell, setting);
+  setting.step = kLeastStep;
+  try {
+    (void)changed(cell, setting);
+    FAIL() << "accepted";
+  } catch (const cell::BadCell& error) {
+    EXPECT_NE(std::string(error.what()).find(": step: at 0.05 degrees a stop, joint \"shoulder\" would take "),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Setting, RefusesWhatTheArmCannotReach) {
   const auto reason = [](double radius, double height) -> std::string {
     Setting setting = setting_of(aristo());

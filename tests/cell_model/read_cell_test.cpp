@@ -278,6 +278,20 @@ TEST_F(BadCells, AFileWithoutEndIsNotReadToItsEnd) {
   EXPECT_EQ(fault("/name", "x"), "robot.urdf: there is no file " + (scratch.path / "aristo.urdf").string());
 }
 
+// At a step that hardly moves a process would not end.
+TEST_F(BadCells, TheStopsOfAJointAreLimited) {
+  EXPECT_EQ(
+      fault("/step", 1e-320),
+      "step: at 9.99989e-321 degrees a stop, joint \"base\" would take inf stops from -270 to 90 degrees; at most "
+      "100000 are allowed");
+  EXPECT_NE(fault("/step", 0.0031), "");
+  EXPECT_EQ(fault("/step", 0.01), "");
+  // So would one of a joint that turns a million times.
+  const std::string turning =
+      urdf_fault("lower=\"-1.570796326794897\" upper=\"1.570796326794897\"", "lower=\"-9e9\" upper=\"9e9\"");
+  EXPECT_TRUE(turning.starts_with("step: at 1 degrees a stop, joint \"shoulder\" would take ")) << turning;
+}
+
 TEST_F(BadCells, SolidsAreNamed) {
   const char* const box = "/gripper/parts/0/difference/0/box";
   const std::string path = "gripper.parts[0].difference[0].box: ";

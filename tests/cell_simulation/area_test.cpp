@@ -75,5 +75,14 @@ TEST(Area, TheCommandWritesEveryPlace) {
   EXPECT_NE(ran.out.find("angle x radius at height 412: "), std::string::npos) << ran.out;
 }
 
+TEST(Area, TheCommandRefusesAGridWithoutEnd) {
+  const run_tests::Scratch scratch;
+  const auto ran = run_tests::run_captured(
+      commands::add_cell, "cell",
+      {"area", kAristo.string(), "--length-step", "1e-3", "--overhang", "20", "--output", scratch.path.string()});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.err.rfind("--length-step 0.001: that is about ", 0), 0U) << ran.err;
+}
+
 }  // namespace
 }  // namespace touchstone::cell_simulation_tests

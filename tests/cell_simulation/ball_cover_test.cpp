@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "experiments/cell/model/solid_faces.h"
 #include "experiments/workloads/random.h"
@@ -49,6 +51,20 @@ TEST(BallCover, EveryPointOfAFaceIsInABall) {
     EXPECT_TRUE(std::ranges::any_of(
         balls, [&](const Ball& ball) { return (ball.center - point).norm() <= ball.radius + 1e-9; }))
         << "sample " << n << " at " << point.transpose();
+  }
+}
+
+// Parts of kilometres, or an overhang of nothing, would take all memory.
+TEST(BallCover, MoreThanAMillionBallsAreRefused) {
+  const scene::Faces faces = faces_of_part("gripper/Gripper1");
+  EXPECT_THROW(BallCover(faces, 1e-3), std::length_error);
+  EXPECT_THROW(BallCover(faces, 1e-300), std::length_error);
+  try {
+    (void)cell::cover_arm(cell::build_model(cell::read_cell(kAristo)), 1e-3);
+    FAIL();
+  } catch (const std::length_error& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("the part Base/", 0), 0U) << error.what();
+    EXPECT_NE(std::string(error.what()).find("; --overhang allows larger ones"), std::string::npos) << error.what();
   }
 }
 

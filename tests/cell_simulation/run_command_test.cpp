@@ -66,6 +66,7 @@ TEST(CellRun, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(err({"--set", "machine.radius=2000"}).substr(0, 24), "machine.radius: too far:");
   EXPECT_EQ(err({"--set", "robot.home.shoulder=91"}),
             "robot.home.shoulder: crosses a limit of the joint: 91 is not within -90 to 90 degrees");
+  EXPECT_EQ(err({"--set", "step=1e-320"}).rfind("step: at ", 0), 0U) << err({"--set", "step=1e-320"});
   EXPECT_EQ(err({"--set", "material.slot=D"}), "material.slot: there is no slot \"D\"");
   EXPECT_EQ(err({"--set", "no.where=1"}), "no.where: there is no key \"no\"");
   EXPECT_NE(err({"--method", "nonsense"}).find("\"nonsense\""), std::string::npos);

@@ -6,6 +6,7 @@
 #include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/model/stops.h"
 #include "experiments/judge/strict_json.h"
 
 namespace touchstone::cell::browser {
@@ -75,6 +76,7 @@ Cell changed(const Cell& cell, const Setting& setting) {
   if (const auto& stand = result.storage.stand; stand && stand->top <= -result.storage.height)
     throw BadCell(fmt::format("{}: storage.height: the stand's top, {:g} from there, lies at or below the floor",
                               cell.file.string(), stand->top));
+  check_stops(result);
   check_reach(result);
   return result;
 }

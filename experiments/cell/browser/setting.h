@@ -37,7 +37,8 @@ class BadSetting : public std::runtime_error {
 /// that is not finite or out of bounds, and a slot that there is not.
 [[nodiscard]] Setting read_setting(std::string_view text, const Cell& cell);
 
-/// What differs from the cell is labelled as chosen in the result. Throws BadCell as check_reach does.
+/// What differs from the cell is labelled as chosen in the result. Throws BadCell as check_stops and
+/// check_reach do.
 [[nodiscard]] Cell changed(const Cell& cell, const Setting& setting);
 
 }  // namespace touchstone::cell::browser

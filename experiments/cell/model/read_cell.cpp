@@ -13,6 +13,7 @@
 #include "experiments/cell/model/read_at_most.h"
 #include "experiments/cell/model/read_solid.h"
 #include "experiments/cell/model/read_urdf.h"
+#include "experiments/cell/model/stops.h"
 #include "experiments/judge/strict_json.h"
 
 namespace touchstone::cell {
@@ -233,6 +234,7 @@ Cell read_cell(const std::filesystem::path& file, const std::optional<std::files
                    slot_named(cell.machine, material.at("machine_slot"))};
   check_names(cell, whole);
   read_labels(cell, whole);
+  check_stops(cell);
   check_reach(cell);
   return cell;
 }

@@ -17,7 +17,8 @@ namespace touchstone::cell {
 ///
 ///   name      text
 ///   unit      "mm", "cm", "m", "inch", ...: of all lengths of the file
-///   step      degrees by which a joint moves, > 0 and at most 90
+///   step      degrees by which a joint moves, > 0 and at most 90; no joint may take more than 100,000 steps from limit
+///             to limit (stops.h)
 ///   clearance by which the sphere rises once it has gripped from above, or let go; > 0
 ///   meshes    the folder that mesh files are named in; of choice: that of the cell file
 ///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns;

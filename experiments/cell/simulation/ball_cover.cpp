@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/simulation/ball_cover.h"
 
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/scene/box.h"
 #include "robust/filtered/filtered.h"
@@ -12,6 +16,7 @@
 namespace touchstone::cell {
 namespace {
 
+constexpr double kMostBalls = 1e6;
 constexpr double kGenerous = 1 + 1e-14;  // more than the roundings of a norm add up to
 
 /// The ball around a box, not smaller than it by rounding.
@@ -28,6 +33,19 @@ Box box_of(const scene::Faces& faces) {
   return whole;
 }
 
+double area_of(const scene::Faces& faces) {
+  double area = 0;
+  for (const Triangle& triangle : faces.triangles)
+    area += (triangle.b - triangle.a).cross(triangle.c - triangle.a).norm() / 2;
+  for (const Polygon& polygon : faces.polygons) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
+      normal += (polygon.vertex(i) - polygon.vertex(0)).cross(polygon.vertex(polygon.next(i)) - polygon.vertex(0));
+    area += normal.norm() / 2;
+  }
+  return area;
+}
+
 std::array<Box, 2> halves(const Box& box) {
   Eigen::Index longest = 0;
   (box.high - box.low).maxCoeff(&longest);
@@ -42,6 +60,9 @@ std::array<Box, 2> halves(const Box& box) {
 BallCover::BallCover(const scene::Faces& faces, double overhang) {
   const Box whole = box_of(faces);
   if (whole.empty()) return;
+  if (const double balls = 3 * area_of(faces) / (overhang * overhang); !(balls <= kMostBalls))
+    throw std::length_error(fmt::format("about {:.2g} balls that reach {:g} beyond it would cover it; at most {:g} may",
+                                        balls, overhang, kMostBalls));
   scene::Scene scene;
   scene.add("faces", faces);
   std::vector<Box> boxes{whole};

@@ -22,7 +22,8 @@ namespace touchstone::cell {
 /// What lies within a closed surface without meeting it is not covered.
 class BallCover {
  public:
-  /// Requires overhang > 0. Cost: some microseconds a ball, of which there are about 3 area / overhang^2.
+  /// Requires overhang > 0. Throws std::length_error where that takes more than about a million balls. Cost: some
+  /// microseconds a ball, of which there are about 3 area / overhang^2.
   BallCover(const scene::Faces& faces, double overhang);
 
   /// May a point of the faces, posed, be where the test is true? Asks the test of the largest ball first, posed, and of

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "experiments/cell/kinematics/degrees.h"
@@ -70,9 +71,14 @@ Pose pose_of(const Station& station) {
 
 std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
   std::vector<Covered> covered;
-  for (const ModelPart& part : parts)
-    if (part.carrier == Carrier::Link || part.carrier == Carrier::Gripper)
+  for (const ModelPart& part : parts) {
+    if (part.carrier != Carrier::Link && part.carrier != Carrier::Gripper) continue;
+    try {
       covered.push_back({part.name, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
+    } catch (const std::length_error& error) {
+      throw std::length_error(fmt::format("the part {}: {}; --overhang allows larger ones", part.name, error.what()));
+    }
+  }
   return covered;
 }
 

@@ -44,7 +44,8 @@ struct Covered {
   std::size_t link;
   BallCover cover;
 };
-/// Covers links and gripper. Cost: that of BallCover.
+/// Covers links and gripper. Throws std::length_error, which names the part, as BallCover does. Cost: that of
+/// BallCover.
 [[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
 
 /// A cell, its faces where they stand, and what is known of the arm. Everything is in the cell's unit and frame.
