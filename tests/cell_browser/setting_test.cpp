@@ -44,8 +44,8 @@ TEST(Setting, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(refusal(R"({"storage": {"angle": 1e999}})"), "request: storage.angle: is beyond the finite doubles");
   EXPECT_EQ(refusal(R"({"storage": {"angle": 361}})"), "request: storage.angle: must be from -360 to 360, is 361");
   EXPECT_EQ(refusal(R"({"storage": {"radius": 0}})"), "request: storage.radius: must be positive, is 0");
-  EXPECT_EQ(refusal(R"({"storage": {"radius": 4000}})"), "request: storage.radius: must be from 0 to 3292, is 4000");
-  EXPECT_EQ(refusal(R"({"storage": {"height": -1}})"), "request: storage.height: must be from 0 to 3292, is -1");
+  EXPECT_EQ(refusal(R"({"storage": {"radius": 4000}})"), "request: storage.radius: must be from 0 to 2812.6, is 4000");
+  EXPECT_EQ(refusal(R"({"storage": {"height": -1}})"), "request: storage.height: must be from 0 to 2812.6, is -1");
   EXPECT_EQ(refusal(R"({"step": 0})"), "request: step: must be from 0.05 to 90, is 0");
   EXPECT_EQ(refusal(R"({"slot": "D"})"), "request: slot: there is no slot \"D\"");
   EXPECT_EQ(refusal(R"({"slot": 1})"), "request: slot: must be a text that is not empty");

@@ -5,27 +5,73 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "experiments/cell/kinematics/degrees.h"
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/cell_entry.h"
 
 namespace touchstone::cell {
 namespace {
 
-/// Which radii would do at this height, for material whose middle is there in the station's frame.
-std::string fitting(const Reach& reach, double around, const Eigen::Vector3d& middle, double height) {
-  const double up = height + middle.z() - reach.height, outer = reach.outer + around, inner = reach.inner - around;
-  if (std::abs(up) > outer)
-    return fmt::format("no radius would fit at this height, heights from {:.6g} to {:.6g} might",
-                       std::max(0.0, height - up - outer), height - up + outer);
-  // From the circle on which the second joint lies, in the plan; then along the station's x axis.
+constexpr int kMoved = 3;  // the process moves the first three joints that turn
+
+struct Span {
+  double least, most;
+};
+
+/// How far from the robot's axis the arm can hold its sphere, so high above the second joint.
+std::optional<Span> plan_distances(const Reach& reach, double up) {
+  if (std::abs(up) > reach.outer) return std::nullopt;
+  const double far = std::sqrt(reach.outer * reach.outer - up * up),
+               near = std::sqrt(std::max(0.0, reach.inner * reach.inner - up * up));
+  return Span{near <= reach.radius ? 0 : reach.radius + near, reach.radius + far};
+}
+
+/// The radii of a station at which the sphere can be brought down upon material in its slot.
+std::optional<Span> radii(const Reach& reach, double sphere, const Station& station, const Slot& slot,
+                          const Eigen::AlignedBox3d& solid) {
+  const double up = station.height + slot.place.z() + solid.max().z() + sphere - reach.height;
+  const std::optional<Span> distances = plan_distances(reach, up);
+  if (!distances) return std::nullopt;
   const auto radius = [&](double distance) {
-    const double out = reach.radius + std::sqrt(std::max(0.0, distance * distance - up * up));
-    return std::max(0.0, std::sqrt(std::max(0.0, out * out - middle.y() * middle.y())) - middle.x());
+    const double out = distance * distance - slot.aim.y() * slot.aim.y();
+    return std::max(0.0, std::sqrt(std::max(0.0, out)) - slot.aim.x());
   };
-  const double least = inner > std::abs(up) ? radius(inner) : 0;
-  return fmt::format("a radius from {:.6g} to {:.6g} would fit at this height", least, radius(outer));
+  return Span{radius(distances->least), radius(distances->most)};
+}
+
+/// Rounded to four digits, to the inside of a span.
+double rounded(double value, bool up) {
+  if (value <= 0) return 0;
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 3);
+  return (up ? std::ceil(value / digit) : std::floor(value / digit)) * digit;
+}
+
+/// At which radii the arm would come upon all slots from above.
+std::string advice(const Reach& reach, double sphere, const Station& station, const Eigen::AlignedBox3d& solid) {
+  Span all{0, std::numeric_limits<double>::infinity()};
+  for (const Slot& slot : station.slots) {
+    const std::optional<Span> span = radii(reach, sphere, station, slot, solid);
+    if (!span) return "at this height the arm reaches it from above at no radius";
+    all = {std::max(all.least, span->least), std::min(all.most, span->most)};
+  }
+  if (all.least > all.most) return "at this height the arm reaches all slots from above at no radius";
+  return fmt::format(
+      "at this height the arm reaches all slots from above at radii from {:g} to {:g}, if nothing is in the "
+      "way",
+      rounded(all.least, true), rounded(all.most, false));
+}
+
+Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {
+  const double c = kinematics::cosine(degrees), s = kinematics::sine(degrees);
+  Eigen::Matrix3d cross;
+  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
+  return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * axis * axis.transpose();
 }
 
 void check(const Cell& cell, const Station& station, const char* key, const Reach& reach) {
@@ -43,7 +89,7 @@ void check(const Cell& cell, const Station& station, const char* key, const Reac
           fmt::format("{}: {}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
                       "its sphere {:.6g} to {:.6g} away; {}",
                       cell.file.string(), key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
-                      reach.inner, reach.outer, fitting(reach, around, middle, station.height)));
+                      reach.inner, reach.outer, advice(reach, cell.gripper.sphere.radius, station, material)));
   }
 }
 
@@ -55,20 +101,36 @@ double Reach::distance(const Eigen::Vector3d& point) const {
 
 Reach reach_of(const Cell& cell) {
   const Robot& robot = cell.robot;
-  const Eigen::Vector3d first = robot.base.translation + robot.base.rotation * robot.joints[0].origin.translation;
-  // The second joint's origin in the frame of the first, whose axis is the cell's.
-  Eigen::Vector3d second = Eigen::Vector3d::Zero();
-  double sum = cell.gripper.sphere.center.norm(), longest = sum;
-  for (std::size_t i = 1; i < robot.joints.size(); ++i) {
-    const Eigen::Vector3d& step = robot.joints[i].origin.translation;
-    if (i == 1) {
-      second = robot.base.rotation * robot.joints[0].origin.rotation * step;
-      continue;
-    }
-    sum += step.norm();
-    longest = std::max(longest, step.norm());
+  // Between joints that move the arm is rigid, as it is at home. These are the origins of all such joints but the
+  // first, whose axis is the cell's, and the sphere's centre, all with the first joint at 0.
+  std::vector<Eigen::Vector3d> points;
+  Pose frame = robot.base;
+  int turning = 0;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    frame.translation += frame.rotation * joint.origin.translation;
+    frame.rotation *= joint.origin.rotation;
+    if (joint.kind == Joint::Kind::Fixed) continue;
+    double angle = joint.home;
+    bool moves = ++turning <= kMoved;
+    for (const Coupling& coupling : robot.couplings)
+      if (coupling.joint == i) {
+        angle += coupling.factor * robot.joints[coupling.leader].home;
+        moves = true;
+      }
+    if (turning == 1) continue;
+    if (moves) points.push_back(frame.translation);
+    frame.rotation *= rotation_about(joint.axis, angle);
   }
-  return {std::hypot(second.x(), second.y()), first.z() + second.z(), std::max(0.0, 2 * longest - sum), sum};
+  points.push_back(frame.translation + frame.rotation * cell.gripper.sphere.center);
+  double sum = 0, longest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double length = (points[i] - points[i - 1]).norm();
+    sum += length;
+    longest = std::max(longest, length);
+  }
+  const Eigen::Vector3d& second = points.front();
+  return {std::hypot(second.x(), second.y()), second.z(), std::max(0.0, 2 * longest - sum), sum};
 }
 
 void check_reach(const Cell& cell) {
