@@ -82,8 +82,7 @@ int run(const AreaOptions& options) {
   const double step = options.length_step, furthest = reach.radius + reach.outer + step,
                lowest = cell.storage.stand ? step - cell.storage.stand->top : 0;
   constexpr double kMostPlaces = 1e7;
-  if (const double places =
-          furthest / step * (360 / options.angle_step + (reach.height + reach.outer - lowest) / step);
+  if (const double places = furthest / step * (360 / options.angle_step + (reach.height + reach.outer - lowest) / step);
       !(places <= kMostPlaces))
     throw std::invalid_argument(fmt::format("--length-step {:g}: that is about {:.2g} places; at most {:g} are tried",
                                             step, places, kMostPlaces));

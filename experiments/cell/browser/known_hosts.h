@@ -14,8 +14,8 @@ class KnownHosts {
   KnownHosts(std::string_view name, bool loopback);
 
   /// Returns whether a Host header names this server: `localhost`, an IPv4 address of 127.0.0.0/8 in dotted form,
-  /// `[::1]`, or the user's own name; where others reach the server, any other literal address too. A port may follow.
-  /// Case, and one dot that ends a name, do not matter.
+  /// `[::1]`, or the name that the user gave; where others reach the server, any other literal address too. A port may
+  /// follow. Case, and one dot that ends a name, do not matter.
   [[nodiscard]] bool names(std::string_view host) const;
 
  private:

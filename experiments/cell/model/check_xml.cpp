@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <new>
+#include <utility>
 
 namespace touchstone::cell {
 namespace {
