@@ -17,7 +17,7 @@
 
 #include "experiments/cell/model/check_xml.h"
 #include "experiments/cell/model/read_at_most.h"
-#include "experiments/run/legible.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::cell {
 namespace {
@@ -80,7 +80,7 @@ class UrdfReader {
 
   /// Names reach terminals, pages and files of JSON. An entity like `&#233;` becomes a lone byte in urdfdom.
   static void require_legible(const Place& place, const std::string& name) {
-    if (run::all_legible(name) != name) place.bad("the name has a control character, or is not UTF-8");
+    if (io::all_legible(name) != name) place.bad("the name has a control character, or is not UTF-8");
   }
 
   [[nodiscard]] double length(const Place& place, double metres) const {
