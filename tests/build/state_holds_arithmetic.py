@@ -88,7 +88,7 @@ def successors(body, by_address, i):
 
 
 def faults(name, body):
-    """Sentences about arithmetic on the wrong side."""
+    """Sentences about arithmetic on the wrong side, one for each side."""
     by_address = {instruction.address: i for i, instruction in enumerate(body)}
     states = [set() for _ in body]
 
@@ -112,14 +112,13 @@ def faults(name, body):
         if not states[i] and body[i].mnemonic not in ("nop", "nopw", "nopl", "xchg", "int3"):
             follow(i, UNKNOWN)
 
-    found = []
+    wrong = collections.defaultdict(list)
     for i, instruction in enumerate(body):
-        if not ARITHMETIC.fullmatch(instruction.mnemonic):
-            continue
-        wrong = states[i] & ({ENTERING, AFTER} if ANY_ROUNDING.search(name) else {BEFORE, ENTERING, AFTER})
-        found += [f"{name}+{instruction.address - body[0].address:#x}: {instruction.mnemonic} is {state} the state"
-                  for state in sorted(wrong)]
-    return found
+        if ARITHMETIC.fullmatch(instruction.mnemonic):
+            for state in states[i] - ({BEFORE, INSIDE, UNKNOWN} if ANY_ROUNDING.search(name) else {INSIDE, UNKNOWN}):
+                wrong[state].append(f"{instruction.mnemonic} at +{instruction.address - body[0].address:#x}")
+    return [f"{name}: {state} the state: " + ", ".join(wrong[state][:5]) + (", ..." if len(wrong[state]) > 5 else "")
+            for state in wrong]
 
 
 def examine(libraries):
