@@ -160,6 +160,16 @@ void showValue(const Case& drawn, std::ostream& out) {
   out << judge::to_line(judge::case_of(drawn.id, drawn.ball, drawn.polygon, {}));
 }
 
+rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen) {
+  return rc::gen::exec([gen = std::move(gen)] {
+    Case drawn = *gen;
+    Random random(*rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>()), 0);
+    sign_zeros(drawn.ball, random);
+    sign_zeros(drawn.polygon, random);
+    return drawn;
+  });
+}
+
 rc::Gen<Case> samples(const Draw& draw) { return possible(rc::gen::map(recipes(draw), build)); }
 
 rc::Gen<Case> grid_cases(int largest_warp) {

@@ -41,6 +41,9 @@ struct Draw {
 /// in the planes x = h, y = h or z = h, with or without a hole, at most `largest_warp` off it.
 [[nodiscard]] rc::Gen<Case> grid_cases(int largest_warp = 0);
 
+/// The same cases, but every zero of each has the sign of a random bit.
+[[nodiscard]] rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen);
+
 /// Samples and grid cases.
 [[nodiscard]] rc::Gen<Case> any_case();
 

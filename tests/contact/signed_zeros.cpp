@@ -2,7 +2,6 @@
 #include "tests/contact/signed_zeros.h"
 
 #include <cmath>
-#include <utility>
 
 #include "tests/contact/rearranged.h"
 
@@ -41,16 +40,6 @@ void sign_zeros(Pose& pose, workloads::Random& random) {
 }
 void sign_zeros(Mesh& mesh, workloads::Random& random) {
   for (Eigen::Vector3d& vertex : mesh.vertices) sign_zeros(vertex, random);
-}
-
-rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen) {
-  return rc::gen::exec([gen = std::move(gen)] {
-    Case drawn = *gen;
-    workloads::Random random(*rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>()), 0);
-    sign_zeros(drawn.ball, random);
-    sign_zeros(drawn.polygon, random);
-    return drawn;
-  });
 }
 
 void NegativeZeros::look_at(const Ball& ball) {

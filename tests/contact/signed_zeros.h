@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <rapidcheck.h>
-
 #include "experiments/workloads/random.h"
+#include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
+#include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
-#include "tests/contact/generators.h"
 
 namespace touchstone::contact_tests {
 
@@ -21,8 +20,6 @@ void sign_zeros(Polygon& polygon, workloads::Random& random);
 void sign_zeros(Pose& pose, workloads::Random& random);
 void sign_zeros(Mesh& mesh, workloads::Random& random);
 /// @}
-
-[[nodiscard]] rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen);
 
 /// Which parts of some cases have a -0; a generator that never draws one is blind to a sign that is read wrongly.
 struct NegativeZeros {
