@@ -29,8 +29,8 @@ struct Draw {
   std::vector<workloads::BallPlace> balls = workloads::all_ball_places();
   std::size_t fewest_holes = 0;
   std::size_t most_holes = 2;
-  double farthest = 0x1p20;  ///< from the origin, in sizes
-  int largest_warp = 18;     ///< half of the samples have vertices moved by up to 2^(warp - 20) of the size; 0: none
+  double farthest = 0x1p20;    ///< from the origin, in sizes
+  int largest_warp = 18;       ///< half of the samples have vertices moved by up to 2^(warp - 20) of the size; 0: none
   int largest_exponent = 900;  ///< a third of the samples are scaled by 2^e, |e| up to this, where that is exact
 };
 
