@@ -68,6 +68,8 @@ inline constexpr double kNarrow = 1 - 0x1p-48;
 /// products of words, four of them in an error-free product, loses at most 2^-1075, and sums lose nothing.
 inline constexpr double kDot = 8;
 inline constexpr double kCross = 4;
+/// Quotients and roots of double-doubles are off by at most so many kDoubleDoubleUnit of themselves.
+inline constexpr double kQuotient = 2;
 
 /// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift; the
 /// lifted component of an edge to kLiftedEdge times the largest component of the edge as it was given.

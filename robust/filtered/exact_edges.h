@@ -77,8 +77,8 @@ class ExactEdges {
     }
     /// Is this component of the normal zero?
     [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
-    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum. Each is known
-    /// relatively to itself, to what LiftedPolygon says: of that nothing is in proportion to the maximum.
+    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum: not at all, for
+    /// LiftedPolygon knows each of them relatively to itself.
     static constexpr double kNormalError = 0;
   };
 

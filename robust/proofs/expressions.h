@@ -12,8 +12,8 @@
 #include "robust/filtered/vector3.h"
 
 /// The one list of what is proved: every expression of signs.h and edge_frame.h with its inputs, its constant and the
-/// maxima that the constant is multiplied by, and the sums of products of double_double.h. Records, error calculus and
-/// toy arithmetic all walk this list.
+/// maxima that the constant is multiplied by, and what double_double.h makes of its operations. Records, error calculus
+/// and toy arithmetic all walk this list.
 namespace touchstone::filtered::proofs {
 
 /// Of every constant this much pays for the rounding of the bound that is computed with it.
@@ -115,6 +115,21 @@ void for_each_sum_of_products(Visit visit) {
   visit(SumOfProducts{"kCross", "x", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).x; });
   visit(SumOfProducts{"kCross", "y", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).y; });
   visit(SumOfProducts{"kCross", "z", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).z; });
+}
+
+/// The claim about a quotient or a root of double-doubles: it is off by at most constant kDoubleDoubleUnit of itself.
+/// Proved is `proved` u^2, which is no more; a u^2 less is refused.
+struct Quotient {
+  std::string_view constant, instance;
+  double value, proved;
+};
+
+/// visit(Quotient, expression) for each such claim; expression(a, b) is its value over double-doubles.
+template <class Visit>
+void for_each_quotient(Visit visit) {
+  using bounds::kQuotient;
+  visit(Quotient{"kQuotient", "/", kQuotient, 11}, [](const auto& a, const auto& b) { return a / b; });
+  visit(Quotient{"kQuotient", "sqrt", kQuotient, 5}, [](const auto& a, const auto&) { return sqrt(a); });
 }
 
 /// visit(Claim, expression) for each claim; expression(Inputs<Number>) is its value over any number type.

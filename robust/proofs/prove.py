@@ -5,8 +5,8 @@ RECORD prints the constants of bounds.h and the operations of the expressions th
 prove every claim, at the unit of doubles and at that of double-doubles. It must refuse a constant that inputs and
 rounding errors of the model exceed (adversary.py), which shows that the check can fail, and one within a sixteenth of
 the claimed one, which shows that this is not loose. For sums of products of double-doubles it must refuse a constant
-that is one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out. Exit status 1 if a
-claim is not proved or a smaller one is.
+that is one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and
+roots one that is one u^2 smaller. Exit status 1 if a claim is not proved or a smaller one is.
 """
 
 import concurrent.futures
@@ -20,6 +20,7 @@ import time
 import adversary
 import double_words
 import gappa
+import quotients
 
 
 def read(program):
@@ -61,6 +62,19 @@ def judge_sum_of_products(program, model, record):
                     f"any of {len(without_a_rest)} rests")
 
 
+def judge_quotient(program, model, record):
+    """The faults of the claim about a quotient or a root, and a line that says what is proved."""
+    name, proved, unit = name_of(record), record["proved"], quotients.UNIT
+    faults = []
+    if proved * unit * unit > record["value"] * model["double_double_unit"]:
+        faults.append(f"{name}: {float(record['value'])} units are less than {proved} u^2")
+    if not gappa.proves(program, quotients.script(record, proved), unit**2):
+        faults.append(f"{name}: {proved} u^2 is not proved")
+    if gappa.proves(program, quotients.script(record, proved - 1), unit**2):
+        faults.append(f"{name}: {proved - 1} u^2 is proved too")
+    return faults, f"{name}: {float(record['value'])}; proved {proved} u^2; too small {proved - 1} u^2"
+
+
 def judge(program, model, record):
     """The faults of one claim, and a line that says what is proved."""
     name = name_of(record)
@@ -89,9 +103,9 @@ def main(recorder, program):
     start = time.monotonic()
     model, records = read(recorder)
     faults = []
-    judges = {False: judge, True: judge_sum_of_products}
+    judges = {"nodes": judge, "words": judge_sum_of_products, "numbers": judge_quotient}
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        for found, line in pool.map(lambda record: judges["words" in record](program, model, record), records):
+        for found, line in pool.map(lambda record: judges[next(filter(record.get, judges))](program, model, record), records):
             faults += found
             print(line, flush=True)
     print(*faults, sep="\n")

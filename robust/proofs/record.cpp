@@ -97,6 +97,45 @@ void print(const SumOfProducts& claim, const Expression& expression) {
   std::cout << "}\n";
 }
 
+const char* name(char operation) {
+  switch (operation) {
+    case '+': return "+";
+    case '-': return "-";
+    case '*': return "*";
+    case '/': return "/";
+    case 's': return "sqrt";
+    case 'd': return "doubled";
+    case 'r': return "rest";
+    case 'A': return "double-double +";
+    case 'S': return "double-double -";
+    case 'P': return "double-double *";
+    case 'h': return "high";
+    case 'l': return "low";
+    case 'e': return "exact +";
+    default: return "input";
+  }
+}
+
+/// An operation on double-doubles, and on words where it takes them apart. Nodes 0 and 1 are its operands.
+template <class Expression>
+void print(const Quotient& claim, const Expression& expression) {
+  Recording recording;
+  const int a = input(recording).node, b = input(recording).node;
+  const int result = number_of(expression(words_of(&recording, a), words_of(&recording, b)));
+  std::cout << R"({"constant": ")" << claim.constant << R"(", "instance": ")" << claim.instance << R"(", "value": )"
+            << claim.value << R"(, "proved": )" << claim.proved << R"(, "result": )" << result << R"(, "numbers": [)";
+  const char* separator = "";
+  for (std::size_t i = 2; i < recording.nodes.size(); ++i) {
+    const auto& [operation, left, right] = recording.nodes[i];
+    std::cout << separator << R"({"node": )" << i << R"(, "operation": ")" << name(operation) << R"(", "of": [)"
+              << left;
+    if (right >= 0) std::cout << ", " << right;
+    std::cout << "]}";
+    separator = ", ";
+  }
+  std::cout << "]}\n";
+}
+
 }  // namespace
 }  // namespace touchstone::filtered::proofs
 
@@ -111,4 +150,6 @@ int main() {
   });
   proofs::for_each_sum_of_products(
       [](const proofs::SumOfProducts& claim, const auto& expression) { proofs::print(claim, expression); });
+  proofs::for_each_quotient(
+      [](const proofs::Quotient& claim, const auto& expression) { proofs::print(claim, expression); });
 }

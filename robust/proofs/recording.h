@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "robust/filtered/numbers/double_double.h"
@@ -10,7 +11,10 @@ namespace touchstone::filtered::proofs {
 /// The straight line of operations that an expression carries out. Nodes are numbered in order, inputs among them.
 struct Recording {
   struct Node {
-    char operation;   ///< '+', '-', '*', 'i' for an input, or 'r' for what the rounding of a node has left out
+    /// '+', '-', '*', '/', 's' for a root, 'd' for the double, 'i' for an input, or 'r' for what the rounding of a node
+    /// has left out. Of double-doubles 'A', 'S', 'P' for sum, difference, product; 'h' and 'l' for the words of one,
+    /// 'e' for the one that two words are.
+    char operation;
     int left, right;  ///< nodes; -1 for none
   };
   std::vector<Node> nodes;
@@ -25,6 +29,10 @@ struct Recording {
 struct Recorded {
   Recording* recording;
   int node;
+
+  Recorded(Recording* of, int number) : recording(of), node(number) {}
+  /// Zero, the low word of a double-double that is a word.
+  Recorded(int) : recording(nullptr), node(-1) {}  // NOLINT: it is one
 };
 
 inline Recorded operator+(const Recorded& a, const Recorded& b) {
@@ -37,6 +45,15 @@ inline Recorded operator*(const Recorded& a, const Recorded& b) {
   return {a.recording, a.recording->add('*', a.node, b.node)};
 }
 
+inline Recorded operator/(const Recorded& a, const Recorded& b) {
+  return {a.recording, a.recording->add('/', a.node, b.node)};
+}
+/// Twice a word.
+inline Recorded operator*(int, const Recorded& a) { return {a.recording, a.recording->add('d', a.node, -1)}; }
+inline Recorded sqrt(const Recorded& a) { return {a.recording, a.recording->add('s', a.node, -1)}; }
+/// What is recorded is recorded for numbers that are not zero.
+inline bool operator==(const Recorded&, int) { return false; }
+
 /// The error-free transformations of double_double.h: a rounded operation and the rest, which has no error.
 inline DoubleWord<Recorded> with_rest(const Recorded& rounded) {
   return {rounded, {rounded.recording, rounded.recording->add('r', rounded.node, -1)}};
@@ -44,5 +61,35 @@ inline DoubleWord<Recorded> with_rest(const Recorded& rounded) {
 inline DoubleWord<Recorded> two_sum(const Recorded& a, const Recorded& b) { return with_rest(a + b); }
 inline DoubleWord<Recorded> two_difference(const Recorded& a, const Recorded& b) { return with_rest(a - b); }
 inline DoubleWord<Recorded> two_product(const Recorded& a, const Recorded& b) { return with_rest(a * b); }
+inline DoubleWord<Recorded> quick_two_sum(const Recorded& a, const Recorded& b) { return with_rest(a + b); }
+
+/// The words of a double-double, and the double-double of two words.
+inline DoubleWord<Recorded> words_of(Recording* recording, int number) {
+  return {{recording, recording->add('h', number, -1)}, {recording, recording->add('l', number, -1)}};
+}
+inline int number_of(const DoubleWord<Recorded>& a) {
+  if (a.low.node < 0) return a.high.node;
+  Recording& recording = *a.high.recording;
+  const Recording::Node& low = recording.nodes[static_cast<std::size_t>(a.low.node)];
+  return low.operation == 'l' ? low.left : recording.add('e', a.high.node, a.low.node);
+}
+
+/// @{
+/// Operations on double-doubles as a whole.
+inline DoubleWord<Recorded> record_operation(char operation, const DoubleWord<Recorded>& a,
+                                             const DoubleWord<Recorded>& b) {
+  const int left = number_of(a), right = number_of(b);
+  return words_of(a.high.recording, a.high.recording->add(operation, left, right));
+}
+inline DoubleWord<Recorded> operator+(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return record_operation('A', a, b);
+}
+inline DoubleWord<Recorded> operator-(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return record_operation('S', a, b);
+}
+inline DoubleWord<Recorded> operator*(const DoubleWord<Recorded>& a, const DoubleWord<Recorded>& b) {
+  return record_operation('P', a, b);
+}
+/// @}
 
 }  // namespace touchstone::filtered::proofs

@@ -16,7 +16,7 @@ namespace touchstone::filtered::proofs {
 namespace {
 
 const mpq_class kDouble = bounds::kDoubleDoubleUnit, kSecondOrder = mpq_class(0x1p-20) + 1;
-const mpq_class kQuotient = 2 * kDouble;  // of double_double.h, and of roots
+const mpq_class kQuotient = bounds::kQuotient * kDouble;  // of roots, too
 const ErrorModel kDoubleDoubles{kDouble, 0, true, SumsOfProducts{bounds::kDot, bounds::kCross}};
 
 ErrorBound within(const mpq_class& magnitude, const mpq_class& error) {

@@ -30,7 +30,7 @@ struct DoubleWord {
   __attribute__((always_inline)) constexpr DoubleWord(Word h, Word l) : high(h), low(l) {}
 };
 
-/// Relative error of an operation: + and - 3 u^2 + 13 u^3, * 5 u^2, with u = 2^-53; so each is below 2^-103
+/// Relative error of an operation: + and - 3 u^2 + 13 u^3, * 7 u^2, with u = 2^-53; so each is below 2^-103
 /// (bounds::kDoubleDoubleUnit).
 using DoubleDouble = DoubleWord<double>;
 
@@ -109,25 +109,23 @@ inline Vector3<DoubleWord<Word>> cross(const Vector3<DoubleWord<Word>>& a, const
           product_difference(a.x, b.y, a.y, b.x)};
 }
 
-/// a / b to within 2^-102 of its size. Requires b != 0.
-///
-/// In units of u^2: 5 from the product with `first`, 3 from the last sum; all else is smaller by u.
-inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
-  const double first = a.high / b.high;
-  const DoubleDouble after_first = a - b * DoubleDouble(first);
-  const double second = after_first.high / b.high;
-  const DoubleDouble after_second = after_first - b * DoubleDouble(second);
-  return quick_two_sum(first, second) + DoubleDouble(after_second.high / b.high);
+/// a / b to within bounds::kQuotient of its size. Requires b != 0.
+template <class Word>
+inline DoubleWord<Word> operator/(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
+  const Word first = a.high / b.high;
+  const DoubleWord<Word> after_first = a - b * DoubleWord<Word>(first);
+  const Word second = after_first.high / b.high;
+  const DoubleWord<Word> after_second = after_first - b * DoubleWord<Word>(second);
+  return quick_two_sum(first, second) + DoubleWord<Word>(after_second.high / b.high);
 }
 
-/// The square root to within 2^-102 of its size. Requires a >= 0.
-///
-/// In units of u^2: `rest` is at most 3.1 u a, so that its tail and the quotient's rounding make 3.1; the square that
-/// Newton's step leaves out makes 1.2.
-inline DoubleDouble sqrt(const DoubleDouble& a) {
+/// The square root to within bounds::kQuotient of its size. Requires a >= 0.
+template <class Word>
+inline DoubleWord<Word> sqrt(const DoubleWord<Word>& a) {
+  using std::sqrt;
   if (a.high == 0) return {};  // exact: the tail is zero with it
-  const double root = std::sqrt(a.high);
-  const DoubleDouble rest = a - two_product(root, root);
+  const Word root = sqrt(a.high);
+  const DoubleWord<Word> rest = a - two_product(root, root);
   return quick_two_sum(root, rest.high / (2 * root));
 }
 
