@@ -157,14 +157,13 @@ class EveryCommand(unittest.TestCase):
         self.assertEqual(self.run_in(["soak", "--cases", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
 
     def test_of_two_runs_at_once_one_is_refused_whole(self):
-        seeded = lambda seed, output: [TOUCHSTONE, "near-edge", "--method", "fast", "--families", "u", "--samples", "20", "--search", "1",
-                                       "--no-pictures", "--threads", "1", "--seed", seed, "--output", str(output)]
+        seeded = lambda seed, output: [TOUCHSTONE, "soak", "--cases", "1000", "--threads", "1", "--seed", seed, "--output", str(output)]
         data = lambda folder: {name: bytes for name, bytes in content(folder).items() if name != "run.json"}
         alone = {}
         for seed in "1", "5":
             subprocess.run(seeded(seed, SCRATCH / seed), check=True, stdout=subprocess.DEVNULL, timeout=PATIENCE)
             alone[seed] = data(SCRATCH / seed)
-        self.assertNotEqual(alone["1"]["rates.csv"], alone["5"]["rates.csv"])
+        self.assertNotEqual(alone["1"]["soak.csv"], alone["5"]["soak.csv"])
         for turn in range(4):
             folder = SCRATCH / f"both-{turn}"
             running = {seed: subprocess.Popen(seeded(seed, folder), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
