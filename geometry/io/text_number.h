@@ -49,7 +49,7 @@ inline bool is_huge(std::string_view decimal) {
 /// The double nearest to the decimal number that the field consists of, if it does: an infinity beyond the finite
 /// doubles, zero near zero; "nan" and "inf" in the spellings of std::from_chars. The caller's locale and rounding mode
 /// change nothing.
-inline std::optional<double> nearest_double(std::string_view field) {
+__attribute__((noinline)) inline std::optional<double> nearest_double(std::string_view field) {
   const FloatingPointState nearest;  // std::from_chars may divide in the caller's rounding mode
   field = without_plus(field);
   double value = 0;
