@@ -119,7 +119,8 @@ void write(const std::filesystem::path& folder, const Options& options, const st
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
-  run::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  run::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
+                  options.force);
 }
 
 int measure_all(const Options& options) {

@@ -50,7 +50,7 @@ int run(const ConvertOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw BadConversion(fmt::format("{}: {}; --name gives another", options.from, error.what()));
   }
-  run::write_file(options.to, text);
+  run::write_file(options.to, text, options.force);
   const LinkModel read = read_model(options.to);
 
   fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "triangles",

@@ -15,6 +15,7 @@
 #include "experiments/cell/run_options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::cell {
 namespace {
@@ -38,8 +39,9 @@ int run(const ExportOptions& options) {
                                ? browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording))
                            : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
                                                   : browser::gltf_binary(recording, options.rate);
-  run::write_file(options.file, text);
-  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.looks.size(), text.size(), options.file);
+  run::write_file(options.file, text, options.force);
+  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.looks.size(), text.size(),
+             io::all_legible(options.file));
   if (recording.process.failure.empty()) return 0;
   fmt::print("not completed: {}\n", recording.process.failure);
   return 1;

@@ -19,6 +19,7 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::cell {
 namespace {
@@ -73,7 +74,8 @@ int run(const RunCommandOptions& options) {
                                            .samples_asked = process.stops.size(),
                                            .samples_done = process.stops.size(),
                                            .seconds = before + cycle + held});
-    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", contest.disagreements.size(), options.output);
+    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", contest.disagreements.size(),
+               io::all_legible(options.output));
   }
   return process.failure.empty() ? 0 : 1;
 }

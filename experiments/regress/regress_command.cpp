@@ -176,7 +176,7 @@ int run(const Options& options) {
     changed = changes(baseline->standing, *standing);
   }
   const std::size_t worse = baseline ? tell_changes(changed) : 0;
-  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *standing}));
+  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *standing}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
     run::write_file(folder / "standing.csv", standing_text(*standing));

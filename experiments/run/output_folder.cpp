@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +24,7 @@ namespace touchstone::run {
 namespace {
 
 constexpr const char* kLock = ".lock";
+constexpr std::string_view kHolder = "process ";  // how its text begins
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -31,6 +33,15 @@ std::string holder(int descriptor) {
   std::array<char, 1000> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
   return length > 0 ? ": " + io::legible({text.data(), static_cast<std::size_t>(length)}) : "";
+}
+
+/// Is it empty, or what an ended holder wrote, and known by this name alone?
+bool is_lock(int descriptor) {
+  struct stat file {};
+  std::array<char, kHolder.size()> begin{};
+  const ssize_t length = ::pread(descriptor, begin.data(), begin.size(), 0);
+  return ::fstat(descriptor, &file) == 0 && S_ISREG(file.st_mode) && file.st_nlink <= 1 &&
+         (length == 0 || std::string_view(begin.data(), begin.size()) == kHolder);
 }
 
 bool is_same_file(int descriptor, const std::filesystem::path& path) {
@@ -50,18 +61,19 @@ std::string host() {
 OutputFolder::OutputFolder(std::filesystem::path folder, const std::string& command, Existing existing)
     : path_(std::move(folder)), lock_file_(path_ / kLock) {
   make_folder(path_);
-  lock(command);
+  lock();
   try {
     refuse_content(existing);
   } catch (...) {
     release();
     throw;
   }
+  sign(command);
 }
 
 OutputFolder::~OutputFolder() { release(); }
 
-void OutputFolder::lock(const std::string& command) {
+void OutputFolder::lock() {
   // The file is removed by its holder: what was locked may have lost its name meanwhile.
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -77,7 +89,14 @@ void OutputFolder::lock(const std::string& command) {
     fmt::print(stderr, "touchstone: {}: cannot be locked, so let no other run write there: {}\n", path_.string(),
                reason(error));
   } while (!is_same_file(descriptor_, lock_file_));
-  const std::string text = fmt::format("process {} on {} since {}: {}", ::getpid(), host(), utc_now(), command);
+  if (!is_lock(descriptor_)) {
+    ::close(std::exchange(descriptor_, -1));
+    refuse(std::string("has a file ") + kLock + " that is no lock of this program");
+  }
+}
+
+void OutputFolder::sign(const std::string& command) {
+  const std::string text = fmt::format("{}{} on {} since {}: {}", kHolder, ::getpid(), host(), utc_now(), command);
   // Where this fails the others are not told who, and the first result that is written says that the disk is full.
   if (::ftruncate(descriptor_, 0) == 0) (void)!::pwrite(descriptor_, text.data(), text.size(), 0);
 }

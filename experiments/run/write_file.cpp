@@ -44,6 +44,17 @@ class NewFile {
     if (::close(descriptor) != 0 || std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
     kept_ = true;
   }
+  /// The same where nothing has the final name; else throws what refuse_overwrite does.
+  void take_free_name() {
+    if (::link(name_.c_str(), final_name_.c_str()) == 0) {
+      const int descriptor = std::exchange(descriptor_, -1);
+      if (::close(descriptor) != 0) cannot_write();
+      return;  // the other name goes away
+    }
+    if (errno != EEXIST && errno != EPERM && errno != EOPNOTSUPP) cannot_write();
+    refuse_overwrite(final_name_, false);
+    take_name();  // a file system without links
+  }
 
  private:
   [[noreturn]] void cannot_write() const {
@@ -57,6 +68,13 @@ class NewFile {
 };
 
 }  // namespace
+
+void write_file(const std::filesystem::path& path, const std::string& text, bool force) {
+  if (force) return write_file(path, text);
+  NewFile file(path);
+  file.write(text);
+  file.take_free_name();
+}
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
   // Replacing a link harms nothing; replacing /dev/null would.

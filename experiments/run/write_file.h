@@ -13,6 +13,10 @@ namespace touchstone::run {
 /// as it was.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
+/// The same for a command that writes one file. Without `force` throws what refuse_overwrite does, if something of that
+/// name is there by now: of two commands that write one file, one succeeds.
+void write_file(const std::filesystem::path& path, const std::string& text, bool force);
+
 /// For a command that writes one file, before it spends time on what is to be written.
 ///
 /// Throws std::runtime_error, which names the file, if something of that name is there already: anything without

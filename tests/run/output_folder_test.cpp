@@ -202,6 +202,23 @@ TEST(OutputFolder, NamesWhatCannotBeAFolder) {
   EXPECT_EQ(refusal("/dev/null/folder"), "/dev/null/folder: cannot be made: Not a directory");
 }
 
+TEST(OutputFolder, LeavesAFileAloneThatIsNoLock) {
+  const Scratch scratch;
+  const fs::path folder = scratch.path / "run", lock = folder / ".lock", other = scratch.path / "other";
+  fs::create_directory(folder);
+  write_file(lock, "precious\n");
+  for (const bool force : {false, true}) {
+    EXPECT_EQ(refusal(folder, {.force = force}),
+              folder.string() + ": has a file .lock that is no lock of this program");
+    EXPECT_EQ(run_tests::text_of(lock), "precious\n");
+  }
+  fs::remove(lock);
+  write_file(other, "process 1 of someone else\n");
+  fs::create_hard_link(other, lock);
+  EXPECT_NE(refusal(folder), "");
+  EXPECT_EQ(run_tests::text_of(other), "process 1 of someone else\n");
+}
+
 TEST(OutputFolder, DoesNotFollowALinkInPlaceOfItsLock) {
   const Scratch scratch;
   write_file(scratch.path / "victim.txt", "precious\n");

@@ -111,6 +111,19 @@ TEST(RefuseOverwrite, AllowsARegularFileWithForceOnly) {
   EXPECT_EQ(refusal([&] { refuse_overwrite(file, true); }), "");
 }
 
+// What came there while the text was made is found out, too.
+TEST(WriteFile, WritesOverWhatIsThereByNowOnlyWithForce) {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "base.json";
+  write_file(file, "first\n", false);
+  EXPECT_EQ(refusal([&] { write_file(file, "second\n", false); }),
+            file.string() + ": is there already; --force writes over it");
+  EXPECT_EQ(text_of(file), "first\n");
+  write_file(file, "third\n", true);
+  EXPECT_EQ(text_of(file), "third\n");
+  EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"base.json"});
+}
+
 TEST(RefuseOverwrite, RefusesAllElseWithForceToo) {
   const Scratch scratch;
   fs::create_symlink("nowhere", scratch.path / "dangling");
