@@ -91,6 +91,10 @@ const Scene::Object& Scene::at(std::uint32_t number) const {
                           std::to_string(objects_.size()));
 }
 
+void Scene::expect(const Objects& objects) const {
+  if (objects.some_ && !objects.some_->empty()) (void)at(objects.some_->back());  // the largest
+}
+
 const Pose& Scene::pose(std::uint32_t object) const { return at(object).pose; }
 
 const std::string& Scene::name(std::uint32_t object) const { return at(object).name; }
@@ -112,7 +116,7 @@ template <class F>
 bool Scene::any_of(const Objects& objects, const F& f) const {
   if (objects.some_) {
     for (const std::uint32_t number : *objects.some_)
-      if (f(number, at(number))) return true;
+      if (f(number, *objects_[number])) return true;
     return false;
   }
   for (std::uint32_t number = 0; number < objects_.size(); ++number)
@@ -174,38 +178,46 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
 
 bool Scene::touches(const Ball& ball, const Objects& objects) const {
   NoTally none;
+  expect(objects);
   return touches(required(ball), objects, none);
 }
 std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects) const {
   NoTally none;
+  expect(objects);
   return touched(required(ball), objects, none);
 }
 std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objects) const {
   NoTally none;
+  expect(objects);
   return nearest(required(ball), objects, none);
 }
 
 bool Scene::touches(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
+  expect(objects);
   return touches(required(ball), objects, tally);
 }
 std::vector<FaceId> Scene::touched(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
+  expect(objects);
   return touched(required(ball), objects, tally);
 }
 std::optional<NearestFace> Scene::nearest(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
   Tally tally(counts);
+  expect(objects);
   return nearest(required(ball), objects, tally);
 }
 
 void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
   const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
+  expect(objects);
   expect_equal_lengths("balls", balls.size(), "answers", answers.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
 }
 
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, const Objects& objects) const {
   const FloatingPointState state;
+  expect(objects);
   std::vector<std::vector<FaceId>> answers(balls.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
   return answers;
@@ -213,6 +225,7 @@ std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, con
 
 std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
   const FloatingPointState state;
+  expect(objects);
   std::vector<std::optional<NearestFace>> answers(balls.size());
   tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = nearest(balls[i], objects); });
   return answers;

@@ -93,7 +93,8 @@ class Scene {
   /// What the object's triangles and their hierarchy occupy in memory, in bytes.
   [[nodiscard]] std::size_t triangle_memory(std::uint32_t object) const;
 
-  /// Which objects are asked about: all, or some. Asking throws std::out_of_range for a number that no object has.
+  /// Which objects are asked about: all, or some. Asking throws std::out_of_range for a number that no object has,
+  /// whatever the answer.
   class Objects {
    public:
     Objects() = default;  ///< all
@@ -136,6 +137,8 @@ class Scene {
 
   /// Throws std::out_of_range, as above.
   [[nodiscard]] const Object& at(std::uint32_t number) const;
+  /// Throws it for a number among these that no object has.
+  void expect(const Objects& objects) const;
   /// The object under another pose.
   static std::unique_ptr<const Object> moved(const Object& object, const Pose& pose);
 

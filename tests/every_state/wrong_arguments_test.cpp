@@ -55,6 +55,8 @@ TEST(WrongArguments, NumbersOfNoObjectAreNamed) {
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(far, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(far, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.nearest(far, some); }), expected);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(kBall, some); }), expected);  // object 0 is touched
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(std::vector<Ball>(), some); }), expected);
 }
 
 TEST(WrongArguments, SpansOfDifferentLengthsAreRefusedBeforeAnythingIsWritten) {
