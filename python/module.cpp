@@ -41,9 +41,18 @@ py::dict verdict_of(const Answer& answer) {
   return keys;
 }
 
+/// `pickle` and `copy` of protocol 0 and 1 would make a base object of pybind11's, which ends the interpreter.
+template <class Class>
+void refuse_pickling(Class& type, const std::string& name) {
+  const auto refuse = [name](py::args) -> py::object { throw py::type_error("cannot pickle '" + name + "' object"); };
+  type.attr("__reduce__") = py::cpp_function(refuse, py::name("__reduce__"), py::is_method(type));
+  type.attr("__reduce_ex__") = py::cpp_function(refuse, py::name("__reduce_ex__"), py::is_method(type));
+}
+
 void add_answer(py::module_& module) {
-  py::class_<Answer>(module, "Answer", "All that the contract asks about a ball and a polygon, in its words.")
-      .def_property_readonly("plane", [](const Answer& a) { return text(word(a.plane)); })
+  py::class_<Answer> type(module, "Answer", "All that the contract asks about a ball and a polygon, in its words.");
+  refuse_pickling(type, "Answer");
+  type.def_property_readonly("plane", [](const Answer& a) { return text(word(a.plane)); })
       .def_readonly("plane_tangent", &Answer::plane_tangent)
       .def_property_readonly("foot", [](const Answer& a) { return text(word(a.foot)); })
       .def_readonly("edges_hit", &Answer::edges_hit)
@@ -60,11 +69,12 @@ void add_answer(py::module_& module) {
 }
 
 void add_polygon(py::module_& module) {
-  py::class_<ValidPolygon>(module, "Polygon",
-                           "An outer loop and holes in space, each an array of n x 3, non-convex and of either "
-                           "orientation: what the contract accepts. Raises Rejected, which names the loop and the "
-                           "vertex or edge. Prepared once for each path that is asked about it.")
-      .def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
+  py::class_<ValidPolygon> type(module, "Polygon",
+                                "An outer loop and holes in space, each an array of n x 3, non-convex and of either "
+                                "orientation: what the contract accepts. Raises Rejected, which names the loop and the "
+                                "vertex or edge. Prepared once for each path that is asked about it.");
+  refuse_pickling(type, "Polygon");
+  type.def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
            py::arg("holes") = std::vector<py::object>())
       .def_property_readonly(
           "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of its vertices, n x 3.")

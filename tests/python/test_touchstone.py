@@ -2,12 +2,14 @@
 """The module of Python gives the answers of C++, takes arrays as they lie, and names what it refuses."""
 
 import contextlib
+import copy
 import decimal
 import fractions
 import gc
 import io
 import json
 import pathlib
+import pickle
 import re
 import sys
 import threading
@@ -220,6 +222,18 @@ class Uninitialised(unittest.TestCase):
             for use in uses:
                 with self.assertRaisesRegex(TypeError, "__init__ was not called"):
                     use()
+
+
+class Pickling(unittest.TestCase):
+    def test_is_refused_in_every_protocol(self):
+        polygon = touchstone.Polygon(SQUARE)
+        for thing in (polygon, touchstone.exact.answer([2, 2, 1, 1], polygon), touchstone.Polygon.__new__(touchstone.Polygon)):
+            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+                with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                    pickle.dumps(thing, protocol)
+            for refused in (copy.copy, copy.deepcopy, lambda t: t.__reduce__(), lambda t: t.__reduce_ex__(0)):
+                with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                    refused(thing)
 
 
 class Threads(unittest.TestCase):
