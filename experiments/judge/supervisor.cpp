@@ -176,7 +176,10 @@ Supervisor::~Supervisor() {
   (void)wait();
 }
 
-void Supervisor::kill() { shutdown(control_, SHUT_WR); }
+void Supervisor::kill() {
+  shutdown(control_, SHUT_WR);
+  if (process_ > 0) ::kill(process_, SIGCONT);  // the command may have stopped it
+}
 
 bool Supervisor::ended_within(std::chrono::milliseconds time) const {
   pollfd event{.fd = control_, .events = POLLIN, .revents = 0};

@@ -13,7 +13,8 @@ namespace touchstone::judge {
 /// A process of its own stands between this one and the shell. It adopts what the command's processes leave behind,
 /// whatever group or session that is in, and kills all of it as soon as the shell has ended, `kill` is called, or this
 /// process ends, even by SIGKILL. Only a process that it may not kill, or that the kernel does not let end, goes on; it
-/// waits for such a one for two seconds at most. Several supervisors do not affect each other.
+/// waits for such a one for two seconds at most. A command that kills this process in between, its parent, on purpose
+/// thereby frees what it has started. Several supervisors do not affect each other.
 class Supervisor {
  public:
   /// Starts `command` with the descriptors `input` and `output` as its standard input and output. They stay open here,

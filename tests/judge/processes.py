@@ -87,6 +87,13 @@ def check_foreign_holder(program, options):
         sys.exit(f"output held open, options {options}: exit status {judge.returncode}: {verdicts}")
 
 
+def check_stopped_supervisor(program):
+    judge, reader = start(program, "kill -STOP $PPID; exec sleep 1000", "--time-limit", "0.2")
+    judge.communicate(timeout=SECONDS)
+    if not all_have_ended(reader):
+        sys.exit("an engine that stops what watches it goes on")
+
+
 def check_unreadable_input(program, redirection):
     for options in "", "--exec cat", "--exec cat --time-limit 9":
         command = f"judge {options} {redirection}"
@@ -99,6 +106,7 @@ def check_unreadable_input(program, redirection):
 def main(program):
     check_unreadable_input(program, "<&-")
     check_unreadable_input(program, "</")
+    check_stopped_supervisor(program)
     for options in [], ["--time-limit", "1000"]:
         for helper in HELPERS:
             check_signal(program, signal.SIGINT, 130, helper, options)
