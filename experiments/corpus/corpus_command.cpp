@@ -44,7 +44,7 @@ int make(const MakeOptions& options) {
                                {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
-  fmt::print("{} files in {}\n", files.size(), options.folder);
+  fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));
   return 0;
 }
 

@@ -113,7 +113,8 @@ int run(const MergeOptions& options) {
                                  .interrupted = interrupted});
   fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
              table(options.settings, results), results.size(), options.files.size(), seconds,
-             options.settings.tolerance, options.settings.balls, options.settings.seed, folder.string());
+             options.settings.tolerance, options.settings.balls, options.settings.seed,
+             io::all_legible(folder.string()));
   run::flush_standard_output();
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,

@@ -19,6 +19,7 @@
 #include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
+#include "geometry/io/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -88,7 +89,7 @@ int run(Options& options) {
   fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
              meshes.parts_left_out, seconds, settings.seed);
-  fmt::print("Results: {}\n", folder.string());
+  fmt::print("Results: {}\n", io::all_legible(folder.string()));
   run::flush_standard_output();
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,

@@ -100,7 +100,7 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
       real_input::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
   if (!files.all_read) return std::nullopt;
   Loaded loaded{{}, real_input::left_out_text(files), files.parts_left_out};
-  bool refused = false;
+  bool refused = false, empty = false;
   run::ProgressLine line("scene: meshes", files.read.size());
   for (std::size_t i = 0; i < files.read.size(); ++i) {
     real_input::NamedFile& file = files.read[i];
@@ -124,9 +124,13 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
       loaded.left_out += fmt::format("{}: {} more faces\n", name, object.faces_rejected - object.rejected.size());
     loaded.parts_left_out += object.faces_rejected;
     refused = refused || object.faces_rejected > 0;
+    if (object.numbers.empty()) {  // nothing would touch it, and what was meant is another file
+      fmt::print(stderr, "touchstone: {}: no face is left\n", name);
+      empty = true;
+    }
     line(i + 1);
   }
-  if (refused && !options.skip_bad) return std::nullopt;
+  if (empty || (refused && !options.skip_bad)) return std::nullopt;
   return loaded;
 }
 
@@ -299,7 +303,7 @@ int run(const SceneOptions& options) {
     run::write_file(folder / "left-out.txt", loaded->left_out);
     run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
                                    source.count - sums.balls, options.threads, seconds, 1, interrupted});
-    fmt::print("Results: {}\n", folder.string());
+    fmt::print("Results: {}\n", io::all_legible(folder.string()));
     run::flush_standard_output();
   }
   if (!interrupted) return 0;

@@ -310,6 +310,15 @@ TEST_F(SceneCommand, RefusesAMeshWithoutAFaceWhateverIsAskedOfIt) {
       }
 }
 
+TEST_F(SceneCommand, RefusesAMeshWhoseFacesAreAllLeftOut) {
+  const std::string balls = write("balls.txt", "0 0 0 1\n");
+  const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
+  const Ran ran = touchstone_scene({path("cube.obj"), flat, "--balls", balls, "--skip-bad"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_NE(ran.err.find("touchstone: " + flat + ": no face is left"), std::string::npos) << ran.err;
+}
+
 TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
   EXPECT_EQ(touchstone_scene({path("cube.obj")}).status, 2);
   EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--balls", "x"}).status, 2);
