@@ -39,24 +39,25 @@ class NewFile {
     }
   }
   void take_name() {
-    const int descriptor = std::exchange(descriptor_, -1);
-    // Some file systems tell only now that there is no space.
-    if (::close(descriptor) != 0 || std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
+    close();
+    if (std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
     kept_ = true;
   }
   /// The same where nothing has the final name; else throws what refuse_overwrite does.
   void take_free_name() {
-    if (::link(name_.c_str(), final_name_.c_str()) == 0) {
-      const int descriptor = std::exchange(descriptor_, -1);
-      if (::close(descriptor) != 0) cannot_write();
-      return;  // the other name goes away
-    }
+    close();
+    if (::link(name_.c_str(), final_name_.c_str()) == 0) return;  // the other name goes away
     if (errno != EEXIST && errno != EPERM && errno != EOPNOTSUPP) cannot_write();
     refuse_overwrite(final_name_, false);
     take_name();  // a file system without links
   }
 
  private:
+  /// Some file systems tell only now that there is no space.
+  void close() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (descriptor >= 0 && ::close(descriptor) != 0) cannot_write();
+  }
   [[noreturn]] void cannot_write() const {
     throw std::runtime_error(final_name_.string() + ": cannot be written: " + std::generic_category().message(errno));
   }
