@@ -284,8 +284,6 @@ int run(const SceneOptions& options) {
   if (!loaded) return kBadInput;
   const std::vector<Object>& objects = loaded->objects;
   const Order order{options.question(), chosen(options, objects), options.threads};
-  if (options.balls.empty() && face_blocks(objects, {Question::All, chosen({}, objects), 1}) == 0)
-    throw std::invalid_argument("--random needs a mesh with a face");
   const Source source = source_of(options, objects);
 
   scene::Scene scene;
