@@ -22,8 +22,8 @@ class OutputFolder {
   /// Makes the folder if it is not there. `command`: the run, as it is told to others.
   ///
   /// Throws std::runtime_error, which names the folder and says why: it cannot be made or written to; another run holds
-  /// it; it has a file `.lock` that is none; it is not empty, and `existing` does not allow that. A folder that was there is then as it was. On a file
-  /// system that has no locks, stderr says so, and the run goes on.
+  /// it; it has a file `.lock` that is none; it is not empty, and `existing` does not allow that. A folder that was
+  /// there is then as it was. On a file system that has no locks, stderr says so, and the run goes on.
   OutputFolder(std::filesystem::path folder, const std::string& command, Existing existing);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

@@ -38,7 +38,8 @@ Eigen::Vector3d to_doubles(const Vector<Scalar>& v) {
 template <class Scalar>
 struct Sphere {
   explicit Sphere(const Ball& ball)
-      : center(required(ball).center.template cast<Scalar>()), radius_squared(Scalar(ball.radius) * Scalar(ball.radius)) {}
+      : center(required(ball).center.template cast<Scalar>()),
+        radius_squared(Scalar(ball.radius) * Scalar(ball.radius)) {}
   Vector<Scalar> center;
   Scalar radius_squared;
 };

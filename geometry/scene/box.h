@@ -11,8 +11,8 @@ namespace touchstone {
 
 /// The closed box of all points between two corners, coordinate by coordinate; empty where low > high.
 ///
-/// Call what compares boxes' coordinates in the default state of the floating-point unit: it is too small a thing to set
-/// that state by itself.
+/// Call what compares boxes' coordinates in the default state of the floating-point unit: it is too small a thing to
+/// set that state by itself.
 struct Box {
   /// The corner of the least coordinates.
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());

@@ -44,8 +44,8 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // makes of a step, of its direction's components too, is less than the two units of the result leave over.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// A coordinate of the feature's point that is closest to the centre, as the nearest double, zeros as +0. `edges` are those of a
-/// prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
+/// A coordinate of the feature's point that is closest to the centre, as the nearest double, zeros as +0. `edges` are
+/// those of a prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
 ///
 /// Requires that a component of a direction is known relatively to itself, but for what is lifted and for kNormalError:
 /// a coordinate that the step hardly moves is known better than the step is long.

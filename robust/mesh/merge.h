@@ -71,9 +71,9 @@ struct MergedMesh {
 /// place are the fewest edges away. With a tolerance, regions are grown from the largest faces first, over faces
 /// whose vertices are that near to the plane of the first; where the polygon's own plane is farther off, it is cut too.
 ///
-/// Throws std::invalid_argument for a tolerance that is negative or not finite, and what weld() throws. Cost: about 10 us a face, and for every
-/// cut that of looking at the parts again, so that a region that is cut often costs the square of its size: 24000 faces
-/// with 4000 vertices in which their region touches itself take about 40 s.
+/// Throws std::invalid_argument for a tolerance that is negative or not finite, and what weld() throws. Cost: about 10
+/// us a face, and for every cut that of looking at the parts again, so that a region that is cut often costs the square
+/// of its size: 24000 faces with 4000 vertices in which their region touches itself take about 40 s.
 [[nodiscard]] MergedMesh merge_faces(const Mesh& mesh, double tolerance = 0);
 
 /// The same; nothing where `stop` was set, by a signal or another thread, before it was done. It is looked at for each

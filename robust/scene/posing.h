@@ -17,8 +17,9 @@ namespace touchstone::scene {
 [[nodiscard]] bool is_finite(const Pose& pose);
 
 /// Infinite where a coordinate rounds beyond the finite doubles; +0 where it rounds to zero. Throws Rejected with
-/// `not-finite` for a pose or a point that is not finite, as all of these functions do. Cost: some 50 ns; 3 us a coordinate where double-doubles leave the rounding unsure, which is one in 2^45 of those that are not
-/// made to be, or where numbers other than 0 lie beyond 2^-400 to 2^400 in R, 2^-500 to 2^500 in p, 2^1000 in t.
+/// `not-finite` for a pose or a point that is not finite, as all of these functions do. Cost: some 50 ns; 3 us a
+/// coordinate where double-doubles leave the rounding unsure, which is one in 2^45 of those that are not made to be, or
+/// where numbers other than 0 lie beyond 2^-400 to 2^400 in R, 2^-500 to 2^500 in p, 2^1000 in t.
 [[nodiscard]] Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point);
 /// The same; `counts` is told of every coordinate whether double-doubles or unlimited integers rounded it.
 [[nodiscard]] Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts);

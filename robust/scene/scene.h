@@ -66,9 +66,9 @@ class Scene {
 
   /// Returns the number of the object: objects are numbered from 0 as they are added. Throws std::invalid_argument for
   /// a name that is taken, Rejected naming the object and the face for a triangle that exact::validate rejects as a
-  /// polygon and for a polygon without a normal, and what set_pose throws. Cost: about 1 us a
-  /// triangle, 0.1 us a vertex of a polygon, and 1 to 3 us more in the first question whose ball comes near; memory:
-  /// about 90 bytes a triangle, up to 120 where they lie so that leaves hold few.
+  /// polygon and for a polygon without a normal, and what set_pose throws. Cost: about 1 us a triangle, 0.1 us a vertex
+  /// of a polygon, and 1 to 3 us more in the first question whose ball comes near; memory: about 90 bytes a triangle,
+  /// up to 120 where they lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 
   /// Moves an object from wherever it stands: its vertices are posed anew from those that were added, so nothing adds
