@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "experiments/commands.h"
-#include "experiments/judge/json_fault.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/harness/json/json_fault.h"
+#include "experiments/harness/standard_output.h"
 #include "geometry/io/legible.h"
 
 namespace {

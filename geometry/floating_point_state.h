@@ -39,7 +39,7 @@ template <class T>
 ///       return pinned(factor_of(boxes) * pinned(factor));
 ///     }
 ///
-/// tests/build/state_holds_arithmetic.py looks for arithmetic on the wrong side in the compiled library.
+/// tests/system/build/state_holds_arithmetic.py looks for arithmetic on the wrong side in the compiled library.
 class FloatingPointState {
  public:
 #if defined(__SSE2__)

@@ -9,8 +9,8 @@
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/model/convert.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/write_file.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/write_file.h"
 
 namespace touchstone::cell {
 namespace {

@@ -13,8 +13,8 @@
 #include "experiments/cell/browser/recording.h"
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/run_options.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/write_file.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/write_file.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::cell {

@@ -14,11 +14,11 @@
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
-#include "experiments/methods/method.h"
-#include "experiments/run/options.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/run_record.h"
+#include "experiments/cases/method.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/run_record.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::cell {

@@ -12,10 +12,10 @@
 #include "experiments/cell/browser/routes.h"
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/run_options.h"
-#include "experiments/run/interrupt.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
 
 namespace touchstone::cell {
 namespace {

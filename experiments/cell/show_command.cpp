@@ -14,12 +14,12 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/show_output.h"
-#include "experiments/run/options.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
 
 namespace touchstone::cell {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "experiments/cell/model/link_model.h"
 #include "experiments/cell/model/reach.h"
-#include "experiments/run/write_file.h"
+#include "experiments/harness/write_file.h"
 
 namespace touchstone::cell {
 namespace {

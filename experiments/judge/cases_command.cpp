@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "experiments/commands.h"
-#include "experiments/judge/verdict.h"
-#include "experiments/run/options.h"
-#include "experiments/run/whole_number.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/whole_number.h"
 #include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {

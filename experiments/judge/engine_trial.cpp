@@ -6,8 +6,8 @@
 #include <exception>
 #include <thread>
 
-#include "experiments/judge/engine.h"
-#include "experiments/judge/interruption.h"
+#include "experiments/methods/process/engine.h"
+#include "experiments/methods/process/interruption.h"
 #include "experiments/judge/proceedings.h"
 #include "experiments/judge/waiting.h"
 

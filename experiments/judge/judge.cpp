@@ -2,7 +2,7 @@
 #include "experiments/judge/judge.h"
 
 #include "experiments/judge/engine_trial.h"
-#include "experiments/judge/input_lines.h"
+#include "experiments/cases/input_lines.h"
 #include "experiments/judge/proceedings.h"
 
 namespace touchstone::judge {

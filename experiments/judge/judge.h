@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 namespace touchstone::judge {
 

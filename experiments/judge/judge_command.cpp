@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
-#include "experiments/judge/interruption.h"
+#include "experiments/methods/process/interruption.h"
 #include "experiments/judge/judge.h"
-#include "experiments/run/options.h"
+#include "experiments/harness/options.h"
 
 namespace touchstone::commands {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <variant>
 
-#include "experiments/judge/engine.h"
+#include "experiments/methods/process/engine.h"
 #include "experiments/judge/engine_trial.h"
-#include "experiments/judge/input_lines.h"
+#include "experiments/cases/input_lines.h"
 #include "experiments/judge/proceedings.h"
 #include "geometry/io/legible.h"
 

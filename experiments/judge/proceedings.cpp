@@ -8,7 +8,7 @@
 #include <exception>
 #include <system_error>
 
-#include "experiments/judge/interruption.h"
+#include "experiments/methods/process/interruption.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::judge {

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "experiments/judge/input_lines.h"
+#include "experiments/cases/input_lines.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/reply.h"
-#include "experiments/judge/verdict.h"
+#include "experiments/cases/verdict.h"
 
 namespace touchstone::judge {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/reply.h"
 
-#include "experiments/judge/strict_json.h"
+#include "experiments/harness/json/strict_json.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::judge {

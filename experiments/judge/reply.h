@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/judge/verdict.h"
+#include "experiments/cases/verdict.h"
 
 namespace touchstone::judge {
 

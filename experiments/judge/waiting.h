@@ -9,7 +9,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "experiments/judge/input_lines.h"
+#include "experiments/cases/input_lines.h"
 
 namespace touchstone::judge {
 

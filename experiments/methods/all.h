@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 // The files of this folder, each of which adds its methods.
 namespace touchstone::methods {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 #include "geometry/contact/fast.h"
 
 namespace touchstone::methods {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 namespace touchstone::methods {
 

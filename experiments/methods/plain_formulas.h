@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 namespace touchstone::methods {
 

@@ -102,7 +102,7 @@ def engines_by_family_table(touchstone):
 TABLES = [  # page, name in its markers, what makes it
     ("README.md", "near-edge", near_edge_table),
     ("README.md", "engines", engines_table),
-    ("tests/regress/README.md", "engines by family", engines_by_family_table),
+    ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),
 ]
 
 

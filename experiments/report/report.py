@@ -132,7 +132,7 @@ with any number of threads, and those that run on many machines (<code>near-edge
 <p>An engine is any program that reads cases, one a line of JSON, and prints what it answers:</p>
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles err
 touchstone judge --exec './engine' cases.jsonl              # what yours answers, held against the exact answers
-touchstone regress --baseline tests/regress/baseline.json   # the engines that are built in, against what they were</code></pre>
+touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # the engines that are built in, against what they were</code></pre>
 <p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
 <code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></section>
 """

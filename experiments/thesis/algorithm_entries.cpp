@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/thesis/angle_sum.h"
+#include "experiments/studies/stability/angle_sum.h"
 #include "experiments/thesis/entries.h"
 
 namespace touchstone::thesis_figures {

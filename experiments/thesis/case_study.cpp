@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 

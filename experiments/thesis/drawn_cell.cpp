@@ -10,8 +10,8 @@
 #include <utility>
 #include <variant>
 
-#include "experiments/cell/kinematics/degrees.h"
-#include "experiments/triangulation/triangulate.h"
+#include "experiments/workloads/degrees.h"
+#include "experiments/methods/triangulate.h"
 
 namespace touchstone::thesis_figures {
 namespace {

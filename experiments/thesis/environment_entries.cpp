@@ -7,7 +7,7 @@
 #include <set>
 #include <variant>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 #include "experiments/thesis/drawn_cell.h"
 #include "experiments/thesis/entries.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 namespace touchstone::thesis_figures {
 namespace {

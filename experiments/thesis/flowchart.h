@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/thesis/outlines.h"
+#include "experiments/studies/stability/outlines.h"
 
 namespace touchstone::thesis_figures {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"

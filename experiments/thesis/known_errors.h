@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/thesis/outlines.h"
+#include "experiments/studies/stability/outlines.h"
 
 /// The known errors of the thesis's method but for its angle sum, each measured on one outline. Functions of their
 /// arguments; truth is `filtered`. Cost: some microseconds a sample.

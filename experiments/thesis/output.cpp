@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "experiments/run/write_file.h"
+#include "experiments/harness/write_file.h"
 #include "experiments/thesis/drawn_cell.h"
 
 namespace touchstone::thesis_figures {

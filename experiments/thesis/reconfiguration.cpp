@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::thesis_figures {
 namespace {

@@ -9,8 +9,8 @@
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/cell/model/convert.h"
 #include "experiments/cell/model/read_cell.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/write_file.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
 #include "experiments/thesis/drawn_cell.h"
 
 namespace touchstone::thesis_figures {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/workloads/doubles.h"
+#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/streams.h"
 #include "robust/exact/exact.h"
 

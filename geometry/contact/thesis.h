@@ -22,7 +22,7 @@
 ///  (4) otherwise an edge must come nearer to C than r [T, S].
 /// Holes are unknown to [T] and [S]; [C]: inside is inside the outer loop and inside no hole, and all edges count.
 ///
-/// Known errors [D], each measured in tests/thesis:
+/// Known errors [D], each measured in tests/experiments/thesis:
 ///  - the unsigned angles around a point outside a non-convex loop can exceed 2 pi too: the notch of a U is inside;
 ///  - the factor 0.99 takes in points up to L / (2 tan 89.1 deg) = 0.00785 L outside the middle of an edge of length L,
 ///    and, around a hole, gives as much away;

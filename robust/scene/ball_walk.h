@@ -20,7 +20,7 @@ namespace culling {
 /// Added to a ball's radius: what underflow may do to centres, radii and boxes, 2^-1074 at most each, is far below it.
 inline constexpr double kTiny = 0x1p-500;
 /// The square of a ball's reach is made so much larger, which covers its own rounding and that of the squares that are
-/// held to it. Proved in tests/proofs/culling_test.cpp.
+/// held to it. Proved in tests/robust/proofs/culling_test.cpp.
 inline constexpr double kWide = 1 + 0x1p-47;
 
 /// How far a coordinate of a centre is outside of an interval; 0 within it.

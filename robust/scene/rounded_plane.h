@@ -11,7 +11,7 @@
 /// For n vertices, in round to nearest, with u = 2^-53: coordinates are taken from one point, which rounds them once,
 /// and are at most e. Then a component of the normal is off by less than kNormal n^2 u e^2, and N.(mean - vertex) by
 /// less than kHeight n^2 u e^3. That leaves room for the rounding of these bounds, of a component less its error, and
-/// of the height with its error over such a component. Proved in tests/proofs/rounded_plane_test.cpp for n from 3 to
+/// of the height with its error over such a component. Proved in tests/robust/proofs/rounded_plane_test.cpp for n from 3 to
 /// kMostVertices and e from kSmallestSize, underflow included.
 namespace touchstone::scene::rounded_plane {
 

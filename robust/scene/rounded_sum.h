@@ -17,7 +17,7 @@ constexpr auto added_up(const Numbers&... numbers) {
 }
 
 /// What `added_up` says of six doubles may be off, and what its sum with this error is off once more: so many times the
-/// magnitudes that it adds up. Proved in tests/proofs/rounded_sum_test.cpp.
+/// magnitudes that it adds up. Proved in tests/robust/proofs/rounded_sum_test.cpp.
 inline constexpr double kSumError = 0x1p-50;
 
 /// The double nearest to x + y + z + t, if error-free transformations can tell. Requires round to nearest, without

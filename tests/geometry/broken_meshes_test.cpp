@@ -16,7 +16,7 @@
 
 #include "geometry/io/mesh_formats.h"
 #include "tests/geometry/mesh_fixture.h"
-#include "tests/run/address_sanitizer.h"
+#include "tests/experiments/support/address_sanitizer.h"
 
 namespace touchstone::geometry_tests {
 namespace {

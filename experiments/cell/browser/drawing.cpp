@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "experiments/triangulation/triangulate.h"
+#include "experiments/methods/triangulate.h"
 
 namespace touchstone::cell::browser {
 namespace {

@@ -11,7 +11,7 @@
 #include "experiments/cell/simulation/contest.h"
 #include "experiments/cell/simulation/process.h"
 #include "experiments/cell/simulation/workcell.h"
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 #include "geometry/shapes/pose.h"
 #include "robust/scene/scene.h"
 

@@ -7,7 +7,7 @@
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/model/stops.h"
-#include "experiments/judge/strict_json.h"
+#include "experiments/harness/json/strict_json.h"
 
 namespace touchstone::cell::browser {
 namespace {

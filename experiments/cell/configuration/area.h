@@ -11,7 +11,7 @@
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/process.h"
-#include "experiments/run/blocks.h"
+#include "experiments/harness/blocks.h"
 
 namespace touchstone::cell {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::kinematics {
 

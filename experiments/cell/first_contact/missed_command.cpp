@@ -8,15 +8,15 @@
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/first_contact/missed_study.h"
-#include "experiments/run/interrupt.h"
-#include "experiments/run/options.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/pictures.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/standard_output.h"
-#include "experiments/run/whole_number.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
 
 namespace touchstone::cell {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cell/first_contact/arc.h"
-#include "experiments/run/blocks.h"
+#include "experiments/harness/blocks.h"
 #include "geometry/shapes/polygon.h"
 
 /// What stepping misses: random moves of single joints of the chosen layout's arm through thin sheets, looked at after

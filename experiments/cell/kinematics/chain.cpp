@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::kinematics {
 namespace {

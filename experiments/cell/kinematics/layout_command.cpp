@@ -8,14 +8,14 @@
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/kinematics/layout_output.h"
-#include "experiments/run/interrupt.h"
-#include "experiments/run/options.h"
-#include "experiments/run/output_folder.h"
-#include "experiments/run/pictures.h"
-#include "experiments/run/processes.h"
-#include "experiments/run/progress_line.h"
-#include "experiments/run/run_record.h"
-#include "experiments/run/standard_output.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
 
 namespace touchstone::cell {
 namespace {

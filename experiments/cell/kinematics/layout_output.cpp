@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/run/write_file.h"
+#include "experiments/harness/write_file.h"
 
 namespace touchstone::kinematics {
 namespace {

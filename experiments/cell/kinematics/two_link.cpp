@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::kinematics {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/cell/model/solid.h"
-#include "experiments/scenes/unit.h"
+#include "experiments/workloads/meshes/unit.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "experiments/cell/model/cell_entry.h"
-#include "experiments/judge/strict_json.h"
+#include "experiments/harness/json/strict_json.h"
 
 namespace touchstone::cell {
 namespace {

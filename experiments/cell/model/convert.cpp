@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/triangulation/triangulate.h"
+#include "experiments/methods/triangulate.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
 #include "robust/mesh/merge.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/cell_entry.h"
 

@@ -14,7 +14,7 @@
 #include "experiments/cell/model/read_solid.h"
 #include "experiments/cell/model/read_urdf.h"
 #include "experiments/cell/model/stops.h"
-#include "experiments/judge/strict_json.h"
+#include "experiments/harness/json/strict_json.h"
 
 namespace touchstone::cell {
 namespace {

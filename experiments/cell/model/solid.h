@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "experiments/scenes/unit.h"
+#include "experiments/workloads/meshes/unit.h"
 #include "geometry/shapes/pose.h"
 
 // Shapes as they are written down, in the unit of their cell; what they are as faces is in solid_faces.h.

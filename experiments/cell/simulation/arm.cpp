@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 #include "experiments/cell/model/cell_entry.h"
 
 namespace touchstone::cell {

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "experiments/judge/comparison.h"
+#include "experiments/cases/comparison.h"
 #include "geometry/scene/box.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/cell/simulation/process.h"
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 
 namespace touchstone::cell {
 

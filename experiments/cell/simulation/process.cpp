@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::cell {
 namespace {

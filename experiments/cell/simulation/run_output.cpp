@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "experiments/judge/verdict.h"
-#include "experiments/run/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/harness/write_file.h"
+#include "experiments/harness/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {

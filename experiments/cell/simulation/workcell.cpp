@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/cell/kinematics/degrees.h"
+#include "experiments/workloads/degrees.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::cell {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "experiments/triangulation/triangulate.h"
+#include "experiments/methods/triangulate.h"
 
 namespace touchstone::methods {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/methods/method.h"
+#include "experiments/cases/method.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/triangle.h"

@@ -35,7 +35,7 @@ def chapter(study):
     text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
 The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or 0: the double
 nearest to the distance. Most engines take triangles, and
-polygons come to them as those. The cases are the same as those of the baseline in <code>tests/regress</code>, which every
+polygons come to them as those. The cases are the same as those of the baseline in <code>tests/experiments/judge/regress</code>, which every
 <code>./check</code> compares with.</p>"""
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
                   "errs.",

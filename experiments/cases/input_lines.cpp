@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/input_lines.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <new>
+
+namespace touchstone::judge {
+namespace {
+
+using Take = std::function<bool(Line&&)>;
+
+bool read_stream(std::istream& stream, const std::string& name, const Take& take) {
+  std::string text;
+  for (std::size_t number = 1; std::getline(stream, text); ++number) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
+    try {
+      line.read = read_case(text);
+    } catch (const NotJson& error) {
+      line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
+    } catch (const std::bad_alloc&) {
+      line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
+    }
+    if (!take(std::move(line))) return false;
+  }
+  // What goes wrong with it is known to C's stream alone.
+  const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
+  if (!failed) return true;
+  return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});
+}
+
+}  // namespace
+
+void read_lines(const std::vector<std::string>& files, const Take& take) {
+  if (files.empty()) read_stream(std::cin, "standard input", take);
+  for (const std::string& file : files) {
+    std::ifstream stream(file);
+    const bool go_on =
+        stream ? read_stream(stream, file, take)
+               : take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
+    if (!go_on) return;
+  }
+}
+
+}  // namespace touchstone::judge

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/cases/threshold.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/workloads/balls.h"
+#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/placement.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+using methods::PartialAnswer;
+using methods::PreparedMethod;
+using methods::Question;
+using workloads::BallPlace;
+using workloads::Placement;
+
+BallPlace ball_place(Threshold threshold) {
+  switch (threshold) {
+    case Threshold::Face: return BallPlace::NearFace;
+    case Threshold::Edge: return BallPlace::NearEdge;
+    case Threshold::Vertex: return BallPlace::NearVertex;
+    case Threshold::Tangent: return BallPlace::LatticeTangent;
+    case Threshold::FootEdge: return BallPlace::FootNearEdge;
+    case Threshold::FootVertex: break;
+  }
+  return BallPlace::FootNearVertex;
+}
+
+Ball moved(Ball ball, int axis, std::int64_t doubles) {
+  ball.center[axis] = workloads::move_by_doubles(ball.center[axis], doubles);
+  return ball;
+}
+
+bool same_answer(const PartialAnswer& a, const PartialAnswer& b) {
+  return a.plane == b.plane && a.edges_hit == b.edges_hit && a.contact == b.contact;
+}
+
+/// Fills values[low + 1 .. high - 1], given the two ends, where value i is ask(i) and the values grow with i in some
+/// order: equal ends then have nothing else between them. Otherwise asks in the middle.
+template <class Ask>
+void fill_growing(std::vector<PartialAnswer>& values, std::size_t low, std::size_t high, const Ask& ask) {
+  if (high - low < 2) return;
+  if (same_answer(values[low], values[high])) {
+    std::fill(values.begin() + static_cast<std::ptrdiff_t>(low), values.begin() + static_cast<std::ptrdiff_t>(high),
+              values[high]);
+    return;
+  }
+  const std::size_t middle = low + (high - low) / 2;
+  values[middle] = ask(middle);
+  fill_growing(values, low, middle, ask);
+  fill_growing(values, middle, high, ask);
+}
+
+/// ask(i) of every i below count, values growing with i.
+template <class Ask>
+std::vector<PartialAnswer> growing(std::size_t count, const Ask& ask) {
+  std::vector<PartialAnswer> values(count);
+  values.front() = ask(0);
+  values.back() = ask(count - 1);
+  fill_growing(values, 0, count - 1, ask);
+  return values;
+}
+
+std::vector<PartialAnswer> truths_by_radius(const std::vector<Ball>& balls, const PreparedMethod& oracle) {
+  auto truths = ask_growing(balls, Question::Foot, oracle);
+  const auto planes = ask_growing(balls, Question::PlaneSide, oracle);
+  const auto edges = ask_growing(balls, Question::EdgesHit, oracle);
+  const auto contacts = ask_growing(balls, Question::Contact, oracle);
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    truths[i].plane = planes[i].plane;
+    truths[i].edges_hit = edges[i].edges_hit;
+    truths[i].contact = contacts[i].contact;
+  }
+  return truths;
+}
+
+PartialAnswer truth_of(const Ball& ball, const PreparedMethod& oracle) {
+  PartialAnswer truth;
+  truth.plane = oracle.ask(ball, Question::PlaneSide).plane;
+  truth.foot = oracle.ask(ball, Question::Foot).foot;
+  truth.edges_hit = oracle.ask(ball, Question::EdgesHit).edges_hit;
+  truth.contact =
+      (truth.plane == PlaneSide::Intersects && truth.foot != FootPlace::Outside) || !truth.edges_hit->empty();
+  return truth;
+}
+
+/// Balls whose radius grows across that of `middle`.
+std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
+  if (workloads::move_by_doubles(middle.radius, all_offsets().front()) < 0) return std::nullopt;
+  std::vector<Ball> balls;
+  for (const std::int64_t offset : all_offsets())
+    balls.push_back({middle.center, workloads::move_by_doubles(middle.radius, offset)});
+  return balls;
+}
+
+/// Balls whose centre moves along an axis, so that the foot leaves the polygon behind offset 0. Nothing if it does so
+/// nowhere within 1024 doubles.
+std::optional<std::vector<Ball>> move_foot(const Ball& drawn, int axis, const PreparedMethod& oracle) {
+  constexpr std::int64_t kReach = 1024;
+  const auto crossing = find_foot_crossing(drawn, axis, kReach, [&](const Ball& ball) {
+    return oracle.ask(ball, Question::Foot).foot == FootPlace::Outside;
+  });
+  if (!crossing) return std::nullopt;
+  std::vector<Ball> balls;
+  for (const std::int64_t offset : all_offsets())
+    balls.push_back(moved(crossing->last, axis, crossing->outward * offset));
+  return balls;
+}
+
+std::optional<std::vector<Ball>> draw_foot_crossing(const workloads::PlacedOutline& placed,
+                                                    const workloads::Workload& workload, std::uint64_t seed,
+                                                    std::uint64_t index, const PreparedMethod& oracle) {
+  constexpr std::uint64_t kAttempts = 50;
+  constexpr std::uint64_t kAxisStream = std::uint64_t{1} << 32;
+  for (std::uint64_t attempt = 0; attempt < kAttempts; ++attempt) {
+    const Ball ball = workloads::draw_ball(placed, workload, seed, index + (attempt << 48));
+    workloads::Random random(seed, index, kAxisStream + attempt);
+    const auto axis = static_cast<int>(random.integer(0, 2));
+    if (auto balls = move_foot(ball, axis, oracle)) return balls;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view word(Threshold threshold) {
+  switch (threshold) {
+    case Threshold::Face: return "face";
+    case Threshold::Edge: return "edge";
+    case Threshold::Vertex: return "vertex";
+    case Threshold::Tangent: return "tangent";
+    case Threshold::FootEdge: return "foot-edge";
+    case Threshold::FootVertex: return "foot-vertex";
+  }
+  return "";
+}
+
+bool moves_radius(Threshold threshold) {
+  return threshold != Threshold::FootEdge && threshold != Threshold::FootVertex;
+}
+
+const std::vector<Threshold>& all_thresholds() {
+  static const std::vector<Threshold> thresholds{Threshold::Face,    Threshold::Edge,     Threshold::Vertex,
+                                                 Threshold::Tangent, Threshold::FootEdge, Threshold::FootVertex};
+  return thresholds;
+}
+
+const std::vector<Stratum>& all_strata() {
+  static const std::vector<Stratum> strata = [] {
+    std::vector<Stratum> list;
+    for (const auto family : workloads::all_families())
+      for (const auto placement : {Placement::LatticeFrame, Placement::Rotated})
+        for (const auto threshold : all_thresholds())
+          if (threshold != Threshold::Tangent || placement == Placement::LatticeFrame)
+            list.push_back({family, placement, threshold});
+    return list;
+  }();
+  return strata;
+}
+
+const std::vector<std::int64_t>& all_offsets() {
+  static const std::vector<std::int64_t> offsets = [] {
+    std::vector<std::int64_t> list;
+    for (std::int64_t k = -8; k <= 8; ++k) list.push_back(k);
+    for (std::int64_t k = 16; k <= std::int64_t{1} << 32; k *= 4) {
+      list.push_back(k);
+      list.push_back(-k);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+  }();
+  return offsets;
+}
+
+std::optional<FootCrossing> find_foot_crossing(const Ball& ball, int axis, std::int64_t reach,
+                                               const std::function<bool(const Ball&)>& is_outside) {
+  constexpr double kSmall = 1e-100;  // about a coordinate of zero the doubles are too dense for `fast`
+  if (std::abs(ball.center[axis]) < kSmall) return std::nullopt;
+
+  const auto outside = [&](std::int64_t doubles) { return is_outside(moved(ball, axis, doubles)); };
+  const bool start_outside = outside(0);
+  std::int64_t same = 0, other = 0;
+  for (std::int64_t step = 1; step <= reach && other == 0; step *= 2)
+    for (const std::int64_t there : {step, -step})
+      if (other == 0 && outside(there) != start_outside) other = there;
+  if (other == 0) return std::nullopt;
+  while (std::abs(other - same) > 1) {
+    const std::int64_t middle = same + (other - same) / 2;
+    (outside(middle) == start_outside ? same : other) = middle;
+  }
+  const std::int64_t last = start_outside ? other : same;
+  return FootCrossing{moved(ball, axis, last), start_outside ? same - other : other - same};
+}
+
+std::string id(const SamplePlace& place) {
+  const auto& [family, placement, threshold] = all_strata()[place.stratum];
+  return fmt::format("near-edge-{}-{}-{}-n{}-h{}-o{}-s{}-i{}", word(family), word(placement), word(threshold),
+                     place.shape.vertices, place.shape.holes, place.shape.origin_distance, place.seed, place.n);
+}
+
+// The foot does not depend on r. The others compare r with distances that do not: the plane is intersected from
+// r = |s|/|N| on, edge i is hit from r = d_i on, there is a contact from r = d on. So each of them grows with r (the
+// edges in the order of inclusion), and what holds for two radii holds for those between.
+std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, Question question,
+                                       const PreparedMethod& oracle) {
+  if (question == Question::Foot) return {balls.size(), oracle.ask(balls.front(), question)};
+  return growing(balls.size(), [&](std::size_t i) { return oracle.ask(balls[i], question); });
+}
+
+std::optional<Crossing> draw_crossing(const SamplePlace& place, const methods::Method& truth) {
+  const auto& [family, placement, threshold] = all_strata()[place.stratum];
+  workloads::Workload workload;
+  workload.family = family;
+  workload.placement = placement;
+  workload.ball = ball_place(threshold);
+  workload.vertices = place.shape.vertices;
+  workload.holes = place.shape.holes;
+  workload.origin_distance = place.shape.origin_distance;
+  const std::uint64_t index = place.n * all_strata().size() + place.stratum;
+  try {
+    auto placed = workloads::draw_placed_outline(workload, place.seed, index);
+    const auto oracle = truth.prepare(placed.polygon);
+    const auto balls = moves_radius(threshold) ? move_radius(workloads::draw_ball(placed, workload, place.seed, index))
+                                               : draw_foot_crossing(placed, workload, place.seed, index, *oracle);
+    if (!balls) return std::nullopt;
+    std::vector<PartialAnswer> truths;
+    if (moves_radius(threshold))
+      truths = truths_by_radius(*balls, *oracle);
+    else
+      for (const Ball& ball : *balls) truths.push_back(truth_of(ball, *oracle));
+    return Crossing{std::move(placed.polygon), *balls, std::move(truths)};
+  } catch (const std::invalid_argument&) {  // the workload found no such polygon or ball
+    return std::nullopt;
+  }
+}
+
+}  // namespace touchstone::near_edge

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "experiments/harness/checkpoint.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/sweep.h"
+
+namespace touchstone::run {
+
+/// How a study is run: none of this changes what comes out.
+template <class State>
+struct Course {
+  const Processes& processes;
+  const std::atomic<bool>& stop;
+  Progress progress;                                             ///< told how many items are done, of all
+  std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds, at the first process
+};
+
+/// One that shows its progress on a line and is saved in a checkpoint; keeps references to all.
+template <class State>
+Course<State> course(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
+                     const Checkpoint& checkpoint) {
+  return {.processes = processes,
+          .stop = stop,
+          .progress = [&line](std::uint64_t done) { line(done); },
+          .save = [&checkpoint](const State& now) { checkpoint.write(now); }};
+}
+
+/// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
+/// first process's checkpoint then holds it; one that stood there and is not gone on from is set aside, and stderr says
+/// so. Throws as Checkpoint does, and std::runtime_error where it holds more than the `asked` items, as count(state)
+/// tells.
+template <class State, class Count>
+State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero,
+            const Count& count) {
+  if (!processes.first()) return zero;
+  State state = std::move(zero);
+  if (resume) {
+    if (auto held = checkpoint.read<State>()) state = std::move(*held);
+  } else if (checkpoint.set_aside()) {
+    fmt::print(stderr, "touchstone: begins anew, without --resume; the earlier run's {0} is kept as {0}.previous\n",
+               checkpoint.path().string());
+  }
+  checkpoint.refuse_more(count(state), asked);
+  checkpoint.write(state);
+  return state;
+}
+
+}  // namespace touchstone::run

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/harness/run_record.h"
+
+#include <fmt/ranges.h>
+#include <sys/utsname.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+#include <thread>
+
+#include "experiments/harness/write_file.h"
+#include "touchstone_commit.h"
+
+#ifndef TOUCHSTONE_COMPILE_FLAGS
+#define TOUCHSTONE_COMPILE_FLAGS ""
+#endif
+#ifndef TOUCHSTONE_ENGINES
+#define TOUCHSTONE_ENGINES ""
+#endif
+
+namespace touchstone::run {
+namespace {
+
+#ifdef __clang__
+constexpr const char* kCompiler = "clang++ " __clang_version__;
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
+/// Of the sources that the program was built from; null where git or a commit was missing then. `+`: they differed.
+nlohmann::ordered_json commit() {
+  constexpr std::string_view commit = TOUCHSTONE_COMMIT;
+  return commit.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(commit);
+}
+
+/// The libraries of others that the program was built with, where they are not needed to build it.
+std::vector<std::string> engines() {
+  std::istringstream names(TOUCHSTONE_ENGINES);
+  return {std::istream_iterator<std::string>(names), {}};
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "";
+}
+
+}  // namespace
+
+std::filesystem::path source_folder() {
+  const char* folder = std::getenv("TOUCHSTONE_SOURCE_DIR");
+  return folder != nullptr ? folder : TOUCHSTONE_SOURCE_DIR;
+}
+
+std::string utc_now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+void write_run_record(const std::filesystem::path& folder, const Run& run) {
+  utsname machine{};
+  uname(&machine);
+  nlohmann::ordered_json record = {
+      {"command", run.command},
+      {"seed", run.seed},
+      {"samples_asked", run.samples_asked},
+      {"samples_done", run.samples_done},
+      {"samples_missing", run.samples_missing},
+      {"processes", run.processes},
+      {"threads", run.threads},
+      {"seconds", run.seconds},
+      {"date", utc_now()},
+      {"commit", commit()},
+      {"compiler", kCompiler},
+      {"flags", TOUCHSTONE_COMPILE_FLAGS},
+      {"engines", engines()},
+      {"processor", processor()},
+      {"cores", std::thread::hardware_concurrency()},
+      {"machine", std::string(machine.sysname) + " " + machine.release + " " + machine.machine},
+  };
+  if (run.interrupted) record["interrupted"] = *run.interrupted;
+  const auto path = folder / "run.json";
+  write_file(path, record.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
+
+}  // namespace touchstone::run

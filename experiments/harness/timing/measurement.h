@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/harness/timing/contest.h"
+#include "experiments/harness/blocks.h"
+
+namespace touchstone::bench {
+
+struct Quartiles {
+  double minimum, lower, median, upper, maximum;
+};
+
+/// Between neighbours by their distance. Requires at least one value.
+[[nodiscard]] Quartiles quartiles(std::vector<double> values);
+
+struct Wrong {
+  std::size_t count, of;
+};
+
+/// What one contestant did.
+struct Measured {
+  std::string name;
+  std::size_t queries;              ///< asked in each repetition
+  std::vector<double> nanoseconds;  ///< a query, of each repetition
+  std::optional<Wrong> wrong;
+  std::optional<Comparison> comparison;
+  std::vector<double> ratios;  ///< to the base of the comparison, of each repetition
+};
+
+/// What a contest came to.
+struct Result {
+  std::string family, name, note, unit, pool;
+  std::vector<Measured> contestants;
+};
+
+/// How long one contestant may take in one repetition of `bench`.
+inline constexpr double kSecondsOfRepetition = 0.05;
+
+/// Times every contestant in each repetition, in turn, each beginning once in so many repetitions; so drifts of the
+/// machine's speed meet all alike, and a ratio is one of times that lie close together. (Google Benchmark would run one
+/// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries, the
+/// first ones. Fewer repetitions where stopped. Then counts wrong answers.
+[[nodiscard]] Result measure(const std::string& family, const Contest& contest, unsigned repetitions,
+                             const std::atomic<bool>& stop, const run::Progress& progress,
+                             double most_seconds = kSecondsOfRepetition);
+
+/// The results of one pool together: the mean of the times of each contestant, repetition by repetition. Nothing where
+/// there are fewer than two of the same contestants.
+[[nodiscard]] std::optional<Result> pooled(const std::vector<Result>& results, const std::string& pool);
+
+}  // namespace touchstone::bench

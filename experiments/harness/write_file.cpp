@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/harness/write_file.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace touchstone::run {
+namespace {
+
+/// A file that vanishes unless it takes its final name.
+class NewFile {
+ public:
+  explicit NewFile(const std::filesystem::path& final_name)
+      // The number keeps two processes that write the same file from writing into each other's.
+      : final_name_(final_name), name_(final_name.string() + fmt::format(".new-{}", ::getpid())) {
+    ::unlink(name_.c_str());  // of a killed process that had this number
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) cannot_write();
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!kept_) ::unlink(name_.c_str());
+  }
+
+  void write(const std::string& text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t some = ::write(descriptor_, text.data() + done, text.size() - done);
+      if (some < 0 && errno != EINTR) cannot_write();
+      if (some > 0) done += static_cast<std::size_t>(some);
+    }
+  }
+  void take_name() {
+    close();
+    if (std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
+    kept_ = true;
+  }
+  /// The same where nothing has the final name; else throws what refuse_overwrite does.
+  void take_free_name() {
+    close();
+    if (::link(name_.c_str(), final_name_.c_str()) == 0) return;  // the other name goes away
+    if (errno != EEXIST && errno != EPERM && errno != EOPNOTSUPP) cannot_write();
+    refuse_overwrite(final_name_, false);
+    take_name();  // a file system without links
+  }
+
+ private:
+  /// Some file systems tell only now that there is no space.
+  void close() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (descriptor >= 0 && ::close(descriptor) != 0) cannot_write();
+  }
+  [[noreturn]] void cannot_write() const {
+    throw std::runtime_error(final_name_.string() + ": cannot be written: " + std::generic_category().message(errno));
+  }
+
+  const std::filesystem::path& final_name_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool kept_ = false;
+};
+
+}  // namespace
+
+void write_file(const std::filesystem::path& path, const std::string& text, bool force) {
+  if (force) return write_file(path, text);
+  NewFile file(path);
+  file.write(text);
+  file.take_free_name();
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  // Replacing a link harms nothing; replacing /dev/null would.
+  std::error_code error;
+  if (std::filesystem::is_other(std::filesystem::symlink_status(path, error)))
+    throw std::runtime_error(path.string() + ": cannot be written: it is no regular file");
+  NewFile file(path);
+  file.write(text);
+  file.take_name();
+}
+
+void refuse_overwrite(const std::filesystem::path& file, bool force) {
+  std::error_code error;
+  const auto type = std::filesystem::symlink_status(file, error).type();
+  // What cannot be looked at cannot be written either, and writing it says why.
+  if (type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::none) return;
+  if (type != std::filesystem::file_type::regular)
+    throw std::runtime_error(file.string() + ": is there already, and is no regular file");
+  if (!force) throw std::runtime_error(file.string() + ": is there already; --force writes over it");
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
+}
+
+}  // namespace touchstone::run

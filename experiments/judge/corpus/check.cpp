@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/check.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/rational_answer.h"
+#include "geometry/io/legible.h"
+
+namespace touchstone::corpus {
+namespace {
+
+/// The polygon of a case whose form and numbers are right, though its loops need not be.
+Polygon polygon_in(const std::string& line) {
+  const auto loop = [](const nlohmann::json& points) {
+    Loop vertices;
+    for (const auto& p : points) vertices.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+    return vertices;
+  };
+  const auto polygon = judge::read_strict_json(line).value.at("polygon");
+  std::vector<Loop> holes;
+  if (const auto found = polygon.find("holes"); found != polygon.end())
+    for (const auto& points : *found) holes.push_back(loop(points));
+  return Polygon(loop(polygon.at("outer")), holes);
+}
+
+void check_rejection(const judge::Case& read, const std::string& line, std::vector<std::string>& faults) {
+  const auto& [code, message] = std::get<Rejection>(read.content);
+  const auto found = std::string(word(code));
+  if (!read.expected || !read.expected->contains("error"))
+    return faults.push_back(fmt::format("rejected: {}: {}", found, message));
+  if (const auto& error = read.expected->at("error"); error != true && error != found)
+    faults.push_back(fmt::format("error: stands {}, found \"{}\"", error.dump(), found));
+  if (code < RejectionCode::ZeroNormal) return;  // what single comparisons decide
+  if (const auto again = find_rational_fault(polygon_in(line)); again != code)
+    faults.push_back(fmt::format("error: exact finds \"{}\", the rationals {}", found,
+                                 again ? "\"" + std::string(word(*again)) + "\"" : "nothing"));
+}
+
+void check_answer(const judge::Case& read, std::vector<std::string>& faults) {
+  const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+  if (const auto fault = find_rational_fault(polygon))
+    faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", word(*fault)));
+  if (!read.expected) return faults.push_back("expected: is missing");
+  for (const std::string& difference : judge::differences(*read.expected, exact_answer(ball, polygon)))
+    faults.push_back(difference + ", by exact");
+  if (read.expected->contains("error")) return;
+  for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
+    faults.push_back(difference);
+}
+
+}  // namespace
+
+Findings check_files(const std::vector<std::string>& files) {
+  Findings findings;
+  std::set<std::string> ids;
+  for (const std::string& file : files) {
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file)) {
+      findings.faults.push_back(file + ": cannot be read");
+      continue;
+    }
+    const std::size_t before = findings.cases;
+    std::string line;
+    for (std::size_t number = 1; std::getline(stream, line); ++number) {
+      if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+      std::string name = "without id";
+      std::vector<std::string> faults;
+      ++findings.cases;
+      try {
+        const judge::Case read = judge::read_case(line);
+        if (read.id) name = *read.id;
+        if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: stands twice");
+        if (std::holds_alternative<Rejection>(read.content))
+          check_rejection(read, line, faults);
+        else
+          check_answer(read, faults);
+      } catch (const judge::NotJson& error) {
+        faults.push_back(std::string("not JSON: ") + error.what());
+      }
+      for (const std::string& fault : faults)
+        findings.faults.push_back(fmt::format("{}: line {}: case {}: {}", file, number, io::legible(name), fault));
+    }
+    if (findings.cases == before) findings.faults.push_back(file + ": holds no case");
+  }
+  return findings;
+}
+
+}  // namespace touchstone::corpus

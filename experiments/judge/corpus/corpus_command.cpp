@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/judge/corpus/check.h"
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/cell/gripper.h"
+#include "experiments/judge/corpus/make.h"
+#include "experiments/judge/corpus/shrink.h"
+#include "experiments/cases/input_lines.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
+#include "geometry/io/legible.h"
+
+namespace touchstone::commands {
+namespace {
+
+std::filesystem::path corpus_folder() { return run::source_folder() / "tests/corpus"; }
+
+struct MakeOptions {
+  std::string folder = corpus_folder().string();
+  unsigned threads = run::all_threads();
+  bool force = false;
+};
+
+int make(const MakeOptions& options) {
+  const run::OutputFolder held(options.folder, "touchstone corpus make " + run::shell_quoted(options.folder),
+                               {.force = options.force});
+  const auto files = corpus::make_corpus(options.threads);
+  for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
+  fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));
+  return 0;
+}
+
+std::vector<std::string> corpus_files() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(corpus_folder()))
+    if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  return files;
+}
+
+int check(const std::vector<std::string>& files) {
+  const auto findings = corpus::check_files(files);
+  for (const std::string& fault : findings.faults) fmt::print(stderr, "{}\n", io::all_legible(fault));
+  fmt::print("{} cases in {} files, derived twice: {} faults\n", findings.cases, files.size(), findings.faults.size());
+  return findings.faults.empty() ? 0 : 1;
+}
+
+struct ShrinkOptions {
+  std::string file, method;
+  std::optional<std::string> key;
+};
+
+/// One case, or nothing where it was complained about.
+std::optional<std::string> shrunk_line(const judge::Line& line, const methods::Method& method,
+                                       const std::optional<std::string>& key, const std::atomic<bool>& stop) {
+  if (!line.read) {
+    fmt::print(stderr, "touchstone: {}\n", io::all_legible(line.complaint));
+    return std::nullopt;
+  }
+  if (const auto* rejection = std::get_if<Rejection>(&line.read->content)) {
+    fmt::print(stderr, "touchstone: {}{}: rejected: {}: {}\n", io::all_legible(line.place),
+               line.read->id ? ": case " + io::legible(*line.read->id) : "", word(rejection->code),
+               io::all_legible(rejection->message));
+    return std::nullopt;
+  }
+  const std::string& id = *line.read->id;
+  const auto& [ball, polygon] = std::get<judge::Shapes>(line.read->content);
+  try {
+    const corpus::SameFailure failure(method, ball, polygon, key);
+    const auto [small_ball, small_polygon] = corpus::shrink(failure, ball, polygon, stop);
+    auto labels = corpus::labels_of(line.text);
+    if (std::ranges::find(labels.tags, "shrunk") == labels.tags.end()) {
+      labels.tags.emplace_back("shrunk");
+      std::string from = labels.origin.empty() ? id : labels.origin;
+      labels.origin = fmt::format("touchstone corpus shrink --method {}{}: {}; from: {}", method.name(),
+                                  key ? " --key " + *key : "", run::joined(failure.keys()), from);
+    }
+    return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
+                           corpus::exact_answer(small_ball, small_polygon));
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "touchstone: case {}: {}\n", io::legible(id), error.what());
+    return std::nullopt;
+  }
+}
+
+int shrink(const ShrinkOptions& options) {
+  const auto methods = methods::find_methods({options.method});
+  if (methods.size() != 1)
+    throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
+  const methods::Method& method = *methods.front();
+  const run::Interrupt interrupt;
+  int status = 0;
+  std::size_t lines = 0;
+  const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
+  judge::read_lines(files, [&](judge::Line&& line) {
+    ++lines;
+    if (const auto shrunk = shrunk_line(line, method, options.key, interrupt.requested())) {
+      if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
+        throw std::system_error(errno, std::generic_category(), "the case cannot be written");
+    } else {
+      status = 2;
+    }
+    return !interrupt.requested();
+  });
+  if (lines == 0) {
+    fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
+    return 2;
+  }
+  return interrupt.requested() ? run::kInterrupted : status;
+}
+
+}  // namespace
+
+void add_corpus(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("corpus", "The certified cases of tests/corpus: make, check, and shrink new ones");
+  command->require_subcommand(1);
+
+  auto* making = command->add_subcommand("make", "Write every file of the corpus, with its page");
+  auto make_options = std::make_shared<MakeOptions>();
+  making->add_option("FOLDER", make_options->folder, "Where to")->capture_default_str();
+  run::add_threads(*making, make_options->threads, "They do not change the files");
+  run::add_force(*making, make_options->force);
+  making->callback([make_options, &status] { status = make(*make_options); });
+
+  auto* checking = command->add_subcommand("check", "Derive every answer anew, with two exact number types");
+  auto files = std::make_shared<std::vector<std::string>>();
+  checking->add_option("FILES", *files, "Files of cases with whole answers (default: the corpus)");
+  checking->callback([files, &status] { status = check(files->empty() ? corpus_files() : *files); });
+
+  auto* gripping =
+      command->add_subcommand("gripper", "Print cases of a cell's run, as experiments/judge/corpus/given has them");
+  auto cell = std::make_shared<std::string>();
+  gripping->add_option("CELL", *cell, "A cell file")->required();
+  gripping->callback([cell] { fmt::print("{}", corpus::gripper_cases(*cell)); });
+
+  auto* shrinking = command->add_subcommand("shrink", "Reduce failing cases to small ones that still fail");
+  auto shrink_options = std::make_shared<ShrinkOptions>();
+  shrinking->add_option("CASE", shrink_options->file, "A file of cases (JSON Lines); - is standard input")->required();
+  shrinking->add_option("--method", shrink_options->method, "The method that fails")->required();
+  shrinking->add_option("--key", shrink_options->key,
+                        "The key of the answer that must stay wrong; default: all decisive ones that are");
+  shrinking->callback([shrink_options, &status] { status = shrink(*shrink_options); });
+}
+
+}  // namespace touchstone::commands

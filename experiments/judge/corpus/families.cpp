@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/families.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/judge/corpus/drawing.h"
+#include "experiments/judge/corpus/given.h"
+
+namespace touchstone::corpus {
+namespace {
+
+using Eigen::Vector3d;
+using judge::Verdict;
+using workloads::BallPlace;
+using workloads::Placement;
+using workloads::Workload;
+
+bool any_kind(const CorpusCase&, const Verdict&) { return true; }
+
+bool is_nearest(const Verdict& truth, std::string_view kind) { return truth["nearest"]["kind"] == kind; }
+
+/// A stream for each family of outlines and each placement.
+void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::size_t count) {
+  for (const auto family : workloads::all_families())
+    for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+      if (pattern.ball == BallPlace::LatticeTangent && placement == Placement::Rotated) continue;
+      Workload workload = pattern;
+      workload.family = family;
+      workload.placement = placement;
+      streams.push_back(workload_stream(workload, count));
+    }
+}
+
+/// What the corpus began with, and smaller outlines, whose radius is some doubles beside the distance.
+std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
+  std::vector<Stream> streams;
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+    add_outlines(streams, {.ball = place, .vertices = 12, .holes = holes}, 1);
+  for (const int doubles : {-1, 0, 1}) add_outlines(streams, {.ball = place, .vertices = 6, .doubles = doubles}, count);
+  return streams;
+}
+
+std::string face() {
+  auto streams = outlines_near(BallPlace::NearFace, 2);
+  streams.push_back(soak_stream(soak::Family::General, 60));
+  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "face"); });
+}
+
+std::string edge() {
+  auto streams = outlines_near(BallPlace::NearEdge, 2);
+  streams.push_back(soak_stream(soak::Family::General, 60));
+  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "edge"); });
+}
+
+std::string vertex() {
+  auto streams = outlines_near(BallPlace::NearVertex, 2);
+  streams.push_back(soak_stream(soak::Family::General, 60));
+  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "vertex"); });
+}
+
+Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
+  Vector3d normal = Vector3d::Zero();
+  const Vector3d origin = polygon.vertex(polygon.loop_begin(loop));
+  for (std::size_t i = polygon.loop_begin(loop); i < polygon.loop_end(loop); ++i)
+    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
+  return normal;
+}
+
+/// Is the vertex nearest to the foot one at which the polygon's interior angle is beyond 180 degrees? In doubles.
+bool is_reflex_near_foot(const CorpusCase& drawn, const Verdict&) {
+  const Polygon& polygon = drawn.polygon;
+  const Vector3d normal = normal_of(polygon, 0);
+  const Vector3d from = drawn.ball.center - polygon.vertex(0);
+  const Vector3d foot = drawn.ball.center - from.dot(normal) / normal.squaredNorm() * normal;
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < polygon.vertex_count(); ++i)
+    if ((polygon.vertex(i) - foot).squaredNorm() < (polygon.vertex(nearest) - foot).squaredNorm()) nearest = i;
+  const std::size_t loop = polygon.loop_of(nearest);
+  const Vector3d corner = polygon.vertex(nearest);
+  const Vector3d turn =
+      (corner - polygon.vertex(polygon.previous(nearest))).cross(polygon.vertex(polygon.next(nearest)) - corner);
+  const bool convex_in_loop = turn.dot(normal_of(polygon, loop)) > 0;
+  return convex_in_loop == (loop != 0);  // what is a hole's corner is a dent of the face
+}
+
+std::string reflex_vertex() {
+  std::vector<Stream> streams;
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+    add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = 9, .holes = holes}, holes == 0 ? 8 : 4);
+  return drawn_text(streams, is_reflex_near_foot);
+}
+
+std::string foot_on_edge() {
+  std::vector<Stream> streams;
+  for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
+    for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+      add_outlines(streams, {.ball = BallPlace::FootNearEdge, .vertices = vertices, .holes = holes},
+                   vertices == 12 ? 1 : 3);
+  streams.push_back(soak_stream(soak::Family::Foot, 100));
+  return drawn_text(streams, any_kind);
+}
+
+std::string foot_on_vertex() {
+  std::vector<Stream> streams;
+  for (const std::size_t vertices : {std::size_t{12}, std::size_t{6}})
+    for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+      add_outlines(streams, {.ball = BallPlace::FootNearVertex, .vertices = vertices, .holes = holes},
+                   vertices == 12 ? 1 : 4);
+  return drawn_text(streams, any_kind);
+}
+
+std::string tangent_lattice() {
+  std::vector<Stream> streams;
+  for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
+    add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 12, .holes = holes}, 1);
+  for (const int doubles : {-1, 0, 1})
+    add_outlines(streams, {.ball = BallPlace::LatticeTangent, .vertices = 6, .doubles = doubles}, 3);
+  streams.push_back(soak_stream(soak::Family::Lattice, 80));
+  streams.push_back(soak_stream(soak::Family::Tangent, 80));
+  return drawn_text(streams, any_kind);
+}
+
+std::string sliver() { return drawn_text({soak_stream(soak::Family::Needle, 320)}, any_kind); }
+
+std::string far() {
+  std::vector<Stream> streams;
+  for (const double distance : {0x1p10, 0x1p18, 0x1p25})
+    for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::FootNearEdge})
+      add_outlines(streams, {.ball = place, .vertices = 5, .origin_distance = distance}, 1);
+  streams.push_back(soak_stream(soak::Family::FarAway, 60));
+  streams.push_back(soak_stream(soak::Family::Grazing, 60));
+  return drawn_text(streams, any_kind);
+}
+
+std::string exponents() {
+  return drawn_text({soak_stream(soak::Family::Exponents, 110), soak_stream(soak::Family::Scaled, 110),
+                     soak_stream(soak::Family::Close, 60)},
+                    any_kind);
+}
+
+std::string point() { return drawn_text({soak_stream(soak::Family::Point, 250)}, any_kind); }
+
+/// The largest difference of coordinates.
+double extent_of(const Polygon& polygon) {
+  double extent = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [least, greatest] = std::ranges::minmax(polygon.coordinates(axis));
+    extent = std::max(extent, greatest / 2 - least / 2);
+  }
+  return 2 * extent;
+}
+
+std::string off_plane() {
+  return drawn_text({soak_stream(soak::Family::Outline, 190)}, [](const CorpusCase& drawn, const Verdict& truth) {
+    const Verdict& off = truth["off_plane"];
+    return off.is_number() && off.get<double>() > 0x1p-30 * extent_of(drawn.polygon);
+  });
+}
+
+std::string holes() {
+  std::vector<Stream> streams;
+  for (const BallPlace place : {BallPlace::NearEdge, BallPlace::NearVertex, BallPlace::FootNearEdge})
+    for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
+      add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
+  return drawn_text(streams, [](const CorpusCase& drawn, const Verdict& truth) {
+    const Verdict& nearest = truth["nearest"];
+    return nearest.contains("index") && nearest["index"].get<std::size_t>() >= drawn.polygon.loop_end(0);
+  });
+}
+
+}  // namespace
+
+const std::vector<Family>& all_families() {
+  static const std::vector<Family> families{
+      {"rejections", "each error code, and which comes first where several apply",
+       [] { return given_text("rejections"); }},
+      {"features", "each key of an answer, ties, the lift, holes and islands, extreme exponents, in small numbers",
+       [] { return given_text("features"); }},
+      {"face", "the radius is the double nearest to the distance, or next to it; the face is nearest", face},
+      {"edge", "the same, an edge is nearest", edge},
+      {"vertex", "the same, a vertex is nearest", vertex},
+      {"reflex-vertex", "the foot is within a few doubles of a vertex at which the face bends inwards", reflex_vertex},
+      {"foot-on-edge", "the foot is on an edge, or within a few doubles of it", foot_on_edge},
+      {"foot-on-vertex", "the foot is on a vertex, or within a few doubles of it", foot_on_vertex},
+      {"tangent-lattice", "exactly tangent in integers, ties of every kind, and radii a double beside them",
+       tangent_lattice},
+      {"sliver", "triangles whose vertices are nearly on a line, or nearly equal", sliver},
+      {"far", "shapes up to 2^50 sizes from the origin, and radii up to 2^60 sizes", far},
+      {"exponents", "numbers from the least double to the largest, alone and mixed; centres next to the origin",
+       exponents},
+      {"point", "radius zero or nearly so, centres on the triangle or within some doubles of it", point},
+      {"off-plane", "loops that are off their plane: the lift matters", off_plane},
+      {"holes", "an edge or a vertex of a hole is nearest", holes},
+      {"real-meshes", "faces of robots and a milling centre that others modelled, at which methods are farthest wrong",
+       [] { return given_text("real-meshes"); }},
+      {"gripper", "the sphere of the thesis's gripper and the faces that it comes near to in its cell",
+       [] { return given_text("gripper"); }},
+      {"planted-bugs", "found for bugs that were planted on purpose and that no other case told of; the tags name them",
+       [] { return given_text("planted-bugs"); }},
+  };
+  return families;
+}
+
+}  // namespace touchstone::corpus

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/given.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/harness/run_record.h"
+
+namespace touchstone::corpus {
+namespace {
+
+/// Throws std::runtime_error with what is wrong with the line.
+std::string completed(const std::string& text, const std::string& name) {
+  const judge::Case read = judge::read_case(text);
+  if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
+    const auto code = std::string(word(rejection->code));
+    if (!read.expected || !read.expected->contains("error"))
+      throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
+    if (const auto& expected = read.expected->at("error"); expected != true && expected != code)
+      throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, expected.dump()));
+    return text + "\n";
+  }
+  const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+  const judge::Verdict truth = exact_answer(ball, polygon);
+  if (read.expected)
+    for (const std::string& difference : judge::differences(*read.expected, truth))
+      throw std::runtime_error(difference);
+  Labels labels = labels_of(text);
+  if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
+  return line_of({*read.id, ball, polygon, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
+}
+
+}  // namespace
+
+std::string given_text(const std::string& name) {
+  const auto file = run::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
+  std::ifstream stream(file);
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
+  std::string text, line;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) try {
+      text += completed(line, name);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: line {}: {}", file.string(), number, error.what()));
+    }
+  return text;
+}
+
+}  // namespace touchstone::corpus

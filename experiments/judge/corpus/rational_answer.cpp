@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/rational_answer.h"
+
+#include <CGAL/Gmpq.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/methods/plain_formulas.h"
+
+namespace touchstone::corpus {
+namespace {
+
+using judge::Verdict;
+
+/// Of the formulas only; what they give is never rounded.
+struct UnroundedRationals {
+  using Number = CGAL::Gmpq;
+};
+
+using RationalPolygon = methods::PlainPolygon<UnroundedRationals>;
+
+mpq_class rational(const CGAL::Gmpq& x) { return mpq_class(x.mpq()); }
+
+/// Where the numbers begin and end that round to x > 0 or to 0; both belong to it if its significand is even.
+struct Rounded {
+  mpq_class low, high;
+  bool with_ends;
+};
+
+Rounded that_round_to(double x) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const mpq_class beyond = mpq_class(kMost) + mpq_class(kMost) - mpq_class(std::nextafter(kMost, 0.0));
+  if (std::isinf(x)) return {(mpq_class(kMost) + beyond) / 2, 4 * beyond * beyond, true};
+  const mpq_class here(x), below = x == 0 ? mpq_class(-std::nextafter(0.0, 1.0)) : mpq_class(std::nextafter(x, 0.0)),
+                           above = x == kMost ? beyond : mpq_class(std::nextafter(x, kMost));
+  return {(below + here) / 2, (here + above) / 2, (std::bit_cast<std::uint64_t>(x) & 1) == 0};
+}
+
+/// A number of an answer: null stands for what is beyond the doubles.
+double number(const nlohmann::json& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
+}
+
+std::string text(const Verdict& value) {
+  std::string line = judge::to_line(value);
+  line.pop_back();
+  return line;
+}
+
+struct Point2 {
+  mpq_class x, y;
+  friend bool operator==(const Point2&, const Point2&) = default;
+};
+
+/// > 0 if c lies to the left of the line from a to b.
+int side(const Point2& a, const Point2& b, const Point2& c) {
+  return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
+}
+/// Of a point on the line: is it between a and b, or one of them?
+bool is_between(const Point2& a, const Point2& b, const Point2& c) {
+  return sgn(mpq_class((a.x - c.x) * (b.x - c.x) + (a.y - c.y) * (b.y - c.y))) <= 0;
+}
+bool share_a_point(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const int c_side = side(a, b, c), d_side = side(a, b, d), a_side = side(c, d, a), b_side = side(c, d, b);
+  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
+  return (c_side == 0 && is_between(a, b, c)) || (d_side == 0 && is_between(a, b, d)) ||
+         (a_side == 0 && is_between(c, d, a)) || (b_side == 0 && is_between(c, d, b));
+}
+
+/// The vertices without the coordinate that the normal is largest in; none where it is zero.
+std::optional<std::vector<Point2>> dropped(const Polygon& polygon) {
+  const std::size_t count = polygon.vertex_count();
+  std::vector<std::array<mpq_class, 3>> vertices(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 3; ++k) vertices[i][k] = mpq_class(polygon.vertex(i)[static_cast<Eigen::Index>(k)]);
+  std::array<mpq_class, 3> normal;
+  for (std::size_t i = 0; i < polygon.loop_end(0); ++i) {
+    const auto &p = vertices[i], &q = vertices[polygon.next(i)];
+    for (std::size_t k = 0; k < 3; ++k) normal[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+  }
+  std::size_t axis = 0;
+  for (const std::size_t k : {std::size_t{1}, std::size_t{2}})
+    if (abs(normal[k]) > abs(normal[axis])) axis = k;
+  if (normal[axis] == 0) return std::nullopt;
+  std::vector<Point2> points;
+  for (const auto& v : vertices) points.push_back({v[(axis + 1) % 3], v[(axis + 2) % 3]});
+  return points;
+}
+
+/// Do edges i and j of one loop meet elsewhere than neighbours must?
+bool meet(const Polygon& polygon, const std::vector<Point2>& points, std::size_t i, std::size_t j) {
+  const std::size_t i_end = polygon.next(i), j_end = polygon.next(j);
+  if (i_end != j && j_end != i) return share_a_point(points[i], points[i_end], points[j], points[j_end]);
+  const auto& [before, corner, after] = i_end == j ? std::array{i, j, j_end} : std::array{j, i, i_end};
+  const Point2 &a = points[before], &b = points[corner], &c = points[after];  // a spike?
+  return side(a, b, c) == 0 && sgn(mpq_class((a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y))) > 0;
+}
+
+bool is_inside(const Polygon& polygon, const std::vector<Point2>& points, const Point2& p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.loop_end(0); ++i) {
+    const Point2 &a = points[i], &b = points[polygon.next(i)];
+    if ((a.y > p.y) != (b.y > p.y) && (side(a, b, p) > 0) == (b.y > a.y)) inside = !inside;
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool is_nearest_double(double x, const mpq_class& exact) {
+  const Rounded rounded = that_round_to(std::abs(x));
+  const mpq_class value = x < 0 || (x == 0 && exact < 0) ? mpq_class(-exact) : exact;
+  return rounded.with_ends ? rounded.low <= value && value <= rounded.high
+                           : rounded.low < value && value < rounded.high;
+}
+
+bool is_nearest_root(double x, const mpq_class& squared) {
+  const auto [low, high, with_ends] = that_round_to(x);
+  const mpq_class low_squared = low * low, high_squared = high * high;
+  if (squared > high_squared || (squared == high_squared && !with_ends)) return false;
+  return low < 0 || squared > low_squared || (squared == low_squared && with_ends);
+}
+
+std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon, const nlohmann::json& answer) {
+  const RationalPolygon prepared(polygon);
+  const RationalPolygon::Query query(ball, prepared);
+  const auto nearest = query.nearest();
+  methods::PartialAnswer decisive;
+  decisive.plane = query.plane_side();
+  decisive.plane_tangent = query.plane_tangent();
+  decisive.foot = query.foot();
+  decisive.edges_hit = query.edges_hit();
+  decisive.relation = query.relation();
+  decisive.contact = query.contact();
+  decisive.nearest = nearest->feature;
+  const Verdict found = judge::object_of(decisive);
+
+  std::vector<std::string> differences;
+  const auto compare = [&](const std::string& key, auto is_right, const auto& give) {
+    const auto stands = answer.find(key);
+    if (stands == answer.end())
+      differences.push_back(key + ": is missing");
+    else if (!is_right(*stands))
+      differences.push_back(fmt::format("{}: stands {}, the rationals give {}", key, text(*stands), give()));
+  };
+  for (const auto& [key, value] : found.items())
+    compare(
+        key, [&value = value](const nlohmann::json& stands) { return stands == nlohmann::json(value); },
+        [&value = value] { return text(value); });
+
+  const auto about = [](const mpq_class& x) { return fmt::format("about {}", x.get_d()); };
+  const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
+  compare(
+      "off_plane", [&](const auto& x) { return is_nearest_double(number(x), off_plane); },
+      [&] { return about(off_plane); });
+  compare(
+      "distance", [&](const auto& x) { return number(x) >= 0 && is_nearest_root(number(x), squared); },
+      [&] { return "the root of " + about(squared); });
+  const auto closest = query.closest_point(nearest->feature);
+  const std::array point{rational(closest.x()), rational(closest.y()), rational(closest.z())};
+  compare(
+      "point",
+      [&](const nlohmann::json& x) {
+        if (!x.is_array() || x.size() != 3) return false;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (!is_nearest_double(x[k].is_null() ? std::copysign(number(x[k]), sgn(point[k])) : number(x[k]), point[k]))
+            return false;
+        return true;
+      },
+      [&] { return fmt::format("about [{},{},{}]", point[0].get_d(), point[1].get_d(), point[2].get_d()); });
+  return differences;
+}
+
+std::optional<RejectionCode> find_rational_fault(const Polygon& polygon) {
+  const auto points = dropped(polygon);
+  if (!points) return RejectionCode::ZeroNormal;
+  const std::size_t count = polygon.vertex_count();
+  const auto end = [&](std::size_t i) -> const Point2& { return (*points)[polygon.next(i)]; };
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((*points)[i] == end(i)) return RejectionCode::LoopMeetsItself;
+    for (std::size_t j = i + 1; j < polygon.loop_end(polygon.loop_of(i)); ++j)
+      if (meet(polygon, *points, i, j)) return RejectionCode::LoopMeetsItself;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = polygon.loop_end(polygon.loop_of(i)); j < count; ++j)
+      if (share_a_point((*points)[i], end(i), (*points)[j], end(j))) return RejectionCode::LoopsMeet;
+  for (std::size_t loop = 1; loop < polygon.loop_count(); ++loop)
+    if (!is_inside(polygon, *points, (*points)[polygon.loop_begin(loop)])) return RejectionCode::HoleOutside;
+  return std::nullopt;
+}
+
+}  // namespace touchstone::corpus

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/shrink.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/loops.h"
+#include "geometry/shapes/rejection.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+
+namespace touchstone::corpus {
+namespace {
+
+using Eigen::Vector3d;
+using judge::Verdict;
+
+/// |x| = significand 2^exponent with an odd significand; both 0 for 0.
+struct Parts {
+  std::uint64_t significand = 0;
+  int exponent = 0;
+};
+
+Parts parts_of(double x) {
+  if (x == 0) return {};
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const int field = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  const std::uint64_t whole = field == 0 ? fraction : fraction | std::uint64_t{1} << 52;
+  const int zeros = std::countr_zero(whole);
+  return {whole >> zeros, std::max(field, 1) - 1075 + zeros};
+}
+
+std::size_t bits_of(double x) {
+  const Parts parts = parts_of(x);
+  return static_cast<std::size_t>(std::bit_width(parts.significand)) +
+         static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(std::abs(parts.exponent)))) + (x < 0 ? 1 : 0);
+}
+
+std::size_t bits_of(const Vector3d& v) { return bits_of(v.x()) + bits_of(v.y()) + bits_of(v.z()); }
+
+/// To the nearest multiple of 2^exponent.
+double on_grid(double x, int exponent) { return std::ldexp(std::nearbyint(std::ldexp(x, -exponent)), exponent); }
+
+/// Simpler numbers of the same sign, the simplest first.
+std::vector<double> simpler(double x) {
+  const Parts parts = parts_of(x);
+  const int width = static_cast<int>(std::bit_width(parts.significand)), top = parts.exponent + width;
+  std::vector<double> numbers{0, std::copysign(1.0, x)};
+  for (const int keep : {1, 2, 3, 4, 6, 8, 12, 16, 20, 24, 32, 40, 48})
+    if (keep < width) numbers.push_back(on_grid(x, top - keep));
+  if (width > 1) numbers.push_back(on_grid(x, parts.exponent + 1));
+  const auto odd = std::copysign(static_cast<double>(parts.significand), x);
+  for (const int exponent : {0, parts.exponent / 2, parts.exponent - (parts.exponent > 0 ? 1 : -1)})
+    numbers.push_back(std::ldexp(odd, exponent));
+  return numbers;
+}
+
+bool is_usable(const Ball& ball, const Polygon& polygon) {
+  return !find_fault(ball) && !exact::validate(polygon).has_value();
+}
+
+/// What of a value is said in words, yes or no: of the nearest feature its kind; nothing of edges and numbers.
+std::string words_of(const Verdict& value) {
+  if (value.is_object()) return value.at("kind").get<std::string>();
+  return value.is_string() || value.is_boolean() ? value.dump() : "";
+}
+
+/// A case while it is being reduced.
+class Shrinker {
+ public:
+  Shrinker(const SameFailure& failure, const Ball& ball, const Polygon& polygon, const std::atomic<bool>& stop)
+      : failure_(failure), stop_(stop), ball_(ball), loops_(workloads::loops_of(polygon)) {
+    accept(ball, polygon);
+  }
+
+  Shrunk run() {
+    do {
+      changed_ = false;
+      leave_out_loops();
+      for (std::size_t loop = 0; loop < loops_.size(); ++loop) leave_out_vertices(loop);
+      translate();
+      scale();
+      mirror();
+      coarsen();
+      for (std::size_t i = 0; i < 3 * size_.vertices + 4; ++i) simplify(i);
+    } while (changed_ && !stop_);
+    return {ball_, workloads::polygon_of(loops_)};
+  }
+
+ private:
+  struct Candidate {
+    Ball ball;
+    std::vector<Loop> loops;
+  };
+
+  void accept(const Ball& ball, const Polygon& polygon) {
+    ball_ = ball;
+    loops_ = workloads::loops_of(polygon);
+    size_ = size_of(ball, polygon);
+    margin_ = workloads::doubles_between(exact::answer(ball, polygon).distance, ball.radius);
+  }
+
+  /// Takes the candidate if it is smaller and fails in the same way; if need be with the radius as near to the
+  /// distance.
+  bool take(const Candidate& candidate) try {
+    if (stop_ || !candidate.ball.center.allFinite()) return false;
+    const Polygon polygon = workloads::polygon_of(candidate.loops);
+    if (take(candidate.ball, polygon)) return true;
+    if (std::abs(margin_) > kMostMargin || !is_usable(candidate.ball, polygon)) return false;
+    const double distance = exact::answer(candidate.ball, polygon).distance;
+    if (!std::isfinite(distance)) return false;
+    return take({candidate.ball.center, workloads::move_by_doubles(distance, margin_)}, polygon);
+  } catch (const Rejected&) {
+    return false;
+  }
+
+  bool take(const Ball& ball, const Polygon& polygon) {
+    if (size_of(ball, polygon) >= size_ || !failure_.holds(ball, polygon)) return false;
+    accept(ball, polygon);
+    return changed_ = true;
+  }
+
+  void leave_out_loops() {
+    for (std::size_t loop = loops_.size(); loop-- > 1;)  // a hole by itself
+      if (loop < loops_.size() && take({ball_, {loops_[loop]}})) return;
+    leave_out(
+        1, [this] { return loops_.size() - 1; },
+        [this](std::size_t begin, std::size_t end) {
+          Candidate candidate{ball_, loops_};
+          const auto first = candidate.loops.begin() + 1;
+          candidate.loops.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
+          return candidate;
+        });
+  }
+
+  void leave_out_vertices(std::size_t loop) {
+    leave_out(
+        4, [this, loop] { return loops_[loop].size(); },
+        [this, loop](std::size_t begin, std::size_t end) {
+          Candidate candidate{ball_, loops_};
+          Loop& vertices = candidate.loops[loop];
+          vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
+                         vertices.begin() + static_cast<std::ptrdiff_t>(end));
+          return candidate;
+        });
+  }
+
+  /// Tries without the parts [begin, end) of a list, halves first; nothing where less than `least` would have been left
+  /// to choose from.
+  template <class Count, class Without>
+  void leave_out(std::size_t least, const Count& count, const Without& without) {
+    for (std::size_t part = count() / 2 + count() % 2; part > 0; part /= 2)
+      for (std::size_t begin = 0; begin < count() && count() >= least;) {
+        const std::size_t end = std::min(begin + part, count());
+        if (!take(without(begin, end))) begin = end;
+      }
+  }
+
+  /// The same function of every coordinate: f(x, axis).
+  template <class Map>
+  [[nodiscard]] Candidate mapped(const Map& f) const {
+    Candidate candidate{ball_, loops_};
+    const auto map = [&f](Vector3d& v) {
+      for (int axis = 0; axis < 3; ++axis) v[axis] = f(v[axis], axis);
+    };
+    map(candidate.ball.center);
+    for (Loop& loop : candidate.loops)
+      for (Vector3d& v : loop) map(v);
+    return candidate;
+  }
+
+  [[nodiscard]] std::vector<Vector3d> points() const {
+    std::vector<Vector3d> points{ball_.center};
+    for (const Loop& loop : loops_) points.insert(points.end(), loop.begin(), loop.end());
+    return points;
+  }
+
+  void translate() {
+    for (const Vector3d& origin : points())
+      if (take(mapped([&](double x, int axis) { return x - origin[axis]; }))) break;
+    for (int moved = 0; moved < 3; ++moved)
+      for (const Vector3d& origin : points())
+        if (take(mapped([&](double x, int axis) { return axis == moved ? x - origin[axis] : x; }))) break;
+  }
+
+  void scale() {
+    std::set<int> exponents;
+    for (const Vector3d& v : points())
+      for (const double x : v)
+        if (x != 0) exponents.insert(parts_of(x).exponent), exponents.insert(std::ilogb(x));
+    if (ball_.radius != 0) exponents.insert(parts_of(ball_.radius).exponent);
+    for (const int exponent : exponents) {
+      Candidate candidate = mapped([&](double x, int) { return std::ldexp(x, -exponent); });
+      candidate.ball.radius = std::ldexp(ball_.radius, -exponent);
+      if (std::isfinite(candidate.ball.radius) && take(candidate)) return;
+    }
+  }
+
+  void mirror() {
+    for (int mirrored = 0; mirrored < 3; ++mirrored)
+      (void)take(mapped([&](double x, int axis) { return axis == mirrored ? 0.0 - x : x; }));
+  }
+
+  /// All coordinates on one grid, the coarsest that does; then the polygon's, then the centre's alone.
+  void coarsen() {
+    int finest = 1024, coarsest = -1075;
+    for (const Vector3d& v : points())
+      for (const double x : v)
+        if (x != 0) finest = std::min(finest, parts_of(x).exponent), coarsest = std::max(coarsest, std::ilogb(x) + 1);
+    const int step = std::max(1, (coarsest - finest) / 128);
+    for (const int what : {0, 1, 2})
+      for (int exponent = coarsest; exponent > finest; exponent -= step) {
+        Candidate candidate = mapped([&](double x, int) { return on_grid(x, exponent); });
+        if (what == 1) candidate.ball = ball_;
+        if (what == 2) candidate.loops = loops_;
+        if (take(candidate)) break;
+      }
+  }
+
+  /// The radius, the centre's coordinates, then the vertices'.
+  static double& number(Candidate& candidate, std::size_t i) {
+    if (i == 0) return candidate.ball.radius;
+    if (i < 4) return candidate.ball.center[static_cast<Eigen::Index>(i - 1)];
+    std::size_t vertex = (i - 4) / 3;
+    auto loop = candidate.loops.begin();
+    for (; vertex >= loop->size(); ++loop) vertex -= loop->size();
+    return (*loop)[vertex][static_cast<Eigen::Index>((i - 4) % 3)];
+  }
+
+  void simplify(std::size_t i) {
+    for (bool again = true; again;) {
+      again = false;
+      Candidate candidate{ball_, loops_};
+      double& changed = number(candidate, i);
+      const std::size_t before = bits_of(changed);
+      for (const double x : simpler(changed)) {
+        if (bits_of(x) >= before) continue;
+        changed = x;
+        if ((again = take(candidate))) break;
+      }
+    }
+  }
+
+  static constexpr std::int64_t kMostMargin = 1'000;
+
+  const SameFailure& failure_;
+  const std::atomic<bool>& stop_;
+  Ball ball_;
+  std::vector<Loop> loops_;
+  Size size_;
+  std::int64_t margin_ = 0;  // how many doubles the radius lies above the distance
+  bool changed_ = false;
+};
+
+}  // namespace
+
+Size size_of(const Ball& ball, const Polygon& polygon) {
+  Size size{polygon.loop_count(), polygon.vertex_count(), bits_of(ball.radius) + bits_of(ball.center)};
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) size.bits += bits_of(polygon.vertex(i));
+  return size;
+}
+
+SameFailure::SameFailure(const methods::Method& method, const Ball& ball, const Polygon& polygon,
+                         const std::optional<std::string>& key)
+    : method_(method) {
+  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method, ball, polygon, truth);
+  if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
+  if (key && !wrong.contains(*key))
+    throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
+  nothing_decisive_ = !key && !any_decisive(wrong);
+  for (const auto& [name, value] : wrong.items()) {
+    if (key ? name != *key : !is_decisive(name) && !nothing_decisive_) continue;
+    keys_.push_back(name);
+    true_words_.push_back(words_of(truth[name]));
+    given_words_.push_back(words_of(value));
+  }
+}
+
+bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
+  if (!is_usable(ball, polygon)) return false;
+  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method_, ball, polygon, truth);
+  if (nothing_decisive_ && any_decisive(wrong)) return false;
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    if (!wrong.contains(keys_[i]) || words_of(wrong[keys_[i]]) != given_words_[i] ||
+        words_of(truth[keys_[i]]) != true_words_[i])
+      return false;
+  return true;
+}
+
+Shrunk shrink(const SameFailure& failure, const Ball& ball, const Polygon& polygon, const std::atomic<bool>& stop) {
+  return Shrinker(failure, ball, polygon, stop).run();
+}
+
+}  // namespace touchstone::corpus

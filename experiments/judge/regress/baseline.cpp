@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/regress/baseline.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "experiments/harness/json/json_fault.h"
+#include "experiments/harness/json/strict_json.h"
+#include "geometry/io/legible.h"
+
+namespace touchstone::regress {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;  // raised where a case of a seed becomes another one
+
+/// The cases of that outcome.
+std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
+  std::string digits;
+  for (std::size_t i = 0; i < outcomes.size(); i += 4) {
+    unsigned value = 0;
+    for (std::size_t j = i; j < i + 4; ++j)
+      value = 2 * value + (j < outcomes.size() && outcomes[j] == outcome ? 1U : 0U);
+    digits += "0123456789abcdef"[value];
+  }
+  return digits;
+}
+
+/// Gives that outcome to the cases that the digits name.
+void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes) {
+  if (digits.size() != (outcomes.size() + 3) / 4 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+    throw std::runtime_error("are not the digits of so many cases");
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const char digit = digits[i / 4];
+    const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
+    if (((value >> (3 - i % 4)) & 1) == 0) continue;
+    if (outcomes[i] != Outcome::Right) throw std::runtime_error(fmt::format("case {} is wrong and unsure", i));
+    outcomes[i] = outcome;
+  }
+}
+
+/// Throws where an object has a key that is not known; `where` is empty, or names the object.
+void check_keys(const Json& object, const std::string& where, const std::vector<std::string>& known) {
+  for (const auto& [key, value] : object.items())
+    if (std::ranges::find(known, key) == known.end())
+      throw std::runtime_error(fmt::format("{}has the unknown key \"{}\"", where, io::legible(key)));
+}
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const auto family : workloads::all_families()) names.emplace_back(word(family));
+  return names;
+}
+
+/// Methods by name, each with the digits of every family, go into the standing.
+void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Standing& standing) {
+  for (const auto& [method, families] : methods.items()) {
+    const std::string shown = io::legible(method);
+    if (!families.is_object()) throw std::runtime_error(shown + " is not an object");
+    check_keys(families, shown + " ", family_names());
+    for (const std::string& name : family_names()) {
+      if (!families.contains(name)) throw std::runtime_error(fmt::format("{} has no key \"{}\"", shown, name));
+      if (!families[name].is_string()) throw std::runtime_error(fmt::format("{} of {}: is not a string", name, shown));
+      Outcomes& outcomes = standing[method][name];
+      outcomes.resize(cases);
+      try {
+        read_digits(families[name].get_ref<const std::string&>(), outcome, outcomes);
+      } catch (const std::runtime_error& error) {
+        throw std::runtime_error(fmt::format("{} of {}: {}", name, shown, error.what()));
+      }
+    }
+  }
+}
+
+std::string text_of(const std::filesystem::path& file, std::size_t longest) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text;
+  std::vector<char> part(std::size_t{1} << 20);
+  while (stream && text.size() <= longest) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.size() > longest) throw std::runtime_error(fmt::format("is longer than {} MiB", longest >> 20));
+  if (!stream.eof() || stream.bad()) throw std::runtime_error("cannot be read");
+  return text;
+}
+
+Baseline baseline_of(const std::string& text) {
+  const judge::StrictJson read = judge::read_strict_json(text);
+  if (read.duplicate_key)
+    throw std::runtime_error(fmt::format("has the key \"{}\" twice", io::legible(*read.duplicate_key)));
+  const Json json = read.value;
+  if (!json.is_object()) throw std::runtime_error("is not an object");
+  if (json.at("version") != kVersion)
+    throw std::runtime_error(
+        fmt::format("is of version {}, this program's is {}", io::legible(json.at("version").dump()), kVersion));
+  check_keys(json, "", {"version", "seed", "samples", "methods", "unsure"});
+  for (const char* key : {"seed", "samples"})
+    if (!json.at(key).is_number_unsigned())
+      throw std::runtime_error(fmt::format("\"{}\" is no whole number without a sign", key));
+  Baseline baseline;
+  baseline.settings = {json.at("seed").get<std::uint64_t>(), json.at("samples").get<std::size_t>()};
+  if (baseline.settings.samples < 1 || baseline.settings.samples > kMostSamples)
+    throw std::runtime_error(fmt::format("\"samples\" must be from 1 to {}", kMostSamples));
+  if (!json.at("methods").is_object() || json.at("methods").empty())
+    throw std::runtime_error("\"methods\" has no method");
+  read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.standing);
+  if (json.contains("unsure")) {
+    if (!json.at("unsure").is_object()) throw std::runtime_error("\"unsure\" is not an object");
+    for (const auto& [method, families] : json.at("unsure").items())
+      if (baseline.standing.count(method) == 0)
+        throw std::runtime_error(fmt::format("\"unsure\" has {}, which \"methods\" has not", io::legible(method)));
+    read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.standing);
+  }
+  return baseline;
+}
+
+bool is_unsure(const std::map<std::string, Outcomes>& families) {
+  return std::ranges::any_of(families, [](const auto& each) { return summary_of(each.second).unsure > 0; });
+}
+
+}  // namespace
+
+std::string baseline_text(const Baseline& baseline) {
+  Json json{{"version", kVersion}, {"seed", baseline.settings.seed}, {"samples", baseline.settings.samples}};
+  for (const auto& [method, families] : baseline.standing)
+    for (const auto& family : workloads::all_families()) {
+      const auto name = std::string(word(family));
+      json["methods"][method][name] = digits_of(families.at(name), Outcome::Wrong);
+      if (is_unsure(families)) json["unsure"][method][name] = digits_of(families.at(name), Outcome::Unsure);
+    }
+  return json.dump(1) + "\n";
+}
+
+Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
+  try {
+    return baseline_of(text_of(file, longest));
+  } catch (const judge::NotJson& error) {
+    throw std::runtime_error(file.string() + ": not JSON: " + error.what());
+  } catch (const nlohmann::json::exception& error) {  // a key that is not there
+    throw std::runtime_error(file.string() + ": " + judge::json_fault(error));
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error(file.string() + ": there is not enough memory to read it");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+}
+
+std::vector<Change> changes(const Standing& baseline, const Standing& now) {
+  std::vector<Change> changes;
+  for (const auto& [method, families] : now) {
+    const auto before = baseline.find(method);
+    if (before == baseline.end()) continue;
+    for (const auto& each : workloads::all_families()) {
+      const auto family = std::string(word(each));
+      const Outcomes &was = before->second.at(family), &is = families.at(family);
+      Change change{method, family, {}, {}};
+      for (std::size_t n = 0; n < is.size(); ++n)
+        if (was[n] != is[n]) (was[n] < is[n] ? change.worse : change.better).push_back(n);
+      if (!change.better.empty() || !change.worse.empty()) changes.push_back(std::move(change));
+    }
+  }
+  return changes;
+}
+
+}  // namespace touchstone::regress

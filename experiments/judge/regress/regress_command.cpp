@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/judge/regress/baseline.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/harness/write_file.h"
+#include "experiments/harness/statistics/percent.h"
+#include "geometry/io/legible.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace regress;
+
+struct Options {
+  std::string baseline, write, output;
+  std::vector<std::string> methods{"all"};
+  bool allow_missing = false, force = false;
+  Settings settings;
+  unsigned threads = run::all_threads();
+};
+
+std::string command_line(const Options& options) {
+  std::string line =
+      fmt::format("touchstone regress --method {} --threads {}", run::joined(options.methods), options.threads);
+  line += options.baseline.empty()
+              ? fmt::format(" --seed {} --samples {}", options.settings.seed, options.settings.samples)
+              : " --baseline " + run::shell_quoted(options.baseline);
+  if (options.allow_missing) line += " --allow-missing";
+  if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
+  if (options.force) line += " --force";
+  return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
+}
+
+std::string cell(const Summary& summary) {
+  if (summary.wrong == 0) return "-";
+  return fmt::format("{}{}", statistics::percent_to_digits(statistics::share_of(summary.wrong, summary.cases), 2),
+                     summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
+}
+
+std::string table_of(const Standing& standing, const Settings& settings) {
+  std::string text = fmt::format(
+      "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
+      "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
+      settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
+  for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", word(family));
+  text += "\n";
+  for (const auto& [method, families] : standing) {
+    text += fmt::format("{:<24}", method);
+    std::size_t unsure = 0;
+    for (const auto family : workloads::all_families()) {
+      const Summary summary = summary_of(families.at(std::string(word(family))));
+      text += fmt::format("{:>14}", cell(summary));
+      unsure += summary.unsure;
+    }
+    text += unsure > 0 ? fmt::format("   and unsure about {} in all\n", unsure) : "\n";
+  }
+  return text;
+}
+
+std::string standing_text(const Standing& standing) {
+  std::string text = "method,family,wrong,unsure,cases,first_offset_exponent\n";
+  for (const auto& [method, families] : standing)
+    for (const auto family : workloads::all_families()) {
+      const Summary summary = summary_of(families.at(std::string(word(family))));
+      text += fmt::format("{},{},{},{},{},{}\n", method, word(family), summary.wrong, summary.unsure, summary.cases,
+                          summary.first ? std::to_string(*summary.first) : "");
+    }
+  return text;
+}
+
+/// The cases on which methods have become worse, once each, as the judge reads them.
+std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
+  std::string text;
+  for (const auto family : workloads::all_families()) {
+    std::map<std::size_t, std::vector<std::string>> cases;
+    for (const Change& change : changes)
+      if (change.family == word(family))
+        for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
+    for (const auto& [n, tags] : cases) {
+      const auto sample = draw_case(settings, family, n);
+      const auto answer = methods::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
+      text += judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, tags, judge::object_of(answer)));
+    }
+  }
+  return text;
+}
+
+/// Says what changed, and returns how many cases are worse.
+std::size_t tell_changes(const std::vector<Change>& changes) {
+  std::size_t better = 0, worse = 0;
+  for (const Change& change : changes) {
+    fmt::print("{} on {}: {} better, {} worse", change.method, change.family, change.better.size(),
+               change.worse.size());
+    constexpr std::size_t kMost = 5;
+    for (std::size_t i = 0; i < std::min(kMost, change.worse.size()); ++i)
+      fmt::print("{}{}", i == 0 ? ": cases " : ", ", change.worse[i]);
+    fmt::print("{}\n", change.worse.size() > kMost ? ", ..." : "");
+    better += change.better.size();
+    worse += change.worse.size();
+  }
+  fmt::print("{} cases better than the baseline, {} worse\n", better, worse);
+  return worse;
+}
+
+/// Throws where nothing would be held against the baseline, or not a method that the command line names.
+void refuse_missing(const Options& options, const Baseline& baseline,
+                    const std::vector<const methods::Method*>& methods) {
+  const auto has = [&](std::string_view method) { return baseline.standing.count(std::string(method)) > 0; };
+  if (std::ranges::none_of(methods, [&](const methods::Method* method) { return has(method->name()); }))
+    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
+  if (options.allow_missing) return;
+  for (const methods::Method* method : methods)
+    if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
+      throw std::runtime_error(
+          fmt::format("{}: has no method {}, which --method names; --allow-missing goes on without it",
+                      options.baseline, method->name()));
+}
+
+int run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  auto methods = methods::find_methods(options.methods);
+  std::erase_if(methods, [](const methods::Method* method) {
+    if (answers(*method)) return false;
+    fmt::print("{}: does not say whether ball and polygon touch; left out\n", method->name());
+    return true;
+  });
+  std::optional<Baseline> baseline;
+  if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
+  if (baseline) refuse_missing(options, *baseline, methods);
+  const Settings settings = baseline ? baseline->settings : options.settings;
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty())
+    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
+  if (!options.write.empty()) {
+    run::refuse_overwrite(options.write, options.force);
+    run::make_folder(std::filesystem::absolute(options.write).parent_path());
+  }
+
+  const run::Interrupt interrupt;
+  std::optional<Standing> standing;
+  {
+    run::ProgressLine line("regress", blocks_of(settings));
+    standing = find_standing(settings, methods, options.threads, interrupt.requested(), std::ref(line));
+  }
+  if (!standing) {
+    fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
+    return run::kInterrupted;
+  }
+  fmt::print("{}\n", table_of(*standing, settings));
+
+  std::vector<Change> changed;
+  if (baseline) {
+    for (const auto& [method, families] : baseline->standing)
+      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
+    for (const auto& [method, families] : *standing)
+      if (baseline->standing.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+    changed = changes(baseline->standing, *standing);
+  }
+  const std::size_t worse = baseline ? tell_changes(changed) : 0;
+  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *standing}), options.force);
+  if (!options.output.empty()) {
+    const std::filesystem::path folder = options.output;
+    run::write_file(folder / "standing.csv", standing_text(*standing));
+    run::write_file(folder / "worse.jsonl", worse_text(settings, changed));
+    run::write_run_record(folder,
+                          {.command = command_line(options),
+                           .seed = settings.seed,
+                           .samples_asked = settings.samples,
+                           .samples_done = settings.samples,
+                           .threads = options.threads,
+                           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  }
+  return worse > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_regress(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("regress", "Hold every method's failures against a baseline");
+  command->footer(
+      "Asks the methods whether balls near a face, an edge and a vertex of random polygons touch, with radii at "
+      "relative\n"
+      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
+      "answer\n"
+      "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
+      "unsure,\n"
+      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if\n"
+      "--write names a file that is there and --force is not given.");
+  auto* baseline =
+      command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+  command
+      ->add_flag("--allow-missing", options->allow_missing,
+                 "A method that --method names need not be in the baseline; it is then not held against anything")
+      ->needs(baseline);
+  command->add_option("--write", options->write, "Write what was found as a baseline");
+  run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
+  run::add_seed(*command, options->settings.seed);
+  command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
+      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->capture_default_str()
+      ->excludes(baseline);
+  baseline->excludes("--seed");
+  run::add_threads(*command, options->threads);
+  command->add_option("--output", options->output,
+                      "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+  run::add_force(*command, options->force);
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/process/engine.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace touchstone::judge {
+namespace {
+
+/// Rounded up; 0 where it is past.
+int milliseconds_until(Engine::Deadline deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
+}
+
+/// Two descriptors that are closed where they are still here; -1 is none.
+struct Ends {
+  int* descriptors;
+  ~Ends() {
+    for (int i = 0; i < 2; ++i)
+      if (descriptors[i] >= 0) close(descriptors[i]);
+  }
+};
+
+}  // namespace
+
+// The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
+// (MSG_NOSIGNAL) and no signal for the whole process.
+Engine::Engine(const std::string& command) : input_(-1), output_(-1) {
+  int input[2], output[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
+  const Ends inputs{input};
+  if (pipe2(output, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
+  const Ends outputs{output};
+  supervisor_.emplace(command, input[1], output[1]);
+  input_ = std::exchange(input[0], -1);
+  output_ = std::exchange(output[0], -1);
+}
+
+Engine::~Engine() {
+  stop_reading();
+  supervisor_.reset();
+  close(input_);
+}
+
+bool Engine::send(const std::string& line) {
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    sent += static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
+  late = false;
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (written >= 0) {
+      sent += static_cast<std::size_t>(written);
+    } else if (errno == EAGAIN) {
+      pollfd input{.fd = input_, .events = POLLOUT, .revents = 0};
+      late = poll(&input, 1, milliseconds_until(deadline)) == 0;
+      if (late) return false;
+    } else if (errno != EINTR) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Engine::end_input() { shutdown(input_, SHUT_WR); }
+
+/// The first line of what is unread, whose first bytes, so many, have no end of a line. Drops one that is too long.
+std::optional<std::string> Engine::take_line(std::size_t& searched) {
+  const std::size_t found = unread_.find('\n', received_ + searched);
+  const std::size_t end = std::min(found, unread_.size());
+  searched = end - received_;
+  if (searched > kLongestLine) {
+    too_long_ = true;
+    stop_reading();
+    received_ = unread_.size();
+    searched = 0;
+  }
+  if (too_long_ || found == std::string::npos) return std::nullopt;
+  std::string line = unread_.substr(received_, searched);
+  received_ = end + 1;
+  return line;
+}
+
+std::optional<std::string> Engine::receive() {
+  std::size_t searched = 0;
+  do {
+    if (auto line = take_line(searched)) return line;
+  } while (read_some());
+  std::string rest = unread_.substr(received_);
+  received_ = unread_.size();
+  if (rest.empty()) return std::nullopt;
+  return rest;
+}
+
+std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
+  late = false;
+  for (std::size_t searched = 0;;) {
+    if (auto line = take_line(searched)) return line;
+    const int left = milliseconds_until(deadline);
+    if (output_ >= 0 && (left == 0 || !has_news(left))) {
+      late = true;
+      return std::nullopt;
+    }
+    if (!read_some()) return receive();  // what is left without the end of a line
+  }
+}
+
+bool Engine::drop_unread() {
+  while (has_news(0) && read_some()) {
+  }
+  const bool any = received_ < unread_.size();
+  received_ = unread_.size();
+  return any;
+}
+
+/// Waits no longer than `milliseconds` (-1: for ever) for some of its output, or for its end, which it may share with
+/// others that hold the pipe open. Was there either?
+bool Engine::has_news(int milliseconds) const {
+  if (output_ < 0) return false;
+  pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
+                {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
+  return poll(news, 2, milliseconds) > 0;
+}
+
+bool Engine::read_ahead(std::size_t most) {
+  while (unread_.size() - received_ < most && has_news(0) && read_some()) {
+  }
+  return output_ >= 0 && unread_.size() - received_ >= most;
+}
+
+// A socket is reset by who closes it with something unread in it.
+bool Engine::left_unread() const {
+  char byte;
+  return recv(input_, &byte, 1, MSG_DONTWAIT) < 0 && errno == ECONNRESET;
+}
+
+void Engine::stop_reading() {
+  if (output_ >= 0) close(output_);
+  output_ = -1;
+}
+
+/// Waits for some of its output; false if there will be none.
+bool Engine::read_some() {
+  while (output_ >= 0 && !has_news(-1)) {
+  }
+  if (output_ < 0) return false;
+  // What it has printed before its end is there; whoever else holds the pipe, or the socket, is not waited for.
+  if (supervisor_->ended_within(std::chrono::milliseconds(0))) {
+    fcntl(output_, F_SETFL, O_NONBLOCK);
+    end_input();
+  }
+  std::array<char, 65536> bytes;
+  ssize_t count = 0;
+  while ((count = read(output_, bytes.data(), bytes.size())) < 0 && errno == EINTR) {
+  }
+  if (count <= 0) {
+    stop_reading();
+    return false;
+  }
+  unread_.erase(0, received_);
+  received_ = 0;
+  unread_.append(bytes.data(), static_cast<std::size_t>(count));
+  return true;
+}
+
+std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
+  if (!supervisor_->ended_within(time)) return std::nullopt;
+  return wait();
+}
+
+}  // namespace touchstone::judge

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/process/interruption.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <string_view>
+
+#include "experiments/harness/interrupt.h"
+
+namespace touchstone::judge {
+namespace {
+
+constexpr int kInterruptions[] = {SIGINT, SIGTERM};
+
+std::atomic<bool> is_writing = false, is_interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal handler");
+
+void handle_by(void (*handler)(int)) {
+  for (const int signal : kInterruptions) std::signal(signal, handler);
+}
+
+[[noreturn]] void leave() {
+  constexpr std::string_view message = "touchstone: interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  _exit(run::kInterrupted);
+}
+
+extern "C" void interrupt_judge(int) {
+  handle_by(SIG_DFL);
+  is_interrupted = true;
+  if (!is_writing) leave();
+}
+
+}  // namespace
+
+Interruption::Interruption() { handle_by(interrupt_judge); }
+
+Interruption::~Interruption() { handle_by(SIG_DFL); }
+
+Writing::Writing() { is_writing = true; }
+
+Writing::~Writing() {
+  is_writing = false;
+  if (is_interrupted) leave();
+}
+
+void leave_interruptions_to_others() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : kInterruptions) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace touchstone::judge

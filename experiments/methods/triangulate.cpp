@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/triangulate.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "geometry/floating_point_state.h"
+#include "robust/exact/dropped_axis.h"
+#include "robust/mesh/face_plane.h"
+
+namespace touchstone::triangulation {
+namespace {
+
+constexpr int kUnseen = -1;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+/// Of a face: how many edges of the polygon lie between it and the outside.
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+
+/// From the infinite face inwards, a face's depth is one more behind each edge of the polygon.
+void measure_depths(Triangulation& triangulation) {
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+    face->info() = kUnseen;
+  std::vector<Triangulation::Face_handle> level{triangulation.infinite_face()};
+  for (int depth = 0; !level.empty(); ++depth) {
+    std::vector<Triangulation::Face_handle> behind;
+    while (!level.empty()) {
+      const Triangulation::Face_handle face = level.back();
+      level.pop_back();
+      if (face->info() != kUnseen) continue;
+      face->info() = depth;
+      for (int i = 0; i < 3; ++i) {
+        const Triangulation::Face_handle other = face->neighbor(i);
+        if (other->info() == kUnseen) (face->is_constrained(i) ? behind : level).push_back(other);
+      }
+    }
+    level = std::move(behind);
+  }
+}
+
+}  // namespace
+
+std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
+  const FloatingPointState state;
+  const int axis = exact::dropped_axis(polygon).value();
+  const auto u = polygon.coordinates((axis + 1) % 3), v = polygon.coordinates((axis + 2) % 3);
+  Triangulation triangulation;
+  std::vector<Triangulation::Vertex_handle> vertices;
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
+    vertices.push_back(triangulation.insert(Kernel::Point_2(u[i], v[i])));
+    vertices.back()->info() = static_cast<std::uint32_t>(i);
+  }
+  for (std::size_t i = 0; i < polygon.vertex_count(); ++i)
+    triangulation.insert_constraint(vertices[i], vertices[polygon.next(i)]);
+  measure_depths(triangulation);
+
+  const bool turned = mesh::turn(polygon, 0, axis) < 0;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
+    if (face->info() % 2 == 0) continue;
+    std::array<std::uint32_t, 3> triangle{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+    if (turned) std::swap(triangle[1], triangle[2]);
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    triangles.push_back(triangle);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+}  // namespace touchstone::triangulation

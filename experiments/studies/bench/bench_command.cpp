@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/output.h"
+#include "experiments/studies/bench_scenes/command.h"
+#include "experiments/commands.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/harness/write_file.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace bench;
+
+struct Options {
+  std::vector<std::string> families{"all"};
+  Settings settings;
+  unsigned repetitions = 11;
+  std::string json = "results/bench/bench.json";
+  std::string count;
+  bool scene = false, force = false;
+  SceneOptions scenes;
+};
+
+// Throws CLI::ValidationError, which names what is unknown.
+const Family& find_family(const std::string& name) {
+  std::string known;
+  for (const Family& family : all_families()) {
+    if (family.name == name) return family;
+    known.append(known.empty() ? "" : ", ").append(family.name);
+  }
+  throw CLI::ValidationError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
+}
+
+std::vector<const Family*> select_families(const std::vector<std::string>& names) {
+  std::vector<const Family*> selected;
+  if (names == std::vector<std::string>{"all"})
+    for (const Family& family : all_families()) selected.push_back(&family);
+  else
+    for (const std::string& name : names) selected.push_back(&find_family(name));
+  return selected;
+}
+
+std::string command_line(const Options& options) {
+  std::string names;
+  for (const std::string& name : options.families) names.append(names.empty() ? "" : ",").append(name);
+  return fmt::format("touchstone bench --family {} --samples {} --repetitions {} --seed {} --json {}", names,
+                     options.settings.samples, options.repetitions, options.settings.seed,
+                     run::shell_quoted(options.json));
+}
+
+std::filesystem::path folder_of(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
+/// Draws, measures and prints one contest after the other.
+class Runner {
+ public:
+  Runner(const Options& options, const std::atomic<bool>& stop) : options_(options), stop_(stop) {}
+
+  void run(const Family& family) {
+    std::vector<Result> results;
+    fmt::print("\n== {}: {}\n", family.name, family.summary);
+    for (const auto& draw : family.contests) {
+      if (stop_) return;
+      const Contest contest = draw(options_.settings);
+      run::ProgressLine line("bench: " + family.name + " " + contest.name, options_.repetitions);
+      results.push_back(measure(family.name, contest, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
+      keep(results.back());
+    }
+    if (!results.empty() && !results.front().pool.empty())
+      if (const auto together = pooled(results, results.front().pool)) keep(*together);
+  }
+  [[nodiscard]] const std::vector<Result>& results() const { return results_; }
+
+ private:
+  void keep(const Result& result) {
+    fmt::print("{}", table(result));
+    run::flush_standard_output();
+    results_.push_back(result);
+  }
+
+  const Options& options_;
+  const std::atomic<bool>& stop_;
+  std::vector<Result> results_;
+};
+
+nlohmann::ordered_json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return nlohmann::ordered_json::parse(file);
+}
+
+/// The results, and the record of the run, which also stands beside.
+void write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
+           std::uint64_t samples_done, double seconds) {
+  run::write_run_record(
+      folder, {command_line(options), options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
+  const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
+                                      {"processor_features", processor_features()},
+                                      {"samples", options.settings.samples},
+                                      {"repetitions", options.repetitions},
+                                      {"contests", json(results)}};
+  run::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
+                  options.force);
+}
+
+int measure_all(const Options& options) {
+  const auto families = select_families(options.families);
+  const std::filesystem::path folder = folder_of(options.json);
+  // Two files of its own, in a folder that may hold others.
+  const run::OutputFolder held(folder, command_line(options), {.force = true});
+  for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
+    run::refuse_overwrite(file, options.force);
+  const run::Interrupt interrupt;
+  const auto& stop = interrupt.requested();
+  const auto begin = std::chrono::steady_clock::now();
+  Runner runner(options, stop);
+  for (const Family* family : families)
+    if (!stop) runner.run(*family);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write(folder, options, runner.results(), stop ? 0 : options.settings.samples, seconds);
+
+  fmt::print("{}\n{}", legend(), goals(runner.results()));
+  constexpr std::uint64_t kEnough = 100'000;
+  if (options.settings.samples < kEnough)
+    fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
+  fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
+             options.repetitions, options.settings.seed, seconds, options.json);
+  run::flush_standard_output();
+  if (!stop) return 0;
+  fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.json);
+  constexpr int kInterrupted = 130;
+  return kInterrupted;
+}
+
+/// Asks one contestant every query, `repetitions` times, and does nothing else that depends on that number.
+int count(const Options& options) {
+  const auto families = select_families(options.families);
+  if (families.size() != 1) throw CLI::ValidationError("--count", "needs one --family");
+  Settings settings = options.settings;
+  settings.checks = false;
+  std::uint64_t asked = 0, sum = 0;
+  std::vector<std::string> known;
+  for (const auto& draw : families[0]->contests) {
+    for (const Contestant& contestant : draw(settings).contestants) {
+      if (std::ranges::find(known, contestant.name) == known.end()) known.push_back(contestant.name);
+      if (contestant.name != options.count || !contestant.count_wrong) continue;
+      asked += contestant.queries;
+      if (contestant.before) contestant.before(contestant.queries);
+      for (unsigned i = 0; i < options.repetitions; ++i) sum += contestant.ask(contestant.queries);
+    }
+  }
+  if (asked == 0) {
+    std::string names;
+    for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
+    throw CLI::ValidationError(
+        "--count", "\"" + options.count + "\" is no contestant of " + families[0]->name + "; there are " + names);
+  }
+  fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
+             options.repetitions, sum);
+  return 0;
+}
+
+int scenes(const Options& options) {
+  SceneOptions scenes = options.scenes;
+  scenes.force = options.force;
+  scenes.settings.samples = options.settings.samples;
+  scenes.settings.seed = options.settings.seed;
+  scenes.settings.repetitions = options.repetitions;
+  return measure_scenes(scenes);
+}
+
+constexpr const char* kFooter = R"(
+Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
+  cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
+A missed goal does not change the exit status. For instructions a query: experiments/studies/bench/instructions.py.)";
+
+/// What families do not know.
+void add_scene_options(CLI::App& command, Options& options) {
+  constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
+  auto* scene = command.add_flag("--scene", options.scene,
+                                 "Instead of families: scenes of 1000 and more triangles, beside other libraries");
+  for (const char* other : {"--family", "--json", "--count"}) scene->excludes(other);
+  command
+      .add_option("--most-faces", options.scenes.most_triangles,
+                  "With --scene: triangles of the largest one, up to 10000000 (which takes 12 GiB)")
+      ->check(run::whole_number(kFewest, kMost))
+      ->needs(scene)
+      ->capture_default_str();
+  command
+      .add_option("--meshes", options.scenes.meshes,
+                  "With --scene: a folder of meshes, also measured, once and replicated")
+      ->needs(scene);
+  command.add_option("--output", options.scenes.output, "With --scene: the folder for tables and pictures")
+      ->needs(scene)
+      ->capture_default_str();
+  command.add_flag("--no-pictures", options.scenes.no_pictures, "With --scene: draw nothing")->needs(scene);
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& status) {
+  constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
+  auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
+  command->footer(kFooter);
+  auto options = std::make_shared<Options>();
+  run::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
+  command
+      ->add_option("--samples", options->settings.samples,
+                   "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart")
+      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->capture_default_str();
+  command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  run::add_seed(*command, options->settings.seed, "Any number; the same gives the same queries");
+  command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
+      ->capture_default_str();
+  command->add_option("--count", options->count,
+                      "Time nothing: have this contestant of one family asked all queries, for a profiler");
+  add_scene_options(*command, *options);
+  run::add_force(*command, options->force);
+  command->callback([options, &status] {
+    status = run::run_alone([&] {
+      if (options->scene) return scenes(*options);
+      return options->count.empty() ? measure_all(*options) : count(*options);
+    });
+  });
+}
+
+}  // namespace touchstone::commands

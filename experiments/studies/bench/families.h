@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiments/harness/timing/contest.h"
+
+namespace touchstone::bench {
+
+/// What is measured under one name. Contests are drawn one after the other: their queries are large.
+struct Family {
+  std::string name;
+  std::string summary;
+  std::vector<std::function<Contest(const Settings&)>> contests;
+};
+
+/// All of them, in the order of the table.
+[[nodiscard]] const std::vector<Family>& all_families();
+
+// The parts of that list, each beside what it is drawn from.
+[[nodiscard]] std::vector<Family> triangle_families();
+[[nodiscard]] std::vector<Family> polygon_families();  ///< `polygons-N`, `off-plane` and `questions`
+[[nodiscard]] Family batch_family();
+
+}  // namespace touchstone::bench

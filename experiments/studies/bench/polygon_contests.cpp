@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/polygon_queries.h"
+#include "geometry/contact/fast.h"
+#include "robust/exact/exact.h"
+#include "robust/filtered/filtered.h"
+
+namespace touchstone::bench {
+namespace {
+
+using Outline = workloads::Family;
+using Queries = std::shared_ptr<const std::vector<PolygonQuery>>;
+template <class Prepared>
+using Polygons = std::shared_ptr<const std::vector<Prepared>>;
+
+struct Size {
+  std::size_t vertices;
+  std::optional<Goal> goal;  ///< of filtered in times of fast
+};
+
+const std::vector<Size>& sizes() {
+  static const std::vector<Size> list{
+      {8, {}}, {32, {}}, {128, Goal{0.25}}, {1024, Goal{0.08}}, {10'000, {}}, {100'000, Goal{0.002}}};
+  return list;
+}
+
+template <class Prepared>
+Polygons<Prepared> prepare(const std::vector<Polygon>& polygons) {
+  std::vector<Prepared> list;
+  for (const Polygon& polygon : polygons) list.emplace_back(polygon);
+  return std::make_shared<const std::vector<Prepared>>(std::move(list));
+}
+
+/// Several where they are small, so that no single one decides.
+std::vector<Polygon> draw_polygons(Outline outline, std::size_t vertices, std::uint64_t seed) {
+  const std::uint64_t count = std::clamp<std::uint64_t>(1024 / vertices, 1, 16);
+  std::vector<Polygon> polygons;
+  for (std::uint64_t i = 0; i < count; ++i) polygons.push_back(draw_polygon(outline, vertices, seed, i));
+  return polygons;
+}
+
+std::vector<Polygon> draw_polygons_of_all_outlines(std::size_t vertices, std::uint64_t seed) {
+  std::vector<Polygon> polygons;
+  for (const Outline outline : outlines_of(vertices))
+    for (Polygon& polygon : draw_polygons(outline, vertices, seed)) polygons.push_back(std::move(polygon));
+  return polygons;
+}
+
+std::vector<Polygon> move_off_plane(const std::vector<Polygon>& planar, const OffPlane& off_plane, std::uint64_t seed) {
+  std::vector<Polygon> moved;
+  for (const Polygon& polygon : planar) moved.push_back(move_off_plane(polygon, off_plane, seed, moved.size()));
+  return moved;
+}
+
+/// So many that exact takes about a second.
+std::size_t checked(const Settings& settings, std::size_t vertices) {
+  if (!settings.checks) return 0;
+  return std::min<std::size_t>(settings.samples, std::clamp<std::size_t>(200'000 / vertices, 8, 5000));
+}
+
+/// What `exact` answers to the first `count` of the queries.
+template <class Question>
+auto truths(const Question& question, const std::vector<Polygon>& polygons, const Queries& queries, std::size_t count) {
+  using Truth = decltype(question(queries->front().ball, exact::PreparedPolygon(polygons.front())));
+  std::vector<Truth> list;
+  if (count > 0) {
+    const auto prepared = prepare<exact::PreparedPolygon>(polygons);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [ball, polygon] = (*queries)[i];
+      list.push_back(question(ball, (*prepared)[polygon]));
+    }
+  }
+  return std::make_shared<const std::vector<Truth>>(std::move(list));
+}
+
+template <class Prepared, class Question, class Truths>
+Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries, const Truths& truths,
+                const Question& question, std::optional<Comparison> comparison = std::nullopt) {
+  return contestant(
+      std::move(name), queries, truths,
+      [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
+      std::move(comparison));
+}
+
+/// One question about the same polygons, to fast and to filtered.
+template <class Question>
+Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices, const Settings& settings,
+                const Question& question, std::optional<Goal> goal) {
+  const auto queries =
+      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
+  Contest contest;
+  contest.name = std::move(name);
+  contest.checked = checked(settings, vertices);
+  const auto truth = truths(question, polygons, queries, contest.checked);
+  contest.contestants = {asks("fast", prepare<fast::PreparedPolygon<>>(polygons), queries, truth, question),
+                         asks("filtered", prepare<filtered::PreparedPolygon>(polygons), queries, truth, question,
+                              Comparison{"fast", goal})};
+  return contest;
+}
+
+constexpr auto kContact = [](const Ball& ball, const auto& polygon) { return contact(ball, polygon); };
+
+Contest contacts(Outline outline, const Size& size, const Settings& settings) {
+  const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
+  Contest contest = compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
+  contest.note = fmt::format("{} of {} vertices",
+                             polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
+                             polygons.front().vertex_count());
+  contest.pool = "all outlines";
+  return contest;
+}
+
+template <class Prepared>
+Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons, std::size_t most,
+                    std::optional<Comparison> comparison = std::nullopt) {
+  const auto ask = [polygons](std::size_t count) {
+    std::uint64_t made = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Prepared prepared((*polygons)[i % polygons->size()]);
+      ++made;
+    }
+    return made;
+  };
+  return {std::move(name), most, ask, {}, {}, std::move(comparison)};
+}
+
+Contest preparations(std::size_t vertices, const Settings& settings) {
+  const auto polygons =
+      std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
+  const std::size_t most = std::min<std::size_t>(settings.samples, 1000);
+  Contest contest;
+  contest.name = "preparation";
+  contest.note = "all outlines";
+  contest.unit = "polygon";
+  contest.contestants = {prepares<fast::PreparedPolygon<>>("fast", polygons, most),
+                         prepares<filtered::PreparedPolygon>("filtered", polygons, most, Comparison{"fast", {}})};
+  return contest;
+}
+
+Family contact_family(const Size& size) {
+  Family family{
+      fmt::format("polygons-{}", size.vertices), "contact of small balls near the plane with prepared polygons", {}};
+  for (const Outline outline : outlines_of(size.vertices))
+    family.contests.emplace_back([=](const Settings& settings) { return contacts(outline, size, settings); });
+  family.contests.emplace_back([=](const Settings& settings) { return preparations(size.vertices, settings); });
+  return family;
+}
+
+Contest off_plane(std::size_t vertices, const Settings& settings) {
+  constexpr Goal kGoal{1.5};
+  Contest contest;
+  contest.name = fmt::format("{} vertices", vertices);
+  contest.note = "filtered, all outlines";
+  contest.checked = checked(settings, vertices);
+  const auto planar = draw_polygons_of_all_outlines(vertices, settings.seed);
+  for (const OffPlane& moved : all_off_plane()) {
+    const auto polygons = move_off_plane(planar, moved, settings.seed);
+    const Queries queries =
+        std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
+    const auto truth = truths(kContact, polygons, queries, contest.checked);
+    const bool base = moved.share == 0;
+    contest.contestants.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
+                                       kContact, base ? std::nullopt : std::optional(Comparison{"planar", kGoal})));
+  }
+  return contest;
+}
+
+/// What fast and exact agree on but for rounding, in a form that can be compared and summed up.
+struct Decisions {
+  Answer answer;
+
+  explicit operator std::uint64_t() const { return static_cast<std::uint64_t>(answer.relation); }
+  friend bool operator==(const Decisions& x, const Decisions& y) {
+    const Answer &a = x.answer, &b = y.answer;
+    return a.plane == b.plane && a.plane_tangent == b.plane_tangent && a.foot == b.foot && a.edges_hit == b.edges_hit &&
+           a.relation == b.relation && a.nearest == b.nearest;
+  }
+};
+
+struct Edges {
+  std::vector<std::size_t> hit;
+
+  explicit operator std::uint64_t() const { return hit.size(); }
+  friend bool operator==(const Edges&, const Edges&) = default;
+};
+
+Family question_family() {
+  Family family{"questions", "the other questions about prepared polygons, all outlines", {}};
+  for (const std::size_t vertices : {8U, 128U}) {
+    const auto add = [&](const char* name, auto question) {
+      family.contests.emplace_back([=](const Settings& settings) {
+        const auto polygons = draw_polygons_of_all_outlines(vertices, settings.seed);
+        return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices, settings, question, {});
+      });
+    };
+    add("relation", [](const Ball& ball, const auto& polygon) { return relation(ball, polygon); });
+    add("plane_side", [](const Ball& ball, const auto& polygon) { return plane_side(ball, polygon); });
+    add("foot", [](const Ball& ball, const auto& polygon) { return foot(ball, polygon); });
+    add("edges_hit", [](const Ball& ball, const auto& polygon) { return Edges{edges_hit(ball, polygon)}; });
+    add("answer", [](const Ball& ball, const auto& polygon) { return Decisions{answer(ball, polygon)}; });
+  }
+  return family;
+}
+
+}  // namespace
+
+std::vector<Family> polygon_families() {
+  std::vector<Family> families;
+  for (const Size& size : sizes()) families.push_back(contact_family(size));
+  Family moved{"off-plane", "filtered's contact with polygons whose vertices are off the plane", {}};
+  for (const std::size_t vertices : {8U, 128U, 1024U})
+    moved.contests.emplace_back([=](const Settings& settings) { return off_plane(vertices, settings); });
+  families.push_back(std::move(moved));
+  families.push_back(question_family());
+  return families;
+}
+
+}  // namespace touchstone::bench

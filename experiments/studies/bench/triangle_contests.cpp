@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "experiments/studies/bench/cgal.h"
+#include "experiments/methods/ericson.h"
+#include "experiments/studies/bench/families.h"
+#include "experiments/workloads/lattice/triangle_queries.h"
+#include "experiments/harness/statistics/percent.h"
+#include "geometry/contact/fast_triangle.h"
+#include "robust/exact/exact.h"
+#include "robust/filtered/filtered.h"
+
+namespace touchstone::bench {
+namespace {
+
+using TriangleQueries = std::vector<TriangleQuery>;
+
+/// What filtered should cost in times of fast.
+std::optional<Goal> goal_of(TriangleFamily family) {
+  switch (family) {
+    case TriangleFamily::Random: return Goal{1};
+    case TriangleFamily::HalfNear: return Goal{3};
+    case TriangleFamily::LatticeTangent: return Goal{10};
+    default: return std::nullopt;
+  }
+}
+
+/// What EPECK should cost, at least, in times of filtered; asked where it is a contestant.
+std::optional<Goal> goal_of_epeck(TriangleFamily family) {
+  if (family == TriangleFamily::Random) return Goal{100, false};
+  if (family == TriangleFamily::HalfNear) return Goal{50, false};
+  return std::nullopt;
+}
+
+std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
+  std::vector<bool> touches;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [ball, t] = queries[i];
+    touches.push_back(exact::contact(ball, Polygon({t.a, t.b, t.c})));
+  }
+  return touches;
+}
+
+/// EPECK's objects are made before each repetition, so that none knows its exact value yet.
+Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
+                          const std::shared_ptr<const std::vector<bool>>& truth) {
+  const auto objects = std::make_shared<cgal::EpeckQueries>();
+  const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
+  const auto ask = [objects](std::size_t count) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += objects->contact(i);
+    return sum;
+  };
+  const auto count_wrong = [make, objects, truth](std::size_t count) {
+    make(count);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (objects->contact(i) != (*truth)[i]) ++wrong;
+    return wrong;
+  };
+  return {"EPECK, objects made", queries->size(), ask, count_wrong, make, Comparison{"filtered", {}}};
+}
+
+Contest draw(TriangleFamily family, const Settings& settings) {
+  constexpr std::size_t kMostChecked = 20'000;  // a second
+  TriangleQueries drawn;
+  drawn.reserve(settings.samples);
+  for (std::uint64_t i = 0; i < settings.samples; ++i) drawn.push_back(draw_triangle_query(family, settings.seed, i));
+  const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
+
+  Contest contest;
+  contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
+  const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, contest.checked));
+  if (contest.checked > 0)
+    contest.note =
+        statistics::percent_to_places(
+            statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), contest.checked), 1) +
+        " % touch";
+
+  const auto add = [&](std::string name, auto ask, std::optional<Comparison> comparison) {
+    contest.contestants.push_back(contestant(
+        std::move(name), queries, truth, [ask](const TriangleQuery& q) { return ask(q.ball, q.triangle); },
+        comparison));
+  };
+  const auto fast = [](const Ball& b, const Triangle& t) { return fast::contact(b, t); };
+  const auto filtered = [](const Ball& b, const Triangle& t) { return filtered::contact(b, t); };
+  const auto ericson = [](const Ball& b, const Triangle& t) { return ericson_contact(b, t); };
+  add("fast", fast, std::nullopt);
+  add("filtered", filtered, Comparison{"fast", goal_of(family)});
+  add("Ericson", ericson,
+      Comparison{"fast", family == TriangleFamily::Random ? std::optional(Goal{1, false}) : std::nullopt});
+  if (const auto goal = goal_of_epeck(family)) {
+    const auto cartesian = [](const Ball& b, const Triangle& t) { return cgal::cartesian_contact(b, t); };
+    const auto epick = [](const Ball& b, const Triangle& t) { return cgal::epick_contact(b, t); };
+    const auto epeck = [](const Ball& b, const Triangle& t) { return cgal::epeck_contact(b, t); };
+    add("CGAL, doubles", cartesian, Comparison{"filtered", {}});
+    add("EPICK", epick, Comparison{"filtered", {}});
+    add("EPECK", epeck, Comparison{"filtered", goal});
+    contest.contestants.push_back(prepared_epeck(queries, truth));
+  }
+  return contest;
+}
+
+}  // namespace
+
+std::vector<Family> triangle_families() {
+  std::vector<Family> families;
+  for (const TriangleFamily family : all_triangle_families())
+    families.push_back({std::string(word(family)), std::string(summary(family)), {[family](const Settings& settings) {
+                          return draw(family, settings);
+                        }}});
+  return families;
+}
+
+}  // namespace touchstone::bench

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include "experiments/studies/bench_scenes/library.h"
+
+namespace touchstone::bench {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A triangle of ours where it lies; CGAL's is made when it is asked about.
+class Primitive {
+ public:
+  using Id = const Triangle*;
+  using Point = Kernel::Point_3;
+  using Datum = Kernel::Triangle_3;
+
+  Primitive() = default;
+  explicit Primitive(const Triangle* triangle) : triangle_(triangle) {}
+
+  [[nodiscard]] Id id() const { return triangle_; }
+  [[nodiscard]] Datum datum() const { return {point(triangle_->a), point(triangle_->b), point(triangle_->c)}; }
+  [[nodiscard]] Point reference_point() const { return point(triangle_->a); }
+
+ private:
+  const Triangle* triangle_ = nullptr;
+};
+
+/// CGAL means the surface of a ball, whose squared radius it rounds: balls that triangles lie wholly inside of are
+/// missed.
+class AabbTreeScene : public BuiltScene {
+ public:
+  explicit AabbTreeScene(std::span<const Triangle> triangles) : first_(triangles.data()) {
+    tree_.insert(triangles.data(), triangles.data() + triangles.size());
+    tree_.build();
+    tree_.accelerate_distance_queries();
+  }
+
+  bool any(const Ball& ball) override { return tree_.do_intersect(sphere(ball)); }
+
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+    triangles.clear();
+    const auto meet = [&](const Triangle* triangle) { triangles.push_back(number(triangle)); };
+    tree_.all_intersected_primitives(sphere(ball), boost::make_function_output_iterator(meet));
+  }
+
+  std::uint32_t nearest(const Eigen::Vector3d& center) override {
+    return number(tree_.closest_point_and_primitive(point(center)).second);
+  }
+
+ private:
+  static Kernel::Sphere_3 sphere(const Ball& ball) { return {point(ball.center), ball.radius * ball.radius}; }
+  [[nodiscard]] std::uint32_t number(const Triangle* triangle) const {
+    return static_cast<std::uint32_t>(triangle - first_);
+  }
+
+  const Triangle* first_;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree_;
+};
+
+}  // namespace
+
+Library cgal_aabb_tree_library() {
+  return {"CGAL AABB_tree",
+          [](std::span<const Triangle> triangles) { return std::make_unique<AabbTreeScene>(triangles); }};
+}
+
+}  // namespace touchstone::bench

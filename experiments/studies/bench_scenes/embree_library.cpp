@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <embree3/rtcore.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "experiments/methods/ericson.h"
+#include "experiments/studies/bench_scenes/library.h"
+#include "geometry/contact/fast_triangle.h"
+
+namespace touchstone::bench {
+namespace {
+
+/// Embree knows floats only: triangles and centres are rounded, so that its balls must reach farther by what that
+/// moves them. A triangle that a ball may touch is asked in doubles.
+class EmbreeScene : public BuiltScene {
+ public:
+  explicit EmbreeScene(std::span<const Triangle> triangles) : triangles_(triangles) {
+    if (device_ == nullptr) throw std::runtime_error("Embree: no device");
+    rtcSetDeviceMemoryMonitorFunction(device_, &EmbreeScene::count_memory, this);
+    scene_ = rtcNewScene(device_);
+    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill(geometry);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+    if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw std::runtime_error("Embree: no scene of these triangles");
+  }
+  ~EmbreeScene() override {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+
+  bool any(const Ball& ball) override {
+    Search search{*this, ball, nullptr, false, 0, 0};
+    run(search, &EmbreeScene::meet_for_any, reach(ball.radius, ball.center));
+    return search.found;
+  }
+
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+    triangles.clear();
+    Search search{*this, ball, &triangles, false, 0, 0};
+    run(search, &EmbreeScene::meet_for_all, reach(ball.radius, ball.center));
+  }
+
+  std::uint32_t nearest(const Eigen::Vector3d& center) override {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Search search{*this, {center, 0}, nullptr, false, 0, kInfinity};
+    run(search, &EmbreeScene::meet_for_nearest, std::numeric_limits<float>::infinity());
+    return search.nearest;
+  }
+
+  /// It has nodes that it did not get from malloc.
+  [[nodiscard]] std::optional<std::size_t> bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
+
+ private:
+  struct Search {
+    const EmbreeScene& scene;
+    Ball ball;
+    std::vector<std::uint32_t>* triangles;
+    bool found;
+    std::uint32_t nearest;
+    double squared_distance;
+  };
+
+  static bool count_memory(void* self, ssize_t bytes, bool) {
+    static_cast<EmbreeScene*>(self)->bytes_ += bytes;
+    return true;
+  }
+
+  void fill(RTCGeometry geometry) {
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), 3 * triangles_.size()));
+    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(unsigned), triangles_.size()));
+    unsigned count = 0;
+    for (const Triangle& t : triangles_)
+      for (const Eigen::Vector3d* point : {&t.a, &t.b, &t.c}) {
+        *index++ = count++;
+        for (int axis = 0; axis < 3; ++axis) *vertex++ = static_cast<float>((*point)[axis]);
+        largest_ = std::max(largest_, point->lpNorm<Eigen::Infinity>());
+      }
+  }
+
+  /// At least: the radius, what rounding moves, and what computing in floats may lose.
+  [[nodiscard]] float reach(double radius, const Eigen::Vector3d& center) const {
+    const double moved = 0x1p-22 * std::max(largest_, center.lpNorm<Eigen::Infinity>());
+    return static_cast<float>((radius + moved) * (1 + 0x1p-20));
+  }
+
+  void run(Search& search, RTCPointQueryFunction meet, float radius) {
+    const Eigen::Vector3f center = search.ball.center.cast<float>();
+    RTCPointQuery query{center.x(), center.y(), center.z(), 0, radius};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_, &query, &context, meet, &search);
+  }
+
+  static bool meet_for_any(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    if (search.found || !fast::contact(search.ball, search.scene.triangles_[arguments->primID])) return false;
+    search.found = true;
+    arguments->query->radius = 0;
+    return true;
+  }
+
+  static bool meet_for_all(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    if (fast::contact(search.ball, search.scene.triangles_[arguments->primID]))
+      search.triangles->push_back(arguments->primID);
+    return false;
+  }
+
+  static bool meet_for_nearest(RTCPointQueryFunctionArguments* arguments) {
+    auto& search = *static_cast<Search*>(arguments->userPtr);
+    const double squared = ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
+    if (!(squared < search.squared_distance)) return false;
+    search.squared_distance = squared;
+    search.nearest = arguments->primID;
+    arguments->query->radius = search.scene.reach(std::sqrt(squared), search.ball.center);
+    return true;
+  }
+
+  std::span<const Triangle> triangles_;
+  std::atomic<std::ptrdiff_t> bytes_{0};
+  double largest_ = 0;
+  RTCDevice device_ = rtcNewDevice("threads=1");
+  RTCScene scene_ = nullptr;
+};
+
+}  // namespace
+
+Library embree_library() {
+  return {kEmbree, [](std::span<const Triangle> triangles) { return std::make_unique<EmbreeScene>(triangles); }};
+}
+
+}  // namespace touchstone::bench

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/bench_scenes/library.h"
+
+#include <stdexcept>
+
+namespace touchstone::bench {
+
+std::uint32_t BuiltScene::nearest(const Eigen::Vector3d&) { throw std::logic_error("a library without `nearest`"); }
+
+std::vector<Library> all_libraries() {
+  std::vector<Library> libraries{touchstone_library()};
+#ifdef TOUCHSTONE_EMBREE
+  libraries.push_back(embree_library());
+#endif
+  libraries.push_back(boost_rtree_library());
+  libraries.push_back(cgal_aabb_tree_library());
+#ifdef TOUCHSTONE_FCL
+  libraries.push_back(fcl_library());
+#endif
+#ifdef TOUCHSTONE_BULLET
+  libraries.push_back(bullet_library());
+#endif
+  return libraries;
+}
+
+std::vector<std::string> absent_libraries() {
+  std::vector<std::string> absent;
+#ifndef TOUCHSTONE_EMBREE
+  absent.emplace_back("Embree 3 (libembree-dev)");
+#endif
+#ifndef TOUCHSTONE_FCL
+  absent.emplace_back("FCL (libfcl-dev)");
+#endif
+#ifndef TOUCHSTONE_BULLET
+  absent.emplace_back("Bullet (libbullet-dev)");
+#endif
+  return absent;
+}
+
+}  // namespace touchstone::bench

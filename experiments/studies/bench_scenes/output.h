@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/studies/bench_scenes/study.h"
+
+namespace touchstone::bench {
+
+/// Build times and memory of one scene.
+[[nodiscard]] std::string builds_table(const SceneResult& result);
+/// How the exact library's time grew.
+[[nodiscard]] std::string growth_table(const std::vector<Growth>& growths, const std::string& library);
+/// Every goal: ratios, builds, memory, growth; how many were met, and which were not.
+[[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
+/// What is compared, and what the columns mean.
+[[nodiscard]] std::string scene_legend();
+
+[[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
+
+/// queries.csv, builds.csv and growth.csv. Throws std::runtime_error where they cannot be written.
+void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
+
+}  // namespace touchstone::bench

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/bench_scenes/study.h"
+
+#include <fmt/core.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/statistics/percent.h"
+
+namespace touchstone::bench {
+namespace {
+
+using Balls = std::shared_ptr<const std::vector<Ball>>;
+using Numbers = std::vector<std::uint32_t>;
+
+/// Handed out by malloc, in all arenas.
+double allocated_bytes() {
+  const struct mallinfo2 info = ::mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+struct Built {
+  const Library* library;
+  std::shared_ptr<BuiltScene> scene;
+};
+
+/// Small scenes are built some times: the first time pays for what a library does once.
+Built build(const Library& library, const std::vector<Triangle>& triangles, Build& record) {
+  constexpr double kEnough = 0.2;
+  constexpr std::size_t kMostTimes = 5;
+  Built built{&library, nullptr};
+  double spent = 0;
+  do {
+    built.scene.reset();
+    const double before = allocated_bytes();
+    const auto begin = std::chrono::steady_clock::now();
+    built.scene = library.build(triangles);
+    record.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    spent += record.seconds.back();
+    const auto known = built.scene->bytes();
+    const double bytes = known ? static_cast<double>(*known) : allocated_bytes() - before;
+    record.bytes = bytes / static_cast<double>(triangles.size());
+  } while (spent < kEnough && record.seconds.size() < kMostTimes);
+  return built;
+}
+
+/// What is right about the first balls, said by the exact library.
+struct Truth {
+  std::vector<Numbers> touched;   ///< where the question is any or all
+  std::vector<double> distances;  ///< where it is nearest
+};
+
+Numbers sorted(Numbers numbers) {
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
+/// One question to one library about one ball: a number that stands for the answer.
+std::uint64_t ask(BuiltScene& scene, SceneQuestion question, const Ball& ball, Numbers& numbers) {
+  switch (question) {
+    case SceneQuestion::Any: return scene.any(ball) ? 1 : 0;
+    case SceneQuestion::All: scene.all(ball, numbers); return numbers.size();
+    case SceneQuestion::Nearest: return scene.nearest(ball.center);
+  }
+  return 0;
+}
+
+/// A contest about one scene.
+class Asking {
+ public:
+  Asking(const std::vector<Triangle>& triangles, SceneQuestion question, Balls balls)
+      : triangles_(triangles), question_(question), balls_(std::move(balls)) {}
+
+  void find_truth(BuiltScene& exact, std::size_t count) {
+    for (const Ball& ball : std::span(*balls_).first(count)) {
+      Numbers numbers;
+      if (question_ == SceneQuestion::Nearest) {
+        truth_.distances.push_back(distance(exact.nearest(ball.center), ball));
+      } else {
+        exact.all(ball, numbers);
+        truth_.touched.push_back(sorted(std::move(numbers)));
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t sum(BuiltScene& scene, std::size_t count) const {
+    std::uint64_t sum = 0;
+    Numbers numbers;
+    for (std::size_t i = 0; i < count; ++i) sum += ask(scene, question_, (*balls_)[i], numbers);
+    return sum;
+  }
+
+  [[nodiscard]] bool wrong(BuiltScene& scene, std::size_t i) const {
+    const Ball& ball = (*balls_)[i];
+    Numbers numbers;
+    switch (question_) {
+      case SceneQuestion::Any: return scene.any(ball) == truth_.touched[i].empty();
+      case SceneQuestion::All: scene.all(ball, numbers); return sorted(std::move(numbers)) != truth_.touched[i];
+      case SceneQuestion::Nearest: return distance(scene.nearest(ball.center), ball) != truth_.distances[i];
+    }
+    return true;
+  }
+
+  /// Does the exact library differ from brute force?
+  [[nodiscard]] bool disputed(BuiltScene& exact, std::size_t i) const {
+    const Ball& ball = (*balls_)[i];
+    if (question_ == SceneQuestion::Nearest)
+      return truth_.distances[i] != least_distance_by_brute_force(triangles_, ball.center);
+    const Numbers touched = touched_by_brute_force(triangles_, ball);
+    return touched != truth_.touched[i] || exact.any(ball) == touched.empty();
+  }
+
+  [[nodiscard]] std::string note(std::size_t count) const {
+    if (question_ == SceneQuestion::Nearest || count == 0) return "";
+    std::size_t touching = 0, touched = 0;
+    for (const Numbers& numbers : truth_.touched) {
+      touching += numbers.empty() ? 0 : 1;
+      touched += numbers.size();
+    }
+    return fmt::format("{} % touch, {:.1f} triangles on average",
+                       statistics::percent_to_places(statistics::share_of(touching, count), 0),
+                       static_cast<double>(touched) / static_cast<double>(count));
+  }
+
+ private:
+  [[nodiscard]] double distance(std::uint32_t number, const Ball& ball) const {
+    return number < triangles_.size() ? exact_distance(triangles_[number], ball.center) : std::nan("");
+  }
+
+  const std::vector<Triangle>& triangles_;
+  SceneQuestion question_;
+  Balls balls_;
+  Truth truth_;
+};
+
+/// At most so many balls are asked by brute force, so that a contest of any size takes about a second of it.
+std::size_t brute_force_count(std::size_t triangles, std::size_t checked) {
+  constexpr std::size_t kTriangles = 50'000'000, kFewest = 10, kMost = 200;
+  return std::min(checked, std::clamp(kTriangles / triangles, kFewest, kMost));
+}
+
+std::string name_of(BallPlace place, SceneQuestion question) {
+  return fmt::format("{}, {}", word(place), word(question));
+}
+
+/// What is asked of the exact library is asked of a million triangles; balls that just touch take what they take.
+std::optional<Goal> goal_of(std::size_t triangles, BallPlace place, SceneQuestion question) {
+  const auto millions = static_cast<double>(triangles) / 1e6;
+  if (std::lround(millions) != 1 || place == BallPlace::Touching || question == SceneQuestion::Nearest)
+    return std::nullopt;
+  return Goal{1};
+}
+
+Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact, BallPlace place,
+                   SceneQuestion question, const Balls& balls, std::vector<std::string>& disputes, std::uint64_t seed) {
+  constexpr std::size_t kMostChecked = 2000;
+  Contest contest;
+  contest.name = name_of(place, question);
+  contest.checked = std::min(balls->size(), kMostChecked);
+  const auto asking = std::make_shared<Asking>(scene.triangles, question, balls);
+  asking->find_truth(*exact.scene, contest.checked);
+  contest.note = asking->note(contest.checked);
+  const bool embree = std::ranges::any_of(built, [](const Built& b) { return b.library->name == kEmbree; });
+  for (const Built& b : built) {
+    if (question == SceneQuestion::Nearest && !b.library->knows_nearest) continue;
+    Contestant contestant;
+    contestant.name = b.library->name;
+    contestant.queries = balls->size();
+    contestant.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
+    if (b.library->exact) {
+      contestant.most_checked = brute_force_count(scene.triangles.size(), contest.checked);
+      if (embree) contestant.comparison = {kEmbree, goal_of(scene.triangles.size(), place, question)};
+      contestant.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
+                                name = contest.name](std::size_t count) {
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+          if (!asking->disputed(*one, i)) continue;
+          ++wrong;
+          disputes.push_back(
+              fmt::format("{}, {} triangles, {}, seed {}, ball {}", scene.kind, scene.triangles.size(), name, seed, i));
+        }
+        return wrong;
+      };
+    } else {
+      contestant.comparison = {exact.library->name, std::nullopt};
+      contestant.count_wrong = [asking, one = b.scene](std::size_t count) {
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < count; ++i) wrong += asking->wrong(*one, i) ? 1 : 0;
+        return wrong;
+      };
+    }
+    contest.contestants.push_back(std::move(contestant));
+  }
+  return contest;
+}
+
+/// Their radii are the exact distances.
+void make_touch(std::vector<Ball>& balls, const std::vector<Triangle>& triangles, BuiltScene& exact) {
+  for (Ball& ball : balls) ball.radius = exact_distance(triangles[exact.nearest(ball.center)], ball.center);
+}
+
+Balls draw(BallPlace place, const NamedScene& scene, const SceneSettings& settings, BuiltScene& exact) {
+  constexpr std::uint64_t kMostTouching = 20'000;  // a second
+  const std::uint64_t count =
+      place == BallPlace::Touching ? std::min(settings.samples, kMostTouching) : settings.samples;
+  std::vector<Ball> balls = draw_scene_balls(place, scene.triangles, count, settings.seed);
+  if (place == BallPlace::Touching) make_touch(balls, scene.triangles, exact);
+  return std::make_shared<const std::vector<Ball>>(std::move(balls));
+}
+
+const Measured* find(const Result& result, const std::string& library) {
+  const auto found = std::ranges::find(result.contestants, library, &Measured::name);
+  return found == result.contestants.end() || found->nanoseconds.empty() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string_view word(SceneQuestion question) {
+  switch (question) {
+    case SceneQuestion::Any: return "any";
+    case SceneQuestion::All: return "all";
+    case SceneQuestion::Nearest: return "nearest";
+  }
+  return "";
+}
+
+SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries, const SceneSettings& settings,
+                          const std::atomic<bool>& stop, const std::function<void(const SceneResult&)>& built,
+                          const std::function<void(const SceneContest&)>& keep) {
+  SceneResult result{scene.kind, scene.triangles.size(), {}, {}, {}};
+  const std::string title = fmt::format("{}, {} triangles", scene.kind, scene.triangles.size());
+  std::vector<Built> all;
+  {
+    run::ProgressLine line("bench: building " + title, libraries.size());
+    for (const Library& library : libraries) {
+      if (stop) break;
+      result.builds.push_back({library.name, {}, 0});
+      all.push_back(build(library, scene.triangles, result.builds.back()));
+      line(all.size());
+    }
+  }
+  built(result);
+  if (stop) return result;
+  const auto exact = std::ranges::find_if(all, [](const Built& b) { return b.library->exact; });
+  if (exact == all.end()) throw std::invalid_argument("bench: none of the libraries is exact");
+
+  using enum SceneQuestion;
+  for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere, BallPlace::Touching}) {
+    if (stop) break;
+    const Balls balls = draw(place, scene, settings, *exact->scene);
+    for (const SceneQuestion question : {Any, All, Nearest}) {
+      if (stop || (place == BallPlace::Touching && question == Nearest)) break;
+      const Contest contest = contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
+      run::ProgressLine line(fmt::format("bench: {}, {}", title, contest.name), settings.repetitions);
+      result.contests.push_back({place, question,
+                                 measure(
+                                     title, contest, settings.repetitions, stop,
+                                     [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
+      keep(result.contests.back());
+    }
+  }
+  return result;
+}
+
+std::vector<Growth> growths(const std::vector<SceneResult>& results) {
+  constexpr std::size_t kSmallest = 9'900;
+  std::vector<Growth> all;
+  for (const SceneResult& large : results) {
+    const auto small = std::ranges::find_if(
+        results, [&](const SceneResult& r) { return r.kind == large.kind && r.triangles >= kSmallest; });
+    if (small == results.end() || small->triangles >= large.triangles) continue;
+    for (const SceneContest& contest : large.contests) {
+      const auto before = std::ranges::find_if(small->contests, [&](const SceneContest& c) {
+        return c.place == contest.place && c.question == contest.question;
+      });
+      if (before == small->contests.end()) continue;
+      for (const Measured& m : contest.result.contestants) {
+        const Measured* base = find(before->result, m.name);
+        if (base == nullptr || m.nanoseconds.empty()) continue;
+        all.push_back(
+            {large.kind, m.name, contest.place, contest.question, small->triangles, large.triangles,
+             quartiles(m.nanoseconds).median / quartiles(base->nanoseconds).median,
+             std::log(static_cast<double>(large.triangles)) / std::log(static_cast<double>(small->triangles))});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace touchstone::bench

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/bench_scenes/library.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::bench {
+namespace {
+
+class ExactScene : public BuiltScene {
+ public:
+  explicit ExactScene(std::span<const Triangle> triangles) {
+    scene_.add("scene", {.triangles = {triangles.begin(), triangles.end()}, .polygons = {}});
+  }
+
+  bool any(const Ball& ball) override { return scene_.touches(ball); }
+
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+    triangles.clear();
+    for (const scene::FaceId& id : scene_.touched(ball)) triangles.push_back(id.face);
+  }
+
+  std::uint32_t nearest(const Eigen::Vector3d& center) override { return scene_.nearest({center, 0})->face.face; }
+
+ private:
+  scene::Scene scene_;
+};
+
+}  // namespace
+
+Library touchstone_library() {
+  return {"Scene", [](std::span<const Triangle> triangles) { return std::make_unique<ExactScene>(triangles); }, true};
+}
+
+}  // namespace touchstone::bench

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "experiments/commands.h"
+#include "experiments/studies/merging/output.h"
+#include "experiments/studies/merging/study.h"
+#include "experiments/workloads/meshes/named_meshes.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/real_number.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "geometry/io/legible.h"
+#include "geometry/io/read_mesh.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace merging;
+
+struct MergeOptions {
+  std::vector<std::string> files;
+  Settings settings;
+  bool skip_bad = false, force = false;
+  std::string output = "results/merge";
+};
+
+std::string command_line(const MergeOptions& options) {
+  std::string line = "touchstone merge";
+  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  const Settings& s = options.settings;
+  line += fmt::format(" --tolerance {} --compare {} --least {} --repetitions {} --seed {} --output {}", s.tolerance,
+                      s.balls, s.least, s.repetitions, s.seed, run::shell_quoted(options.output));
+  if (options.skip_bad) line += " --skip-bad";
+  return line;
+}
+
+constexpr std::size_t kShown = 3;  // sentences a mesh
+
+/// What is wrong in the file, and so was not read.
+void tell_left_out(const std::string& file, const ReadMesh& mesh) {
+  for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
+  if (mesh.parts_left_out > mesh.left_out.size())
+    fmt::print(stderr, "touchstone: left out: {}: {} more parts\n", io::all_legible(file),
+               mesh.parts_left_out - mesh.left_out.size());
+}
+
+/// Faces that are no polygons, and so were not merged.
+void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
+  for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
+    const auto& [face, rejection] = rejected[i];
+    const std::string reason = fmt::format("face {}: {}: {}", face, word(rejection.code), rejection.message);
+    fmt::print(stderr, "touchstone: left out: {}\n", io::sentence(file, mesh.places[face], reason));
+  }
+  if (rejected.size() > kShown)
+    fmt::print(stderr, "touchstone: left out: {}: {} more faces\n", io::all_legible(file), rejected.size() - kShown);
+}
+
+int run(const MergeOptions& options) {
+  constexpr int kBadInput = 2;
+  const std::filesystem::path folder = options.output;
+  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const auto begin = std::chrono::steady_clock::now();
+  const run::Interrupt interrupt;
+  std::vector<MeshResult> results;
+  const std::vector<std::string> names = real_input::short_names(options.files);
+  bool all_right = true;
+  std::size_t done = 0;  // files, those too that cannot be read
+  {
+    run::ProgressLine line("merge", options.files.size());
+    for (const std::string& file : options.files) {
+      if (interrupt.requested()) break;
+      try {
+        const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+        tell_left_out(file, mesh);
+        std::optional<MeshResult> result = study(options.settings, names[done], mesh.mesh, interrupt.requested());
+        if (!result) break;
+        results.push_back(std::move(*result));
+        tell_rejected(file, mesh, results.back().rejected);
+        all_right = all_right && (options.skip_bad || results.back().rejected.empty());
+      } catch (const BrokenMesh& broken) {
+        fmt::print(stderr, "touchstone: {}\n", broken.what());
+        all_right = false;
+      }
+      line(++done);
+    }
+  }
+  const bool interrupted = done < options.files.size();
+  if (results.empty() && !interrupted) return kBadInput;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  write_counts(folder, results);
+  write_polygons(folder, results);
+  write_times(folder, results);
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .seed = options.settings.seed,
+                                 .samples_asked = options.files.size(),
+                                 .samples_done = results.size(),
+                                 .samples_missing = options.files.size() - results.size(),
+                                 .seconds = seconds,
+                                 .interrupted = interrupted});
+  fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
+             table(options.settings, results), results.size(), options.files.size(), seconds,
+             options.settings.tolerance, options.settings.balls, options.settings.seed,
+             io::all_legible(folder.string()));
+  run::flush_standard_output();
+  if (interrupted) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
+               options.files.size());
+    return run::kInterrupted;
+  }
+  return all_right ? 0 : kBadInput;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand(
+      "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
+  auto options = std::make_shared<MergeOptions>();
+  Settings& settings = options->settings;
+  run::add_meshes(*command, options->files, "Mesh files");
+  command
+      ->add_option("--tolerance", settings.tolerance,
+                   "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")
+      ->check(run::real_number(0, 1e300))
+      ->capture_default_str();
+  command->add_option("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes")
+      ->check(run::whole_number(0, 10'000'000))
+      ->capture_default_str();
+  command->add_option("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least")
+      ->check(run::whole_number(2))
+      ->capture_default_str();
+  command->add_option("--repetitions", settings.repetitions, "Of every timing")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  run::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
+  command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
+  command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
+  run::add_force(*command, options->force);
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::commands

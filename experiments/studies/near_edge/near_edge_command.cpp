@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "experiments/commands.h"
+#include "experiments/studies/near_edge/output.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace near_edge;
+
+struct Options {
+  std::vector<std::string> methods{"fast", "fast-float", "thesis", "thesis-signed"};
+  std::vector<std::string> families{"all"};
+  std::uint64_t samples = 1000;  // about 35 s on two cores
+  std::uint64_t seed = 1;
+  unsigned threads = run::all_threads();
+  Shape shape;
+  std::string truth = "exact";
+  std::uint64_t search = 100;  // about 20 s
+  bool force = false, resume = false;
+  std::string output = "results/near-edge";
+  bool no_pictures = false;
+};
+
+std::string family_words(const Settings& settings) {
+  std::vector<std::string> words;
+  for (const auto family : settings.families) words.emplace_back(word(family));
+  return run::joined(words);
+}
+
+std::string method_names(const Settings& settings) {
+  std::vector<std::string> names;
+  for (const auto* method : settings.methods) names.emplace_back(method->name());
+  return run::joined(names);
+}
+
+std::string command_line(const Options& options) {
+  std::string line = fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {}",
+                                 run::joined(options.methods), run::joined(options.families), options.samples,
+                                 options.seed, options.threads);
+  const Shape usual;
+  if (options.shape.vertices != usual.vertices) line += fmt::format(" --vertices {}", options.shape.vertices);
+  if (options.shape.holes != usual.holes) line += fmt::format(" --holes {}", options.shape.holes);
+  if (options.shape.origin_distance != usual.origin_distance)
+    line += fmt::format(" --origin-distance {}", options.shape.origin_distance);
+  line += fmt::format(" --truth {} --search {} --output {}", options.truth, options.search,
+                      run::shell_quoted(options.output));
+  if (options.resume) line += " --resume";
+  if (options.no_pictures) line += " --no-pictures";
+  return line;
+}
+
+/// Maps and pictures of an earlier run would belong to other tables.
+void remove_old(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    for (const char* start : {"map-", "maps", "rates-", "onset", "worst"})
+      if (name.starts_with(start)) std::filesystem::remove(entry.path());
+  }
+}
+
+// Raised where sample n of a seed becomes another one, or the form of what is kept changes.
+constexpr int kVersion = 1;
+
+/// All that the results depend on, by the names of the options.
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  return {{"version", kVersion},
+          {"seed", settings.seed},
+          {"method", method_names(settings)},
+          {"families", family_words(settings)},
+          {"vertices", settings.shape.vertices},
+          {"holes", settings.shape.holes},
+          {"origin-distance", settings.shape.origin_distance},
+          {"truth", std::string(settings.truth->name())}};
+}
+
+/// One run with all processes; what it holds in between is the first one's.
+class Run {
+ public:
+  Run(const Options& options, const run::Processes& processes)
+      : options_(options),
+        processes_(processes),
+        folder_(options.output),
+        settings_{methods::find_methods(options.methods),
+                  workloads::find_families(options.families),
+                  options.samples,
+                  options.seed,
+                  options.threads,
+                  options.shape,
+                  methods::find_method(options.truth)} {}
+
+  int operator()() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (processes_.first())
+      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
+    const std::uint64_t before = sample();
+    const double seconds_of_samples = seconds_since(begin);
+    if (processes_.first()) {
+      remove_old(folder_);
+      write_rates(folder_, settings_, result_.counts);
+      write_bands(folder_, settings_, result_.counts);
+      write_disagreements(folder_, result_);
+    }
+    draw();
+    search();
+    if (!processes_.first()) return 0;
+
+    run::write_run_record(folder_, {.command = command_line(options_),
+                                    .seed = settings_.seed,
+                                    .samples_asked = settings_.samples,
+                                    .samples_done = result_.samples,
+                                    .samples_missing = result_.missing,
+                                    .threads = settings_.threads,
+                                    .seconds = seconds_since(begin),
+                                    .processes = processes_.count(),
+                                    .interrupted = interrupt_.requested()});
+    fmt::print("{}", table(settings_, result_.counts));
+    fmt::print(
+        "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"
+        " ({:.0f} a second of all); {:.0f} s in all.\n",
+        result_.samples, result_.missing, result_.samples - before, seconds_of_samples,
+        static_cast<double>((result_.samples - before) * strata_asked()) / seconds_of_samples, seconds_since(begin));
+    if (options_.search > 0) fmt::print("\n{}", search_table(settings_, onsets_, worst_));
+    run::flush_standard_output();
+    return tell_end();
+  }
+
+ private:
+  static double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  /// Strata of the selected families.
+  [[nodiscard]] std::uint64_t strata_asked() const {
+    return all_strata().size() / workloads::all_families().size() * settings_.families.size();
+  }
+
+  /// Returns how many samples an earlier run had done.
+  std::uint64_t sample() {
+    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    result_ = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
+                         [](const Result& result) { return result.samples; });
+    const std::uint64_t before = result_.samples;
+    run::ProgressLine line("near-edge: samples", settings_.samples, before);
+    run_study(settings_, run::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
+    return before;
+  }
+
+  void draw() {
+    run::ProgressLine line("near-edge: maps", map_rows());
+    const auto maps = draw_maps(settings_.methods, settings_.seed, settings_.threads, processes_,
+                                interrupt_.requested(), [&](std::uint64_t done) { line(done); });
+    if (processes_.first()) write_maps(folder_, settings_, maps);
+  }
+
+  void search() {
+    if (options_.search == 0) return;
+    const run::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
+    onsets_ = run::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
+                         [](const Onsets& onsets) { return onsets.done; });
+    const std::uint64_t before = onsets_.done;
+    {
+      run::ProgressLine line("near-edge: search", options_.search, before);
+      run_onsets(settings_, options_.search, run::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint),
+                 onsets_);
+    }
+    run::ProgressLine line("near-edge: climbs", climb_count(settings_));
+    run_climbs(
+        settings_,
+        {.processes = processes_, .stop = interrupt_.requested(), .progress = [&](std::uint64_t done) { line(done); }},
+        onsets_, worst_);
+    if (!processes_.first()) return;
+    write_onsets(folder_, settings_, onsets_);
+    write_worst(folder_, settings_, onsets_, worst_);
+  }
+
+  [[nodiscard]] int tell_end() const {
+    const std::uint64_t differing = result_.disagreements.count() + worst_.wrong_truths;
+    if (differing > 0)
+      fmt::print(stderr,
+                 "touchstone: {} DIFFERS FROM exact {} times ({} times in the search): a defect of this program. "
+                 "See {}; `touchstone judge --method {}` takes it\n",
+                 options_.truth, differing, worst_.wrong_truths, (folder_ / "disagreements.jsonl").string(),
+                 options_.truth);
+    if (settings_.truth->name() != "exact")
+      fmt::print("{} was held against exact about {} balls: {} differences.\n", options_.truth, result_.checked,
+                 result_.disagreements.count());
+    run::flush_standard_output();
+    if (interrupt_.requested()) {
+      fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume goes on\n",
+                 options_.output, result_.samples, settings_.samples);
+      return run::kInterrupted;
+    }
+    if (!options_.no_pictures) run::draw_pictures("near_edge", *held_);
+    return differing > 0 ? 1 : 0;
+  }
+
+  const Options& options_;
+  const run::Processes& processes_;
+  std::filesystem::path folder_;
+  std::optional<run::OutputFolder> held_;  // by the first process
+  Settings settings_;
+  run::Interrupt interrupt_;
+  Result result_;
+  Onsets onsets_;
+  WorstCases worst_;
+};
+
+}  // namespace
+
+void add_near_edge(CLI::App& app, int& status) {
+  auto* command =
+      app.add_subcommand("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
+  auto options = std::make_shared<Options>();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
+  command->add_option("--samples", options->samples, "Samples of each family, placement and threshold")
+      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->capture_default_str();
+  run::add_seed(*command, options->seed);
+  run::add_threads(*command, options->threads, "Of each process; they do not change the results");
+  command->add_option("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows")
+      ->check(run::whole_number(3, 1U << 17))
+      ->capture_default_str();
+  command->add_option("--holes", options->shape.holes, "Holes of each polygon; those without room are missing")
+      ->check(run::whole_number(0, 1000))
+      ->capture_default_str();
+  command->add_option("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes")
+      ->check(CLI::Range(0.0, 0x1p30))
+      ->capture_default_str();
+  command
+      ->add_option("--truth", options->truth,
+                   "What says who is right; filtered is quicker, and held against exact where a method errs and in "
+                   "a hundredth of the samples")
+      ->check(CLI::IsMember({"exact", "filtered"}))
+      ->capture_default_str();
+  command
+      ->add_option("--search", options->search,
+                   "Search for the furthest wrong answers from so many samples of each family, threshold and "
+                   "distance from the origin")
+      ->check(run::whole_number(0, kMostSamples))
+      ->capture_default_str();
+  run::add_resume(*command, options->resume);
+  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  run::add_force(*command, options->force);
+  run::add_no_pictures(*command, options->no_pictures);
+  command->callback([options, &status] {
+    status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+  });
+}
+
+}  // namespace touchstone::commands

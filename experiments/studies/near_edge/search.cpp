@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/near_edge/search.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/workloads/ulp.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+constexpr std::uint64_t kClimbStream = std::uint64_t{1} << 33;
+
+/// All regions and methods of one search.
+class Search {
+ public:
+  explicit Search(const Settings& settings)
+      : settings_(settings),
+        regions_(search_regions(settings.families)),
+        filtered_(*methods::find_method("filtered")),
+        exact_(*methods::find_method("exact")) {
+    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+  }
+
+  void measure(std::uint64_t n, Onsets& part) const {
+    ++part.done;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      const auto at = draw_at_threshold(place(regions_[r], n));
+      if (!at) {
+        ++part.missing;
+        continue;
+      }
+      const auto truth = filtered_.prepare(at->polygon);
+      for (std::size_t m = 0; m < settings_.methods.size(); ++m) {
+        const auto method = settings_.methods[m]->prepare(at->polygon);
+        const WrongReach reach = wrong_reach(*at, *method, knows_boundary_[m], *truth);
+        Onset one;
+        one.samples = 1;
+        for (std::size_t k = 0; k < reach.wrong.size(); ++k) one.wrong[k] = reach.wrong[k] ? 1 : 0;
+        if (reach.furthest) one.furthest = {{reach.share, n}};
+        part.all[r * settings_.methods.size() + m] += one;
+      }
+    }
+  }
+
+  /// From one of the furthest samples of a region and method.
+  void climb_from(std::size_t region_and_method, const Find& find, WorstCases& part) const {
+    const Region& region = regions_[region_and_method / settings_.methods.size()];
+    const std::size_t m = region_and_method % settings_.methods.size();
+    const methods::Method& method = *settings_.methods[m];
+    auto start = draw_at_threshold(place(region, find.n));
+    const workloads::Random random(settings_.seed, find.n, kClimbStream + region_and_method);
+    const auto [at, reach] = climb(*std::move(start), method, random);
+    if (!reach.furthest) return;
+
+    const Ball& ball = *reach.furthest;
+    const auto truth = exact_.prepare(at.polygon)->ask(ball, question(at.test()));
+    const auto verdict =
+        compare(at.test(), method.prepare(at.polygon)->ask(ball, question(at.test())), truth, knows_boundary_[m]);
+    if (verdict == judge::Outcome::Right) {
+      ++part.wrong_truths;
+      return;
+    }
+    Worst& worst = part.all[region_and_method];
+    const Worst found{reach.share, find.n, doubles_moved(at, ball), line(region, method, find.n, at, ball, truth)};
+    if (is_worse(found, worst)) worst = found;
+  }
+
+  static bool is_worse(const Worst& a, const Worst& b) { return Find{a.share, a.n} < Find{b.share, b.n}; }
+
+ private:
+  [[nodiscard]] SamplePlace place(const Region& region, std::uint64_t n) const {
+    Shape shape = settings_.shape;
+    shape.origin_distance = region.origin_distance;
+    return {region.stratum, shape, settings_.seed, n};
+  }
+
+  static std::int64_t doubles_moved(const AtThreshold& at, const Ball& ball) {
+    if (at.moved_axis < 0) return workloads::doubles_between(at.ball.radius, ball.radius);
+    return workloads::doubles_between(at.ball.center[at.moved_axis], ball.center[at.moved_axis]);
+  }
+
+  [[nodiscard]] std::string line(const Region& region, const methods::Method& method, std::uint64_t n,
+                                 const AtThreshold& at, const Ball& ball, const methods::PartialAnswer& truth) const {
+    methods::PartialAnswer expected;
+    if (at.test() == Test::Contact)
+      expected.contact = truth.contact;
+    else
+      expected.foot = truth.foot;
+    const std::vector<std::string> tags{"worst", std::string(method.name())};
+    return judge::to_line(judge::case_of("worst-" + std::string(method.name()) + "-" + id(place(region, n)), ball,
+                                         at.polygon, tags, judge::object_of(expected)));
+  }
+
+  const Settings& settings_;
+  std::vector<Region> regions_;
+  const methods::Method &filtered_, &exact_;
+  std::vector<bool> knows_boundary_;
+};
+
+WorstCases no_worst_cases(const Settings& settings) {
+  return {std::vector<Worst>(search_regions(settings.families).size() * settings.methods.size()), 0};
+}
+
+/// The first process's, at every process.
+Onsets shared(const run::Processes& processes, const Onsets& onsets) {
+  std::string packed;
+  if (processes.first()) nlohmann::ordered_json::to_cbor(nlohmann::ordered_json(onsets), packed);
+  return nlohmann::json::from_cbor(processes.of_first(packed)).get<Onsets>();
+}
+
+}  // namespace
+
+std::vector<Region> search_regions(const std::vector<workloads::Family>& families) {
+  std::vector<Region> regions;
+  for (const workloads::Family family : families)
+    for (std::size_t s = 0; s < all_strata().size(); ++s) {
+      const Stratum& stratum = all_strata()[s];
+      if (stratum.family != family || stratum.placement != workloads::Placement::Rotated) continue;
+      for (const double distance : kSearchDistances) regions.push_back({s, distance});
+    }
+  return regions;
+}
+
+Onset& Onset::operator+=(const Onset& other) {
+  for (std::size_t k = 0; k < wrong.size(); ++k) wrong[k] += other.wrong[k];
+  samples += other.samples;
+  furthest.insert(furthest.end(), other.furthest.begin(), other.furthest.end());
+  std::sort(furthest.begin(), furthest.end());
+  if (furthest.size() > kMostKept) furthest.resize(kMostKept);
+  return *this;
+}
+
+Onsets& Onsets::operator+=(const Onsets& other) {
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] += other.all[i];
+  done += other.done;
+  missing += other.missing;
+  return *this;
+}
+
+WorstCases& WorstCases::operator+=(const WorstCases& other) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (Search::is_worse(other.all[i], all[i])) all[i] = other.all[i];
+  wrong_truths += other.wrong_truths;
+  return *this;
+}
+
+void to_json(nlohmann::ordered_json& json, const Onsets& onsets) {
+  auto all = nlohmann::ordered_json::array();
+  for (const Onset& onset : onsets.all) {
+    auto furthest = nlohmann::ordered_json::array();
+    for (const Find& find : onset.furthest) furthest.push_back({find.share, find.n});
+    all.push_back({onset.wrong, onset.samples, furthest});
+  }
+  json = {{"done", onsets.done}, {"missing", onsets.missing}, {"onsets", all}};
+}
+
+void from_json(const nlohmann::json& json, Onsets& onsets) {
+  onsets = {{}, json.at("done").get<std::uint64_t>(), json.at("missing").get<std::uint64_t>()};
+  for (const auto& from : json.at("onsets")) {
+    Onset onset;
+    for (std::size_t k = 0; k < onset.wrong.size(); ++k) onset.wrong[k] = from.at(0).at(k).get<std::uint64_t>();
+    onset.samples = from.at(1).get<std::uint64_t>();
+    for (const auto& find : from.at(2))
+      onset.furthest.push_back({find.at(0).get<double>(), find.at(1).get<std::uint64_t>()});
+    onsets.all.push_back(std::move(onset));
+  }
+}
+
+void to_json(nlohmann::ordered_json& json, const WorstCases& worst) {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& [share, n, doubles, line] : worst.all) all.push_back({share, n, doubles, line});
+  json = {{"wrong_truths", worst.wrong_truths}, {"worst", all}};
+}
+
+void from_json(const nlohmann::json& json, WorstCases& worst) {
+  worst = {{}, json.at("wrong_truths").get<std::uint64_t>()};
+  for (const auto& from : json.at("worst"))
+    worst.all.push_back({from.at(0).get<double>(), from.at(1).get<std::uint64_t>(), from.at(2).get<std::int64_t>(),
+                         from.at(3).get<std::string>()});
+}
+
+Onsets no_onsets(const Settings& settings) {
+  return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
+}
+
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::Course<Onsets>& course,
+                         Onsets& onsets) {
+  const Search search(settings);
+  return run::run_sweep(
+      {samples, 1, settings.threads, course.processes, course.stop, course.progress},
+      [&](std::uint64_t n, Onsets& part) { search.measure(n, part); },
+      [&](std::uint64_t, const Onsets& now) { course.save(now); }, no_onsets(settings), onsets.done, onsets);
+}
+
+std::uint64_t climb_count(const Settings& settings) {
+  return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
+}
+
+std::uint64_t run_climbs(const Settings& settings, const run::Course<WorstCases>& course, const Onsets& onsets,
+                         WorstCases& worst) {
+  const Search search(settings);
+  const Onsets starts = shared(course.processes, onsets);
+  worst = no_worst_cases(settings);
+  return run::run_sweep(
+      {climb_count(settings), 1, settings.threads, course.processes, course.stop, course.progress},
+      [&](std::uint64_t i, WorstCases& part) {
+        const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;
+        const std::vector<Find>& furthest = starts.all[where].furthest;
+        if (rank < furthest.size()) search.climb_from(where, furthest[rank], part);
+      },
+      [](std::uint64_t, const WorstCases&) {}, no_worst_cases(settings), 0, worst);
+}
+
+}  // namespace touchstone::near_edge

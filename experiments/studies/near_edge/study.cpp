@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/near_edge/study.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+
+#include "experiments/cases/verdict.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+using methods::PartialAnswer;
+
+/// All questions about one crossing.
+class Sample {
+ public:
+  Sample(const Settings& settings, const SamplePlace& place, const Crossing& crossing, Result& result)
+      : settings_(settings), place_(place), crossing_(crossing), result_(result) {
+    for (auto& wrong : wrong_) wrong.resize(crossing.balls.size());
+  }
+
+  void ask(std::size_t m, bool knows_boundary) {
+    const auto prepared = settings_.methods[m]->prepare(crossing_.polygon);
+    for (const Test test : kTests) {
+      std::vector<bool> failed;
+      for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
+        const auto answer = prepared->ask(crossing_.balls[i], question(test));
+        const auto verdict = compare(test, answer, crossing_.truths[i], knows_boundary);
+        if (!verdict && !answer.unsure) break;  // the method has no such test
+        failed.push_back(verdict != Outcome::Right);
+        if (verdict && failed.back()) wrong_[static_cast<std::size_t>(test)][i] = true;
+      }
+      if (failed.size() == crossing_.balls.size()) result_.counts.add(place_.stratum, test, m, failed);
+    }
+  }
+
+  /// Holds the truth that was used against `exact`: about every ball, or those on which a method came out wrong.
+  void check(bool every_ball) {
+    std::unique_ptr<methods::PreparedMethod> exact;
+    std::vector<Disagreement> found;
+    for (const Test test : kTests) {
+      const std::vector<bool>& wrong = wrong_[static_cast<std::size_t>(test)];
+      const auto failures = static_cast<std::size_t>(std::count(wrong.begin(), wrong.end(), true));
+      const std::size_t count = every_ball ? crossing_.balls.size() : failures;
+      if (count == 0) continue;
+      if (!exact) exact = methods::find_method("exact")->prepare(crossing_.polygon);
+      result_.checked += count;
+      std::vector<PartialAnswer> growing;  // cheaper than one by one
+      if (!every_ball && moves_radius(all_strata()[place_.stratum].threshold))
+        growing = ask_growing(crossing_.balls, question(test), *exact);
+      for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
+        if (!every_ball && !wrong[i]) continue;
+        const PartialAnswer truth = growing.empty() ? exact->ask(crossing_.balls[i], question(test)) : growing[i];
+        if (!same(test, truth, crossing_.truths[i])) found.push_back(disagreement(test, i, *exact));
+      }
+    }
+    if (!found.empty()) result_.disagreements.add(std::move(found));
+  }
+
+ private:
+  static bool same(Test test, const PartialAnswer& a, const PartialAnswer& b) {
+    switch (test) {
+      case Test::Plane: return a.plane == b.plane;
+      case Test::Foot: return a.foot == b.foot;
+      case Test::Edges: return a.edges_hit == b.edges_hit;
+      case Test::Relation: return a.relation == b.relation;
+      case Test::Contact: break;
+    }
+    return a.contact == b.contact;
+  }
+
+  Disagreement disagreement(Test test, std::size_t i, const methods::PreparedMethod& exact) const {
+    const Ball& ball = crossing_.balls[i];
+    const std::vector<std::string> tags{std::string(word(test)), std::string(settings_.truth->name())};
+    const auto expected = judge::object_of(exact.ask(ball, methods::Question::Answer));
+    return {place_.n, place_.stratum,
+            judge::to_line(judge::case_of(id(place_) + "-k" + std::to_string(all_offsets()[i]), ball, crossing_.polygon,
+                                          tags, expected))};
+  }
+
+  const Settings& settings_;
+  const SamplePlace& place_;
+  const Crossing& crossing_;
+  Result& result_;
+  std::array<std::vector<bool>, kTests.size()> wrong_;  ///< [test][ball]: was any method?
+};
+
+class Study {
+ public:
+  explicit Study(const Settings& settings)
+      : settings_(settings), is_exact_(settings.truth == methods::find_method("exact")) {
+    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+  }
+
+  /// Sample n of every stratum of the selected families.
+  void ask_all(std::uint64_t n, Result& part) const {
+    const auto& families = settings_.families;
+    for (std::size_t stratum = 0; stratum < all_strata().size(); ++stratum)
+      if (std::find(families.begin(), families.end(), all_strata()[stratum].family) != families.end())
+        ask({stratum, settings_.shape, settings_.seed, n}, part);
+    ++part.samples;
+  }
+
+ private:
+  void ask(const SamplePlace& place, Result& part) const {
+    const auto crossing = draw_crossing(place, *settings_.truth);
+    if (!crossing) {
+      ++part.missing;
+      return;
+    }
+    Sample sample(settings_, place, *crossing, part);
+    for (std::size_t m = 0; m < settings_.methods.size(); ++m) sample.ask(m, knows_boundary_[m]);
+    // The strata of one n are of different families and thresholds: so are those that are checked.
+    if (!is_exact_) sample.check((place.n + place.stratum) % kCheckedOneIn == 0);
+  }
+
+  const Settings& settings_;
+  bool is_exact_;
+  std::vector<bool> knows_boundary_;
+};
+
+}  // namespace
+
+Result& Result::operator+=(const Result& other) {
+  counts += other.counts;
+  samples += other.samples;
+  missing += other.missing;
+  checked += other.checked;
+  disagreements += other.disagreements;
+  return *this;
+}
+
+void to_json(nlohmann::ordered_json& json, const Result& result) {
+  json = {{"samples", result.samples},
+          {"missing", result.missing},
+          {"checked", result.checked},
+          {"disagreements", result.disagreements},
+          {"counts", result.counts}};
+}
+
+void from_json(const nlohmann::json& json, Result& result) {
+  result.samples = json.at("samples").get<std::uint64_t>();
+  result.missing = json.at("missing").get<std::uint64_t>();
+  result.checked = json.at("checked").get<std::uint64_t>();
+  result.disagreements = json.at("disagreements").get<Disagreements>();
+  result.counts = json.at("counts").get<Counts>();
+}
+
+Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
+
+std::uint64_t run_study(const Settings& settings, const run::Course<Result>& course, Result& result) {
+  const Study study(settings);
+  const run::Sweep sweep{settings.samples, 1, settings.threads, course.processes, course.stop, course.progress};
+  return run::run_sweep(
+      sweep, [&](std::uint64_t n, Result& part) { study.ask_all(n, part); },
+      [&](std::uint64_t, const Result& now) { course.save(now); }, no_result(settings), result.samples, result);
+}
+
+}  // namespace touchstone::near_edge

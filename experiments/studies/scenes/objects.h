@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/workloads/meshes/named_meshes.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scenes {
+
+/// The faces of a mesh that are polygons of the contract.
+struct Object {
+  std::string name;
+  scene::Faces faces;                  ///< triangles first
+  std::vector<std::uint32_t> numbers;  ///< of these faces in the mesh, from 0
+  std::vector<std::string> rejected;   ///< a sentence, which names the place in the file, for the first other faces
+  std::uint64_t faces_rejected = 0;    ///< all of them
+};
+
+/// Takes every face of the mesh as it is. Cost: that of exact::validate for each.
+[[nodiscard]] Object object_of(real_input::NamedFile file);
+
+}  // namespace touchstone::scenes

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "experiments/commands.h"
+#include "experiments/workloads/meshes/named_meshes.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/harness/write_file.h"
+#include "experiments/studies/scenes/ask.h"
+#include "experiments/studies/scenes/output.h"
+#include "experiments/workloads/meshes/unit.h"
+#include "geometry/io/legible.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace scenes;
+
+struct SceneOptions {
+  std::vector<std::string> files, objects, units;
+  std::string balls, scene_unit, output, method = "filtered";
+  std::uint64_t random = 0, seed = 1;
+  unsigned threads = run::all_threads();
+  bool any = false, all = false, nearest = false, counts = false, skip_bad = false, force = false;
+
+  [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
+  [[nodiscard]] bool filtered() const { return method == "filtered"; }
+};
+
+std::string command_line(const SceneOptions& options) {
+  std::string line = "touchstone scene";
+  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  if (options.balls.empty())
+    line += fmt::format(" --random {} --seed {}", options.random, options.seed);
+  else
+    line += " --balls " + run::shell_quoted(options.balls);
+  line += options.any ? " --any" : options.nearest ? " --nearest" : " --all";
+  line += fmt::format(" --method {} --threads {}", options.method, options.threads);
+  for (const std::string& names : options.objects) line += " --objects " + run::shell_quoted(names);
+  if (!options.units.empty()) line += " --unit " + run::joined(options.units);
+  if (!options.scene_unit.empty()) line += " --scene-unit " + options.scene_unit;
+  if (options.counts) line += " --counts";
+  if (options.skip_bad) line += " --skip-bad";
+  return line + " --output " + run::shell_quoted(options.output);
+}
+
+/// The units of the meshes, one each, and of balls and answers; none where nothing is said of units.
+struct Units {
+  std::vector<Unit> meshes;
+  std::optional<Unit> scene;
+};
+
+Units units_of(const SceneOptions& options) {
+  Units units;
+  for (const std::string& name : options.units) units.meshes.push_back(find_unit(name));
+  if (units.meshes.empty()) {
+    if (!options.scene_unit.empty()) throw std::invalid_argument("--scene-unit needs --unit, that of the meshes");
+    return units;
+  }
+  if (units.meshes.size() == 1) units.meshes.resize(options.files.size(), units.meshes.front());
+  if (units.meshes.size() != options.files.size())
+    throw std::invalid_argument(fmt::format("--unit takes one unit, or one for each mesh: {} were given for {} meshes",
+                                            units.meshes.size(), options.files.size()));
+  units.scene = options.scene_unit.empty() ? units.meshes.front() : find_unit(options.scene_unit);
+  return units;
+}
+
+struct Loaded {
+  std::vector<Object> objects;
+  std::string left_out;  ///< a sentence a line
+  std::uint64_t parts_left_out = 0;
+};
+
+/// Nothing if some file cannot be read as it is asked for, which is said on standard error.
+std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
+  constexpr std::size_t kShown = 3;
+  real_input::NamedFiles files =
+      real_input::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  if (!files.all_read) return std::nullopt;
+  Loaded loaded{{}, real_input::left_out_text(files), files.parts_left_out};
+  bool refused = false, empty = false;
+  run::ProgressLine line("scene: meshes", files.read.size());
+  for (std::size_t i = 0; i < files.read.size(); ++i) {
+    real_input::NamedFile& file = files.read[i];
+    if (units.scene) {
+      try {
+        convert(file.content.mesh, units.meshes[i], *units.scene);
+      } catch (const std::range_error& error) {
+        throw std::range_error(file.file + ": " + error.what());
+      }
+    }
+    const std::string name = io::all_legible(file.file);
+    loaded.objects.push_back(object_of(std::move(file)));
+    Object& object = loaded.objects.back();
+    const char* what = options.skip_bad ? "left out: " : "";
+    for (std::size_t k = 0; k < object.rejected.size() && k < kShown; ++k)
+      fmt::print(stderr, "touchstone: {}{}\n", what, object.rejected[k]);
+    if (object.faces_rejected > kShown)
+      fmt::print(stderr, "touchstone: {}{}: {} more faces\n", what, name, object.faces_rejected - kShown);
+    for (const std::string& sentence : object.rejected) loaded.left_out += sentence + "\n";
+    if (object.faces_rejected > object.rejected.size())
+      loaded.left_out += fmt::format("{}: {} more faces\n", name, object.faces_rejected - object.rejected.size());
+    loaded.parts_left_out += object.faces_rejected;
+    refused = refused || object.faces_rejected > 0;
+    if (object.numbers.empty()) {  // nothing would touch it, and what was meant is another file
+      fmt::print(stderr, "touchstone: {}: no face is left\n", name);
+      empty = true;
+    }
+    line(i + 1);
+  }
+  if (empty || (refused && !options.skip_bad)) return std::nullopt;
+  return loaded;
+}
+
+/// The objects that --objects names, ascending; all where it names none.
+std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector<Object>& objects) {
+  std::vector<std::uint32_t> numbers;
+  std::vector<std::string> names;
+  for (const Object& object : objects) names.push_back(object.name);
+  const auto choose = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) numbers.push_back(static_cast<std::uint32_t>(found - names.begin()));
+    return found != names.end();
+  };
+  for (const std::string& word : options.objects) {
+    if (choose(word)) continue;  // a name may hold commas
+    for (const std::string& name : CLI::detail::split(word, ','))
+      if (!choose(name))
+        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
+  }
+  if (options.objects.empty()) {
+    numbers.resize(objects.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+/// Balls by number: those of a file are read at once, random ones are drawn when they are needed.
+struct Source {
+  std::uint64_t count;
+  std::function<NamedBall(std::uint64_t)> ball;
+};
+
+Source source_of(const SceneOptions& options, const std::vector<Object>& objects) {
+  if (!options.balls.empty()) {
+    auto balls = std::make_shared<const std::vector<NamedBall>>(read_balls(options.balls));
+    return {balls->size(), [balls](std::uint64_t i) { return (*balls)[i]; }};
+  }
+  std::vector<scene::Faces> faces;
+  for (const Object& object : objects) faces.push_back(object.faces);
+  auto random = std::make_shared<const RandomBalls>(faces);
+  return {options.random, [random, seed = options.seed](std::uint64_t i) { return random->draw(seed, i); }};
+}
+
+/// What was asked for so far.
+struct Sums {
+  std::uint64_t balls = 0;
+  scene::FaceCounts counts;
+  Differences differences;
+};
+
+std::string summary(const SceneOptions& options, const Units& units, const Loaded& loaded, const Sums& sums) {
+  std::uint64_t faces = 0;
+  for (const Object& object : loaded.objects) faces += object.numbers.size();
+  std::string text = table(sums.counts, sums.balls);
+  text += fmt::format("{} balls, {} objects of {} faces, {} parts of files left out{}.\n", sums.balls,
+                      loaded.objects.size(), faces, loaded.parts_left_out,
+                      units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
+  if (!options.filtered()) {
+    const Differences& differences = sums.differences;
+    text += fmt::format("{} answers otherwise than filtered to {} of {} balls", options.method, differences.answers,
+                        differences.balls);
+    if (options.nearest) text += fmt::format(", gives another distance for {}", differences.distances);
+    text += fmt::format(", and is unsure of some face for {}. The counts are those of filtered.\n", differences.unsure);
+  }
+  return text;
+}
+
+/// The lines go to a file of the folder, or to standard output. Throws std::runtime_error, which names it, as soon as
+/// it is known that something could not be written.
+class Lines {
+ public:
+  explicit Lines(const std::string& folder) {
+    if (!folder.empty()) name_ = (std::filesystem::path(folder) / "answers.jsonl").string();
+  }
+  /// Opens the file, a new one unless it is a pipe; not before the balls are read, since an earlier one may be theirs.
+  void begin() {
+    if (name_ == kStandardOutput) return;
+    std::error_code error;
+    if (!std::filesystem::is_fifo(std::filesystem::symlink_status(name_, error))) ::unlink(name_.c_str());
+    const int descriptor = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) cannot_write();
+    own_.reset(::fdopen(descriptor, "wb"));
+    if (!own_) cannot_write();
+  }
+  void write(const std::string& line) {
+    // glibc counts what is still in the buffer as written where emptying the buffer fails, but sets the error.
+    if (std::fwrite(line.data(), 1, line.size(), stream()) != line.size() || std::ferror(stream()) != 0) cannot_write();
+  }
+  void close() {
+    if (std::fflush(stream()) != 0 || (own_ && std::fclose(own_.release()) != 0)) cannot_write();
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  [[nodiscard]] std::FILE* stream() const { return own_ ? own_.get() : stdout; }
+  [[noreturn]] void cannot_write() const {
+    throw std::runtime_error(name_ + ": cannot be written: " + std::generic_category().message(errno));
+  }
+
+  static constexpr const char* kStandardOutput = "standard output";
+  std::string name_ = kStandardOutput;
+  std::unique_ptr<std::FILE, Close> own_;
+};
+
+/// Asks about the balls a leg at a time and writes the answers as they come.
+Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
+         const Source& source, const std::atomic<bool>& stop, Lines& lines) {
+  const methods::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
+  const std::uint64_t leg = method == nullptr ? 4096 : 256;
+  const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
+  Sums sums;
+  run::ProgressLine progress("scene", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
+  for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
+    std::vector<NamedBall> part;
+    for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
+    const std::vector<BallAnswer> truths = ask_scene(scene, order, part, stop);
+    std::vector<BallAnswer> answers;
+    if (method != nullptr)
+      answers = ask_every_face(*method, objects, order, part, stop,
+                               [&](std::uint64_t done) { progress(begin / leg * blocks + done); });
+    const std::size_t done = method == nullptr ? truths.size() : std::min(truths.size(), answers.size());
+    for (std::size_t i = 0; i < done; ++i) {
+      const BallAnswer& answer = method == nullptr ? truths[i] : answers[i];
+      if (method != nullptr) sums.differences.add(answers[i], truths[i], order.question);
+      sums.counts += truths[i].counts;
+      lines.write(answer_line(part[i], answer, order.question, objects, options.counts));
+    }
+    sums.balls += done;
+    if (method == nullptr) progress(sums.balls);
+  }
+  lines.close();
+  return sums;
+}
+
+int run(const SceneOptions& options) {
+  constexpr int kBadInput = 2;
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<run::OutputFolder> held;
+  if (!options.output.empty())
+    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
+  Lines lines(options.output);
+  const Units units = units_of(options);
+  (void)methods::find_methods({options.method});
+  if (options.method == "all") throw std::invalid_argument("--method takes one method");
+  const std::optional<Loaded> loaded = load(options, units);
+  if (!loaded) return kBadInput;
+  const std::vector<Object>& objects = loaded->objects;
+  const Order order{options.question(), chosen(options, objects), options.threads};
+  const Source source = source_of(options, objects);
+
+  scene::Scene scene;
+  for (const Object& object : objects) scene.add(object.name, object.faces);
+  const run::Interrupt interrupt;
+  lines.begin();
+  const Sums sums = ask(options, objects, scene, order, source, interrupt.requested(), lines);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  const bool interrupted = sums.balls < source.count;
+  fmt::print(options.output.empty() ? stderr : stdout, "{}", summary(options, units, *loaded, sums));
+  if (!options.output.empty()) {
+    const std::filesystem::path folder = options.output;
+    run::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
+    run::write_file(folder / "left-out.txt", loaded->left_out);
+    run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
+                                   source.count - sums.balls, options.threads, seconds, 1, interrupted});
+    fmt::print("Results: {}\n", io::all_legible(folder.string()));
+    run::flush_standard_output();
+  }
+  if (!interrupted) return 0;
+  fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
+             source.count);
+  return run::kInterrupted;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand(
+      "scene", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
+  auto options = std::make_shared<SceneOptions>();
+  run::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
+  auto* source = command->add_option_group("balls");
+  source->add_option("--balls", options->balls,
+                     "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a "
+                     "case, or the numbers x y z r; # begins a comment; - is standard input");
+  source->add_option("--random", options->random, "So many random balls, half of them near a face")
+      ->check(run::whole_number(1));
+  source->require_option(1);
+  run::add_seed(*command, options->seed, "Of --random; the same gives the same bytes");
+  auto* question = command->add_option_group("question");
+  question->add_flag("--any", options->any, "Does the ball touch any face?");
+  question->add_flag("--all", options->all, "Which faces does it touch? (default)");
+  question->add_flag("--nearest", options->nearest, "Which face is nearest to its centre, and where?");
+  question->require_option(0, 1);
+  command
+      ->add_option("--method", options->method,
+                   "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
+                   "against filtered")
+      ->capture_default_str();
+  command
+      ->add_option("--objects", options->objects,
+                   "Ask about these only: a name, or names separated by commas; may be given several times")
+      ->allow_extra_args(false);
+  run::add_names(*command, "--unit", options->units,
+                 "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
+                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
+                 "rounded once to the nearest double");
+  command->add_option("--scene-unit", options->scene_unit,
+                      "The unit of balls and answers (default: that of the first mesh)");
+  command->add_flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
+  command->add_flag("--skip-bad", options->skip_bad,
+                    "Leave out what is wrong in a file and faces that are no polygons, and say what");
+  run::add_threads(*command, options->threads);
+  command->add_option("--output", options->output,
+                      "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
+                      "standard output, the table to standard error)");
+  command->footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
+  run::add_force(*command, options->force);
+  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/soak/campaign.h"
+
+#include "experiments/studies/soak/comparison.h"
+
+namespace touchstone::soak {
+
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  constexpr int kVersion = 1;  // raised where case i of a seed becomes another one, or the tally's form changes
+  return {{"version", kVersion}, {"seed", settings.seed}, {"from", settings.from}};
+}
+
+std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const run::Processes& processes,
+                           const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
+                           const run::Progress& progress, Tally& tally) {
+  constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core
+  const run::Sweep sweep{settings.cases, kBlock, settings.threads, processes, stop, progress};
+  return run::run_sweep(
+      sweep, [&](std::uint64_t i, Tally& part) { compare(contestant, settings.seed, settings.from + i, part); },
+      [&](std::uint64_t, const Tally& now) { save(now); }, Tally(), tally.cases(), tally);
+}
+
+}  // namespace touchstone::soak

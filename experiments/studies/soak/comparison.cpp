@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/soak/comparison.h"
+
+#include <array>
+#include <exception>
+#include <memory>
+
+#include "experiments/cases/verdict.h"
+#include "experiments/workloads/ulp.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::soak {
+namespace {
+
+using filtered::StageCounts;
+
+constexpr std::uint64_t kWholeOneIn = 16;
+
+/// All questions about one case.
+class Comparison {
+ public:
+  Comparison(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally)
+      : contestant_(contestant), seed_(seed), index_(index), case_(draw_case(seed, index)), tally_(tally) {}
+
+  void ask_all() {
+    const exact::PreparedPolygon truth(case_.polygon);
+    const bool touches = exact::contact(case_.ball, truth);
+    if (const auto triangle = case_.triangle())
+      ask(Way::Triangle, [&](auto& c) { ask_triangle(*triangle, touches, c); });
+    std::optional<filtered::PreparedPolygon> prepared;
+    ask(Way::Prepared, [&](auto& counts) {
+      prepared.emplace(case_.polygon);
+      ask_prepared(*prepared, touches, counts);
+    });
+    // A multiplier spreads the share over all families, which go by the index.
+    if (prepared && index_ * 0x9e3779b97f4a7c15 >> 60 == 0)
+      ask(Way::Answer, [&](auto& counts) { ask_whole(*prepared, truth, counts); });
+    tally_.add_case(std::move(differences_));
+  }
+
+ private:
+  static_assert(kWholeOneIn == std::uint64_t{1} << (64 - 60));
+
+  /// Counts the case for one way of asking.
+  template <class Questions>
+  void ask(Way way, const Questions& questions) {
+    const std::size_t before = differences_.size();
+    StageCounts counts;
+    try {
+      questions(counts);
+    } catch (const std::exception& error) {
+      differs(std::string(word(way)) + ": " + error.what(), case_.ball, case_.polygon);
+    }
+    Outcomes& outcomes = tally_.at(case_.family, way);
+    ++outcomes.cases;
+    ++outcomes.by_stage[static_cast<std::size_t>(counts.last())];
+    outcomes.differences += differences_.size() > before ? 1 : 0;
+  }
+
+  void expect(bool same, const char* question) {
+    if (!same) differs(question, case_.ball, case_.polygon);
+  }
+
+  void ask_triangle(const Triangle& t, bool touches, StageCounts& counts) {
+    expect(contestant_.contact(case_.ball, t) == touches, "triangle");
+    expect(contestant_.contact(case_.ball, t, counts) == touches, "triangle, counted");
+    expect(contestant_.plain_contact(case_.ball, t) == touches, "triangle, without vectors");
+
+    const std::array<Triangle, 6> orders{
+        {{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}, {t.b, t.a, t.c}, {t.a, t.c, t.b}}};
+    std::array<bool, 6> found{};
+    contestant_.contact(case_.ball, orders, found);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      if (found[i] != touches)
+        differs("triangle, in a batch", case_.ball, Polygon({orders[i].a, orders[i].b, orders[i].c}));
+  }
+
+  void ask_prepared(const filtered::PreparedPolygon& prepared, bool touches, StageCounts& counts) {
+    expect(contestant_.contact(case_.ball, prepared) == touches, "contact");
+    expect(contestant_.contact(case_.ball, prepared, counts) == touches, "contact, counted");
+    expect(contestant_.plain_contact(case_.ball, prepared) == touches, "contact, without vectors");
+  }
+
+  void ask_whole(const filtered::PreparedPolygon& prepared, const exact::PreparedPolygon& truth, StageCounts& counts) {
+    const Ball& ball = case_.ball;
+    const Answer answer = exact::answer(ball, truth);
+    expect(contestant_.relation(ball, prepared) == answer.relation, "relation");
+    expect(contestant_.plane_side(ball, prepared) == answer.plane, "plane");
+    expect(contestant_.foot(ball, prepared) == answer.foot, "foot");
+    expect(contestant_.edges_hit(ball, prepared) == answer.edges_hit, "edges_hit");
+    expect(contestant_.answer(ball, prepared) == answer, "answer");
+    expect(contestant_.answer(ball, prepared, counts) == answer, "answer, counted");
+    expect(contestant_.plain_answer(ball, prepared) == answer, "answer, without vectors");
+    if (const auto triangle = case_.triangle()) {
+      const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance};
+      expect(contestant_.closest(ball.center, *triangle) == closest, "closest");
+      expect(contestant_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
+    }
+    ask_neighbours(prepared, truth);
+  }
+
+  /// Nine balls, so that vectors of 2, 4 and 8 leave one over.
+  void ask_neighbours(const filtered::PreparedPolygon& prepared, const exact::PreparedPolygon& truth) {
+    std::array<Ball, 9> balls;
+    std::array<bool, 9> found{};
+    for (std::int64_t i = 0; i < 9; ++i) {
+      balls[static_cast<std::size_t>(i)] = {case_.ball.center,
+                                            workloads::move_radius_by_doubles(case_.ball.radius, i - 4)};
+    }
+    contestant_.contact(balls, prepared, found);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      if (found[i] != exact::contact(balls[i], truth)) differs("contact, in a batch", balls[i], case_.polygon);
+  }
+
+  void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
+    const judge::Verdict expected = judge::object_of(methods::PartialAnswer::of(exact::answer(ball, polygon), ""));
+    differences_.push_back(
+        {index_, judge::to_line(judge::case_of(name_of_case(seed_, index_), ball, polygon,
+                                               {std::string(word(case_.family)), question}, expected))});
+  }
+
+  const Contestant& contestant_;
+  std::uint64_t seed_, index_;
+  Case case_;
+  Tally& tally_;
+  std::vector<Difference> differences_;
+};
+
+}  // namespace
+
+void compare(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally) {
+  Comparison(contestant, seed, index, tally).ask_all();
+}
+
+}  // namespace touchstone::soak

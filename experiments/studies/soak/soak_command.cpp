@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/commands.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/harness/course.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/studies/soak/campaign.h"
+#include "experiments/workloads/adversarial/case.h"
+#include "experiments/studies/soak/output.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace soak;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  Settings settings{.threads = run::all_threads()};
+  std::string output = "results/soak";
+  bool force = false, resume = false, print = false;
+};
+
+std::string command_line(const Options& options) {
+  const Settings& settings = options.settings;
+  return fmt::format("touchstone soak --cases {} --seed {} --from {} --threads {} --output {}{}", settings.cases,
+                     settings.seed, settings.from, settings.threads, run::shell_quoted(options.output),
+                     options.resume ? " --resume" : "");
+}
+
+/// Differences as they are found, so that an endless run tells of them at once.
+class Announcer {
+ public:
+  explicit Announcer(std::size_t known) : announced_(known) {}
+
+  void operator()(const Tally& tally) {
+    for (; announced_ < tally.kept().size(); ++announced_) fmt::print("{}", tally.kept()[announced_].line);
+    run::flush_standard_output();
+  }
+
+ private:
+  std::size_t announced_;
+};
+
+int run(const Options& options, const run::Processes& processes) {
+  const Settings& settings = options.settings;
+  const bool first = processes.first();
+  const std::filesystem::path folder = options.output;
+  std::optional<run::OutputFolder> own;
+  if (first)
+    own.emplace(folder, command_line(options), run::Existing{.force = options.force, .resume = options.resume});
+  const run::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
+  Tally tally = run::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
+                           [](const Tally& held) { return held.cases(); });
+
+  const run::Interrupt interrupt;
+  const std::uint64_t before = tally.cases();
+  const auto begin = Clock::now();
+  std::uint64_t done = 0;
+  {
+    run::ProgressLine line("soak: cases", settings.cases, before);
+    Announcer announce(tally.kept().size());
+    const auto save = [&](const Tally& now) {
+      checkpoint.write(now);
+      announce(now);
+    };
+    done = run_campaign(
+        settings, Contestant(), processes, interrupt.requested(), save, [&](std::uint64_t cases) { line(cases); },
+        tally);
+  }
+  if (!first) return 0;
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  write_counts(folder, tally);
+  write_differences(folder, tally);
+  run::write_run_record(folder, {.command = command_line(options),
+                                 .seed = settings.seed,
+                                 .samples_asked = settings.cases,
+                                 .samples_done = done,
+                                 .threads = settings.threads,
+                                 .seconds = seconds,
+                                 .processes = processes.count(),
+                                 .interrupted = done < settings.cases});
+
+  fmt::print("{}", table(tally));
+  fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,
+             static_cast<double>(done - before) / seconds);
+  run::flush_standard_output();
+  if (tally.differing() > 0)
+    fmt::print(stderr,
+               "touchstone: see {}; `touchstone judge --method filtered` takes it, and "
+               "`touchstone soak --seed {} --from INDEX --cases 1` asks again\n",
+               (folder / "differences.jsonl").string(), settings.seed);
+  if (done < settings.cases) {
+    fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume goes on\n", done, settings.cases);
+    return run::kInterrupted;
+  }
+  return tally.differing() > 0 ? 1 : 0;
+}
+
+int print_cases(const Settings& settings) {
+  for (std::uint64_t index = settings.from; index < settings.from + settings.cases; ++index) {
+    const Case drawn = draw_case(settings.seed, index);
+    fmt::print("{}", judge::to_line(judge::case_of(name_of_case(settings.seed, index), drawn.ball, drawn.polygon,
+                                                   {std::string(word(drawn.family))})));
+  }
+  return 0;
+}
+
+int run_soak(const Options& options) {
+  const Settings& settings = options.settings;
+  if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
+    throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
+  if (options.print) return run::run_alone([&] { return print_cases(settings); });
+  return run::run_together([&](const run::Processes& processes) { return run(options, processes); });
+}
+
+}  // namespace
+
+void add_soak(CLI::App& app, int& status) {
+  auto* command =
+      app.add_subcommand("soak", "Hold filtered against exact on hard random cases; exit status 1 if they differ");
+  auto options = std::make_shared<Options>();
+  Settings& settings = options->settings;
+  command->add_option("--cases", settings.cases, "How many cases")
+      ->check(run::whole_number(1), "COUNT")
+      ->capture_default_str();
+  run::add_seed(*command, settings.seed, "Any number; case i depends on it and on i alone");
+  command->add_option("--from", settings.from, "The index of the first case")
+      ->check(run::whole_number(0))
+      ->capture_default_str();
+  run::add_threads(*command, settings.threads, "Of each process; they do not change the results");
+  command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
+      ->capture_default_str();
+  run::add_resume(*command, options->resume);
+  run::add_force(*command, options->force);
+  command->add_flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them")
+      ->excludes("--resume");
+  command->callback([options, &status] { status = run_soak(*options); });
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/soak/tally.h"
+
+#include <algorithm>
+
+namespace touchstone::soak {
+
+std::string_view word(Way way) {
+  switch (way) {
+    case Way::Triangle: return "triangle";
+    case Way::Prepared: return "prepared";
+    case Way::Answer: break;
+  }
+  return "answer";
+}
+
+Outcomes& Outcomes::operator+=(const Outcomes& other) {
+  cases += other.cases;
+  for (std::size_t stage = 0; stage < by_stage.size(); ++stage) by_stage[stage] += other.by_stage[stage];
+  differences += other.differences;
+  return *this;
+}
+
+void Tally::add_case(std::vector<Difference> differences) {
+  ++cases_;
+  if (differences.empty()) return;
+  ++differing_;
+  std::move(differences.begin(), differences.end(), std::back_inserter(kept_));
+  keep_first();
+}
+
+Tally& Tally::operator+=(const Tally& other) {
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) outcomes_[i] += other.outcomes_[i];
+  cases_ += other.cases_;
+  differing_ += other.differing_;
+  kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
+  keep_first();
+  return *this;
+}
+
+void to_json(nlohmann::ordered_json& json, const Tally& tally) {
+  auto outcomes = nlohmann::ordered_json::array(), kept = nlohmann::ordered_json::array();
+  for (const Outcomes& o : tally.outcomes_) outcomes.push_back({o.cases, o.by_stage, o.differences});
+  for (const Difference& difference : tally.kept_) kept.push_back({difference.index, difference.line});
+  json = {{"cases", tally.cases_}, {"differing", tally.differing_}, {"outcomes", outcomes}, {"kept", kept}};
+}
+
+void from_json(const nlohmann::json& json, Tally& tally) {
+  tally = Tally();
+  tally.cases_ = json.at("cases").get<std::uint64_t>();
+  tally.differing_ = json.at("differing").get<std::uint64_t>();
+  const auto& outcomes = json.at("outcomes");
+  for (std::size_t i = 0; i < tally.outcomes_.size(); ++i) {
+    Outcomes& o = tally.outcomes_[i];
+    o.cases = outcomes.at(i).at(0).get<std::uint64_t>();
+    o.by_stage = outcomes.at(i).at(1).get<decltype(o.by_stage)>();
+    o.differences = outcomes.at(i).at(2).get<std::uint64_t>();
+  }
+  for (const auto& difference : json.at("kept"))
+    tally.kept_.push_back({difference.at(0).get<std::uint64_t>(), difference.at(1).get<std::string>()});
+}
+
+/// By index; those of one case stay in their order.
+void Tally::keep_first() {
+  std::stable_sort(kept_.begin(), kept_.end(),
+                   [](const Difference& a, const Difference& b) { return a.index < b.index; });
+  if (kept_.size() > kMostKept) kept_.resize(kMostKept);
+}
+
+}  // namespace touchstone::soak

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/workloads/adversarial/case.h"
+#include "robust/filtered/stage.h"
+
+namespace touchstone::soak {
+
+/// The ways of asking that are counted apart.
+enum class Way {
+  Triangle,  ///< contact with a triangle, nothing prepared
+  Prepared,  ///< contact with a prepared polygon
+  Answer,    ///< every key of the contract
+};
+
+[[nodiscard]] std::string_view word(Way way);
+inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer};
+
+/// What became of the cases of one family asked in one way.
+struct Outcomes {
+  std::uint64_t cases = 0;
+  std::array<std::uint64_t, filtered::kStages> by_stage{};  ///< the slowest stage that a case went to
+  std::uint64_t differences = 0;                            ///< cases that came out otherwise than by `exact`
+
+  Outcomes& operator+=(const Outcomes& other);
+  friend bool operator==(const Outcomes&, const Outcomes&) = default;
+};
+
+/// A case that came out otherwise than by `exact`.
+struct Difference {
+  std::uint64_t index;
+  std::string line;  ///< one line of JSON: the case in the contract's form, tagged with what differed
+
+  friend bool operator==(const Difference&, const Difference&) = default;
+};
+
+/// Sums do not depend on their order, as long as the first differences by index suffice: only so many are kept.
+class Tally {
+ public:
+  static constexpr std::size_t kMostKept = 1000;
+
+  [[nodiscard]] Outcomes& at(Family family, Way way) { return outcomes_[place(family, way)]; }
+  [[nodiscard]] const Outcomes& at(Family family, Way way) const { return outcomes_[place(family, way)]; }
+
+  /// A case was asked about; `differences` are the ways in which it differed, all of one case.
+  void add_case(std::vector<Difference> differences);
+  Tally& operator+=(const Tally& other);
+
+  [[nodiscard]] std::uint64_t cases() const { return cases_; }
+  /// Cases that differed in any way.
+  [[nodiscard]] std::uint64_t differing() const { return differing_; }
+  /// The first ones, ascending.
+  [[nodiscard]] const std::vector<Difference>& kept() const { return kept_; }
+
+  friend bool operator==(const Tally&, const Tally&) = default;
+
+  // Throws nlohmann::json::exception where something is missing.
+  friend void to_json(nlohmann::ordered_json& json, const Tally& tally);
+  friend void from_json(const nlohmann::json& json, Tally& tally);
+
+ private:
+  static std::size_t place(Family family, Way way) {
+    return static_cast<std::size_t>(family) * kWays.size() + static_cast<std::size_t>(way);
+  }
+  void keep_first();
+
+  std::array<Outcomes, (static_cast<std::size_t>(Family::Outline) + 1) * kWays.size()> outcomes_{};
+  std::uint64_t cases_ = 0, differing_ = 0;
+  std::vector<Difference> kept_;
+};
+
+}  // namespace touchstone::soak

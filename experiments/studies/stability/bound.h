@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "experiments/studies/stability/environment.h"
+#include "experiments/studies/stability/rational.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/polygon.h"
+#include "robust/filtered/filtered.h"
+
+namespace touchstone::stability {
+
+/// Where a bound on a rounding error is used.
+enum class BoundStage {
+  Maxima,        ///< signs.h in plain doubles, bounded through the largest components (triangle_filter.h)
+  Permanent,     ///< signs.h in plain doubles, bounded through the products that were formed (permanent.h)
+  DoubleDouble,  ///< signs.h in double-doubles
+  Frame,         ///< heights and foot in the isometric frame of a prepared polygon (frame_query.h)
+  FastPlanarity  ///< what `fast` takes for rounding when it decides that a loop is planar: stated there, not proved
+};
+
+[[nodiscard]] std::string_view word(BoundStage stage);
+
+/// A quantity that has a bound.
+struct BoundedQuantity {
+  BoundStage stage;
+  std::string_view name;  ///< of signs.h: vertex, along, ...; of the frame: height, along, across
+  /// The bound is `constant` x condition x |exact value|, but for underflow: the line of a picture.
+  double constant;
+};
+
+[[nodiscard]] const std::vector<BoundedQuantity>& bounded_quantities();
+
+/// One number as computed, held against the exact one.
+struct Observation {
+  std::size_t quantity;   ///< its place in bounded_quantities()
+  double tightness;       ///< |computed - exact| / bound
+  bool holds;             ///< compared exactly: |computed - exact| <= bound
+  double condition;       ///< what the bound is a multiple of / |exact|; infinite where that is zero
+  double relative_error;  ///< |computed - exact| / |exact|; NaN where that is zero
+};
+
+/// A polygon with what its bounds are held against: the exact lifted loops, in rationals.
+class BoundTrial {
+ public:
+  /// Keeps a reference. Cost: linear, some 10 us a vertex.
+  explicit BoundTrial(const Polygon& polygon);
+
+  /// All bounded quantities of a ball and an edge, each where the filter would use it: within its window. Maxima and
+  /// Frame are computed in the given mode, for which they are proved; the others in the usual one, as in the filter.
+  /// Bounds are multiplied with `bound_factor`. Cost: some 100 us.
+  void observe(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
+               std::vector<Observation>& observations) const;
+
+ private:
+  void observe_signs_in_doubles(const Ball&, std::size_t, const FloatingPointMode&, double,
+                                std::vector<Observation>&) const;
+  void observe_prepared_signs(const Ball&, std::size_t, double, std::vector<Observation>&) const;
+  void observe_frame(const Ball&, std::size_t, const FloatingPointMode&, double, std::vector<Observation>&) const;
+  void observe_fast(std::size_t vertex, double, std::vector<Observation>&) const;
+
+  const Polygon& polygon_;
+  filtered::PreparedPolygon prepared_;
+  RationalVector normal_;  ///< the Newell sum of the outer loop
+  std::vector<RationalVector> lifted_;
+  double fast_noise_;
+  Eigen::Vector3d fast_normal_;
+};
+
+}  // namespace touchstone::stability

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/stability/onset.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <exception>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/methods/ericson.h"
+#include "experiments/workloads/random.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+
+namespace touchstone::stability {
+namespace {
+
+using workloads::Random;
+
+Eigen::Vector3d random_point(Random& random) {
+  const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1;
+  return {x, y, 2 * random.unit() - 1};
+}
+
+struct Above {
+  Triangle triangle;
+  Eigen::Vector3d center;
+  double distance;  ///< the double nearest to that of the centre to the triangle, whose face is nearest
+
+  [[nodiscard]] Polygon polygon() const { return Polygon({triangle.a, triangle.b, triangle.c}); }
+};
+
+std::optional<Above> draw_once(Random& random, double origin_distance) {
+  Eigen::Vector3d a = random_point(random), b = random_point(random), c = random_point(random);
+  const double size = (a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c)).maxCoeff();
+  const Eigen::Vector3d away = random_point(random);
+  const Eigen::Vector3d origin = origin_distance * size / away.norm() * away;
+  a += origin;
+  b += origin;
+  c += origin;
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double share = random.unit(), other = (1 - share) * random.unit();
+  Above above{{a, b, c}, a + share * (b - a) + other * (c - a) + (0.25 + random.unit()) / normal.norm() * normal, 0};
+  if (exact::validate(above.polygon())) return std::nullopt;
+  const Answer answer = exact::answer({above.center, 0}, above.polygon());
+  if (answer.nearest.kind != Feature::Kind::Face) return std::nullopt;
+  above.distance = answer.distance;
+  return above;
+}
+
+/// The closest point of the triangle's plane as coordinates, and whether it is within the ball. Where the face is
+/// nearest, that is the closest point of the triangle.
+bool absolute_contact(const Ball& ball, const Triangle& t) {
+  const Eigen::Vector3d ab = t.b - t.a, ac = t.c - t.a, ap = ball.center - t.a, bp = ball.center - t.b,
+                        cp = ball.center - t.c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  const double opposite_a = d3 * d6 - d5 * d4, opposite_b = d5 * d2 - d1 * d6, opposite_c = d1 * d4 - d3 * d2;
+  const double scale = 1 / (opposite_a + opposite_b + opposite_c);
+  const Eigen::Vector3d closest = t.a + opposite_b * scale * ab + opposite_c * scale * ac;
+  return (ball.center - closest).squaredNorm() <= ball.radius * ball.radius;
+}
+
+Above draw_above(std::uint64_t seed, std::uint64_t index, std::size_t distance) {
+  constexpr std::uint64_t kStream = std::uint64_t{1} << 51;
+  Random random(seed, index, kStream + distance);
+  while (true)
+    if (auto above = draw_once(random, kOnsetDistances[distance])) return *std::move(above);
+}
+
+/// contact(ball) for each offset, above and below; what throws is wrong.
+template <class Contact>
+void ask(const Above& above, std::size_t distance, std::size_t method, Onset& onset, const Contact& contact) {
+  const auto wrong = [&](double offset) {
+    try {
+      return contact(Ball{above.center, above.distance * (1 + offset)}) != (offset > 0);
+    } catch (const std::exception&) {
+      return true;
+    }
+  };
+  for (int k = kCoarsest; k <= kFinest; ++k) {
+    const double offset = std::ldexp(1.0, -k);
+    onset.add_wrong(distance, method, k, (wrong(offset) ? 1U : 0U) + (wrong(-offset) ? 1U : 0U));
+  }
+}
+
+/// Nothing where the method throws.
+std::unique_ptr<methods::PreparedMethod> prepare(const methods::Method& method, const Polygon& polygon) {
+  try {
+    return method.prepare(polygon);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<const methods::Method*>& methods) {
+  std::vector<std::string> names{"ericson-absolute", "ericson"};
+  for (const auto* method : methods) names.emplace_back(method->name());
+  return names;
+}
+
+}  // namespace
+
+Onset::Onset(std::vector<std::string> methods)
+    : methods_(std::move(methods)), failures_(place(std::size(kOnsetDistances), 0, kCoarsest)), wrong_(failures_) {}
+
+int Onset::first(std::size_t distance, std::size_t method, double share) const {
+  for (int k = kCoarsest; k <= kFinest; ++k) {
+    const std::uint64_t failed = failures(distance, method, k);
+    if (failed > 0 && static_cast<double>(failed) >= share * static_cast<double>(triangles_)) return k;
+  }
+  return 0;
+}
+
+Onset& Onset::operator+=(const Onset& other) {
+  for (std::size_t i = 0; i < failures_.size(); ++i) {
+    failures_[i] += other.failures_[i];
+    wrong_[i] += other.wrong_[i];
+  }
+  triangles_ += other.triangles_;
+  return *this;
+}
+
+void to_json(nlohmann::ordered_json& json, const Onset& onset) {
+  json = {{"methods", onset.methods_},
+          {"failures", onset.failures_},
+          {"wrong", onset.wrong_},
+          {"triangles", onset.triangles_}};
+}
+
+void from_json(const nlohmann::json& json, Onset& onset) {
+  onset = Onset(json.at("methods").get<std::vector<std::string>>());
+  onset.failures_ = json.at("failures").get<std::vector<std::uint64_t>>();
+  onset.wrong_ = json.at("wrong").get<std::vector<std::uint64_t>>();
+  onset.triangles_ = json.at("triangles").get<std::uint64_t>();
+}
+
+Onset no_onset(const std::vector<const methods::Method*>& methods) { return Onset(names_of(methods)); }
+
+void find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
+                unsigned threads, const run::Course<Onset>& course, Onset& onset) {
+  const auto ask_all = [&](std::uint64_t index, Onset& part) {
+    for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
+      const Above above = draw_above(seed, index, distance);
+      ask(above, distance, 0, part, [&](const Ball& ball) { return absolute_contact(ball, above.triangle); });
+      ask(above, distance, 1, part, [&](const Ball& ball) { return bench::ericson_contact(ball, above.triangle); });
+      for (std::size_t m = 0; m < methods.size(); ++m) {
+        const auto prepared = prepare(*methods[m], above.polygon());
+        ask(above, distance, m + 2, part, [&](const Ball& ball) {
+          if (!prepared) throw std::runtime_error("not prepared");
+          return prepared->ask(ball, methods::Question::Contact).contact.value();
+        });
+      }
+    }
+    part.add_triangle();
+  };
+  run::run_sweep(
+      {triangles, 1, threads, course.processes, course.stop, course.progress}, ask_all,
+      [&](std::uint64_t, const Onset& now) { course.save(now); }, no_onset(methods), onset.triangles(), onset);
+}
+
+}  // namespace touchstone::stability

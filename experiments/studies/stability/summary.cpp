@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/stability/summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::stability {
+namespace {
+
+void keep_worse(std::optional<WorstCase>& held, const WorstCase& candidate) {
+  if (!held || candidate.worse_than(*held)) held = candidate;
+}
+
+}  // namespace
+
+Tally& Tally::operator+=(const Tally& other) {
+  failed += other.failed;
+  samples += other.samples;
+  wrong += other.wrong;
+  balls += other.balls;
+  return *this;
+}
+
+BoundSummary& BoundSummary::operator+=(const BoundSummary& other) {
+  tightness += other.tightness;
+  exceeded += other.exceeded;
+  failed += other.failed;
+  polygons += other.polygons;
+  return *this;
+}
+
+void Summary::add(const Block& block) {
+  const std::size_t axis = block.number % missing.size();
+  ++blocks;
+  for (const TestResult& r : block.tests)
+    failures[{axis, r.nearness, r.test, r.method, r.level}] += {r.wrong > 0 ? 1U : 0U, 1, r.wrong, r.asked};
+  for (const NumberError& e : block.errors) {
+    ErrorSummary& summary = errors[{axis, e.quantity, e.method, e.level}];
+    summary.relative.add(e.relative);
+    summary.ulps.add(e.ulps);
+  }
+  add_bounds(block, axis);
+  for (const WorstCase& candidate : block.worst) keep_worse(worst[axis][candidate.method], candidate);
+  missing[axis] += block.missing;
+  confirmed += block.confirmed;
+  disputed += block.disputed;
+}
+
+void Summary::add_bounds(const Block& block, std::size_t axis) {
+  // By level, each of which is a polygon, and quantity.
+  std::map<std::pair<std::size_t, std::size_t>, BoundSummary> found;
+  std::vector<ConditionPoint> shown;
+  for (const auto& [level, o] : block.bounds) {
+    BoundSummary& bound = found[{level, o.quantity}];
+    bound.tightness.add(o.tightness);
+    bound.exceeded += o.holds ? 0 : 1;
+    if (bounds_number(block.axis, level, block.sample).value() >= kSamplesShown) continue;
+    if (!std::isnan(o.relative_error)) shown.push_back({level, o.quantity, o.condition, o.relative_error});
+  }
+  for (auto& [place, bound] : found) {
+    bound.polygons = 1;
+    bound.failed = bound.exceeded > 0 ? 1 : 0;
+    bounds[{place.second, axis, place.first}] += bound;
+    all_bounds[place.second] += bound;
+  }
+  if (!shown.empty()) points[block.number] = std::move(shown);
+}
+
+Summary& Summary::operator+=(const Summary& other) {
+  blocks += other.blocks;
+  for (const auto& [cell, tally] : other.failures) failures[cell] += tally;
+  for (const auto& [cell, summary] : other.errors) {
+    errors[cell].relative += summary.relative;
+    errors[cell].ulps += summary.ulps;
+  }
+  for (const auto& [cell, bound] : other.bounds) bounds[cell] += bound;
+  for (const auto& [quantity, bound] : other.all_bounds) all_bounds[quantity] += bound;
+  points.insert(other.points.begin(), other.points.end());
+  for (std::size_t axis = 0; axis < worst.size(); ++axis) {
+    for (std::size_t m = 0; m < worst[axis].size(); ++m)
+      if (other.worst[axis][m]) keep_worse(worst[axis][m], *other.worst[axis][m]);
+    missing[axis] += other.missing[axis];
+  }
+  confirmed += other.confirmed;
+  disputed += other.disputed;
+  return *this;
+}
+
+Summary no_summary(const Settings& settings) {
+  Summary summary;
+  summary.worst.resize(settings.axes.size(), std::vector<std::optional<WorstCase>>(settings.methods.size()));
+  summary.missing.resize(settings.axes.size());
+  return summary;
+}
+
+void run_study(const Settings& settings, const run::Course<Summary>& course, Summary& summary) {
+  constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
+  run::run_sweep(
+      {block_count(settings), 1, settings.threads, course.processes, course.stop, course.progress,
+       kSecondsBetweenCheckpoints},
+      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); },
+      [&](std::uint64_t, const Summary& now) { course.save(now); }, no_summary(settings), summary.blocks, summary);
+}
+
+const Tally* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method, std::size_t level) const {
+  const auto found = failures.find({axis, nearness, test, method, level});
+  return found == failures.end() ? nullptr : &found->second;
+}
+
+std::optional<std::size_t> Summary::first_level(const Settings& settings, std::size_t axis, Nearness nearness,
+                                                Test test, std::size_t method, double share) const {
+  for (std::size_t level = 0; level < levels(settings.axes[axis]).size(); ++level)
+    if (const Tally* tally = at(axis, nearness, test, method, level); tally != nullptr && tally->rate() > share)
+      return level;
+  return std::nullopt;
+}
+
+Tally Summary::total(const Settings& settings, std::size_t method) const {
+  Tally sum;
+  for (const auto& [cell, tally] : failures) {
+    const auto& [axis, nearness, test, asked, level] = cell;
+    if (asked != method || against_motion(settings.axes[axis])) continue;
+    sum.wrong += tally.wrong;
+    sum.balls += tally.balls;
+    if (test != Test::Contact || nearness != Nearness::OneDouble) continue;
+    sum.failed += tally.failed;
+    sum.samples += tally.samples;
+  }
+  return sum;
+}
+
+}  // namespace touchstone::stability

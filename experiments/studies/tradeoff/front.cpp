@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/tradeoff/front.h"
+
+#include <algorithm>
+
+#include "experiments/harness/statistics/bounded_mean.h"
+
+namespace touchstone::tradeoff {
+namespace {
+
+using methods::Question;
+
+/// Beyond the noise.
+bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
+
+Front front_of(const Standing& s, const std::vector<Standing>& standings) {
+  Front front = Front::On;
+  for (const Standing& other : standings) {
+    if (&other == &s || other.error > s.error || faster(s, other)) continue;
+    if (faster(other, s)) return Front::Off;
+    front = Front::WithinNoise;
+  }
+  return front;
+}
+
+/// The means of the quartiles of the lists near thresholds.
+std::optional<Nanoseconds> nanoseconds(std::size_t method, Question question, std::optional<workloads::Family> family,
+                                       workloads::Placement placement, const std::vector<Timing>& timings) {
+  Nanoseconds sum{0, 0, 0};
+  int lists = 0;
+  for (const Timing& t : timings) {
+    if (t.balls != Balls::Near || t.question != question || t.place.placement != placement) continue;
+    if (family && t.place.family != *family) continue;
+    const auto q = bench::quartiles(t.methods[method].nanoseconds);
+    sum = {sum.lower + q.lower, sum.median + q.median, sum.upper + q.upper};
+    ++lists;
+  }
+  if (lists == 0) return std::nullopt;
+  return Nanoseconds{sum.lower / lists, sum.median / lists, sum.upper / lists};
+}
+
+std::optional<Standing> standing(Measure measure, const MethodErrors& errors, std::uint64_t polygons) {
+  if (measure == Measure::NotRight) {
+    const Tally tally = errors.near_threshold();
+    if (tally.trials == 0) return std::nullopt;
+    const auto trials = static_cast<double>(tally.trials);
+    const double share = static_cast<double>(tally.not_right()) / trials;
+    const auto limits = statistics::bounded_mean(share, polygons);
+    return Standing{.method = 0,
+                    .nanoseconds = {},
+                    .error = share,
+                    .lower = limits.lower,
+                    .upper = limits.upper,
+                    .finite_error = share,
+                    .not_finite = static_cast<double>(tally.overflowed) / trials,
+                    .samples = polygons};
+  }
+  const UlpErrors& ulps =
+      errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
+  const std::uint64_t known = ulps.known.count(), infinite = ulps.known.infinite();
+  if (known == infinite || 2 * known < ulps.asked) return std::nullopt;
+  return Standing{.method = 0,
+                  .nanoseconds = {},
+                  .error = ulps.known.quantile(0.99),
+                  .lower = ulps.quantile_of_finite(0.5),
+                  .upper = ulps.quantile_of_finite(1),
+                  .finite_error = ulps.quantile_of_finite(0.99),
+                  .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
+                  .samples = std::min(known, polygons)};
+}
+
+}  // namespace
+
+std::string_view word(Measure measure) {
+  switch (measure) {
+    case Measure::NotRight: return "not-right";
+    case Measure::Distance: return "distance";
+    case Measure::Point: break;
+  }
+  return "point";
+}
+
+std::string_view word(Front front) {
+  switch (front) {
+    case Front::On: return "on";
+    case Front::WithinNoise: return "within-noise";
+    case Front::Off: break;
+  }
+  return "off";
+}
+
+void mark_front(std::vector<Standing>& standings) {
+  for (Standing& s : standings) s.front = front_of(s, standings);
+}
+
+std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, workloads::Placement placement,
+                                   bool radius) {
+  std::vector<std::size_t> strata;
+  for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
+    const auto& stratum = near_edge::all_strata()[s];
+    if (stratum.placement == placement && near_edge::moves_radius(stratum.threshold) == radius &&
+        (!family || stratum.family == *family))
+      strata.push_back(s);
+  }
+  return strata;
+}
+
+std::vector<Standing> standings(Measure measure, std::optional<workloads::Family> family,
+                                workloads::Placement placement, const Errors& errors,
+                                const std::vector<Timing>& timings) {
+  const Question question = measure == Measure::NotRight ? Question::Contact : Question::Answer;
+  const auto strata = strata_of(family, placement, true);
+  const std::size_t methods = errors.at.front().size();
+  std::vector<Standing> list;
+  for (std::size_t m = 0; m < methods; ++m) {
+    auto found = standing(measure, errors.sum(strata, m), errors.polygons(strata, m));
+    const auto time = nanoseconds(m, question, family, placement, timings);
+    if (!found || !time) continue;
+    found->method = m;
+    found->nanoseconds = *time;
+    list.push_back(*found);
+  }
+  mark_front(list);
+  return list;
+}
+
+}  // namespace touchstone::tradeoff

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "experiments/harness/timing/measurement.h"
+#include "experiments/cases/method.h"
+#include "experiments/workloads/workload.h"
+
+namespace touchstone::tradeoff {
+
+/// Which balls are asked about in a timed list.
+enum class Balls {
+  Near,      ///< radius within kNear doubles of the distance to a face, an edge, a vertex, or of an exactly tangent one
+  Anywhere,  ///< workloads::BallPlace::Anywhere
+};
+inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
+[[nodiscard]] std::string_view word(Balls balls);
+
+inline constexpr std::array kTimedQuestions{methods::Question::Contact, methods::Question::Answer};
+/// Of those two.
+[[nodiscard]] std::string_view word(methods::Question question);
+
+/// A family of polygons in a placement: what timings and fronts are made for.
+struct Place {
+  workloads::Family family;
+  workloads::Placement placement;
+};
+
+struct Query {
+  std::size_t polygon;
+  Ball ball;
+};
+
+/// Distinct polygons and balls about them, in random order.
+struct Queries {
+  std::vector<Polygon> polygons;
+  std::vector<Query> near, anywhere;
+
+  [[nodiscard]] const std::vector<Query>& of(Balls balls) const { return balls == Balls::Near ? near : anywhere; }
+};
+
+/// A function of its arguments alone. Fewer balls where the family has none of a kind.
+[[nodiscard]] Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count);
+
+struct TimingSettings {
+  std::vector<const methods::Method*> methods;
+  std::vector<Place> places;
+  std::uint64_t seed = 1;
+  std::size_t queries = 1;  ///< in each list
+  unsigned repetitions = 1;
+};
+
+/// What one list took.
+struct Timing {
+  Place place;
+  Balls balls;
+  methods::Question question;
+  std::vector<bench::Measured> methods;  ///< in the order of the settings
+};
+
+/// How long one method may take for a list: then it is asked about the first questions of it only.
+inline constexpr double kSecondsOfList = 0.005;
+
+/// Times every method on every list, on one thread: a turn of a method is one pass over the list with its polygons
+/// prepared, and all others take their turns before its next one, so that no branch predictor learns the answers. The
+/// time is that of PreparedMethod::ask: an indirect call and a partial answer are in it. Lists that were not finished
+/// when stopped are left out.
+[[nodiscard]] std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
+                                                  const run::Progress& progress);
+
+/// The number of lists, in which progress is told.
+[[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);
+
+}  // namespace touchstone::tradeoff

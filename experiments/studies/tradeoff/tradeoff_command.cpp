@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/commands.h"
+#include "experiments/harness/checkpoint.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/studies/tradeoff/output.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace tradeoff;
+
+struct Options {
+  std::vector<std::string> methods{"all"};
+  std::vector<std::string> families{"all"};
+  std::uint64_t samples = 200;  // with the times about a minute and a half on two cores
+  std::uint64_t seed = 1;
+  unsigned threads = run::all_threads();
+  std::size_t queries = 2000;
+  unsigned repetitions = 7;
+  std::string output = "results/tradeoff";
+  bool force = false, resume = false;
+  bool no_pictures = false;
+  bool redraw = false;
+};
+
+std::string command_line(const Options& options) {
+  return fmt::format(
+      "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
+      "--repetitions {} --output {}{}{}",
+      run::joined(options.methods), run::joined(options.families), options.samples, options.seed, options.threads,
+      options.queries, options.repetitions, run::shell_quoted(options.output), options.resume ? " --resume" : "",
+      options.no_pictures ? " --no-pictures" : "");
+}
+
+/// What an earlier run left would belong to other data.
+void remove_old(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "timings.csv" || name == "front.csv" || name.starts_with("front-") || name.starts_with("offsets-"))
+      std::filesystem::remove(entry.path());
+  }
+}
+
+int redraw(const Options& options) {
+  const std::filesystem::path folder = options.output;
+  for (const char* file : {"front.csv", "errors.csv"})
+    if (!std::filesystem::exists(folder / file))
+      throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
+  const run::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
+  return run::draw_pictures("tradeoff", held) ? 0 : 1;
+}
+
+std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
+  std::vector<Place> places;
+  for (const auto family : families)
+    for (const auto placement : {workloads::Placement::LatticeFrame, workloads::Placement::Rotated})
+      places.push_back({family, placement});
+  return places;
+}
+
+// Raised where sample n of a seed becomes another one, or the form of what is kept changes.
+constexpr int kVersion = 2;
+
+/// All that the errors depend on, by the names of the options.
+nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+  std::vector<std::string> methods, families;
+  for (const auto* method : settings.methods) methods.emplace_back(method->name());
+  for (const auto family : settings.families) families.emplace_back(word(family));
+  return {{"version", kVersion},
+          {"seed", settings.seed},
+          {"method", run::joined(methods)},
+          {"families", run::joined(families)}};
+}
+
+/// One run with all processes: errors by all, times and files by the first.
+class Run {
+ public:
+  Run(const Options& options, const run::Processes& processes)
+      : options_(options),
+        processes_(processes),
+        folder_(options.output),
+        settings_{methods::find_methods(options.methods), workloads::find_families(options.families), options.samples,
+                  options.seed, options.threads},
+        timing_settings_{settings_.methods, places_of(settings_.families), options.seed, options.queries,
+                         options.repetitions} {}
+
+  int operator()() {
+    const auto begin = std::chrono::steady_clock::now();
+    if (processes_.first())
+      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
+    const Errors errors = measure();
+    if (!processes_.first()) return 0;
+    remove_old(folder_);
+    write_errors(folder_, settings_, errors);
+    write_bands(folder_, settings_, errors);
+    write_points(folder_, settings_, errors);
+    write_worst(folder_, settings_, errors);
+    // Processes that wait for the first one keep the machine busy.
+    const std::vector<Timing> timings = processes_.count() > 1 ? std::vector<Timing>() : time();
+    const bool stopped = interrupt_.requested();
+    if (processes_.count() == 1) write_timings(folder_, timings);
+    if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run::write_run_record(folder_, {.command = command_line(options_),
+                                    .seed = settings_.seed,
+                                    .samples_asked = settings_.samples,
+                                    .samples_done = errors.samples,
+                                    .samples_missing = errors.missing,
+                                    .threads = settings_.threads,
+                                    .seconds = seconds,
+                                    .processes = processes_.count(),
+                                    .interrupted = stopped});
+    fmt::print("{}", table(settings_, errors, timings));
+    fmt::print(
+        "\n{} samples of each family, placement and threshold ({} of all were not found), {} of {} lists of {} "
+        "questions timed {} times, in {:.0f} s. Everything: {}\n",
+        errors.samples, errors.missing, timings.size(), list_count(timing_settings_), options_.queries,
+        options_.repetitions, seconds, options_.output);
+    run::flush_standard_output();
+    return tell_end(stopped, errors, timings);
+  }
+
+ private:
+  Errors measure() {
+    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    Errors errors = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
+                               [](const Errors& held) { return held.samples; });
+    run::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
+    measure_errors(settings_, run::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
+    return errors;
+  }
+
+  [[nodiscard]] std::vector<Timing> time() {
+    run::ProgressLine line("tradeoff: times", list_count(timing_settings_));
+    return measure_timings(timing_settings_, interrupt_.requested(), [&](std::uint64_t done) { line(done); });
+  }
+
+  [[nodiscard]] int tell_end(bool stopped, const Errors& errors, const std::vector<Timing>& timings) const {
+    if (stopped) {
+      fmt::print(stderr,
+                 "touchstone: interrupted: {} covers {} of {} samples and {} of {} timed lists; no fronts; --resume "
+                 "goes on\n",
+                 options_.output, errors.samples, settings_.samples, timings.size(), list_count(timing_settings_));
+      return run::kInterrupted;
+    }
+    if (processes_.count() > 1)
+      fmt::print("Times are measured in one process only: --resume without mpirun adds them and the pictures.\n");
+    else if (!options_.no_pictures)
+      run::draw_pictures("tradeoff", *held_);
+    return 0;
+  }
+
+  const Options& options_;
+  const run::Processes& processes_;
+  std::filesystem::path folder_;
+  std::optional<run::OutputFolder> held_;  // by the first process
+  Settings settings_;
+  TimingSettings timing_settings_;
+  run::Interrupt interrupt_;
+};
+
+constexpr const char* kFooter = R"(
+Errors are the same bytes for the same settings, whatever --threads and mpirun; timings.csv and front.csv hold times,
+which one process alone measures. Times that were measured while others use the machine are noise: their quartiles are
+in both files and drawn in the pictures, and the front says whom they may keep from it.)";
+
+}  // namespace
+
+void add_tradeoff(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("tradeoff", "Hold the run time of methods against their errors; draw the best");
+  command->footer(kFooter);
+  auto options = std::make_shared<Options>();
+  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
+  command->add_option("--samples", options->samples, "Samples of each family, placement and threshold: for the errors")
+      ->check(run::whole_number(1), "COUNT")
+      ->capture_default_str();
+  run::add_seed(*command, options->seed, "Any number; the same gives the same questions");
+  run::add_threads(*command, options->threads,
+                   "Of each process, for the errors; they do not change them. Times: always one");
+  command->add_option("--queries", options->queries, "Distinct balls in each timed list")
+      ->check(run::whole_number(1, 1'000'000), "COUNT")
+      ->capture_default_str();
+  command->add_option("--repetitions", options->repetitions, "How often each method takes its turn on a list")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  run::add_resume(*command, options->resume);
+  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  run::add_force(*command, options->force);
+  run::add_no_pictures(*command, options->no_pictures);
+  command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
+  command->callback([options, &status] {
+    status = options->redraw
+                 ? run::run_alone([&] { return redraw(*options); })
+                 : run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+  });
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/workloads/degrees.h"
+
+#include <mpfr.h>
+
+namespace touchstone::kinematics {
+namespace {
+
+constexpr unsigned long kTurn = 360;
+
+/// What `f`, one correctly rounded function of MPFR, leaves in a number of 53 bits that is `value` at first.
+template <class F>
+double rounded(double value, const F& f) {
+  mpfr_t number;
+  mpfr_init2(number, 53);
+  mpfr_set_d(number, value, MPFR_RNDN);
+  f(number);
+  const double result = mpfr_get_d(number, MPFR_RNDN);
+  mpfr_clear(number);
+  return result == 0 ? 0.0 : result;  // no -0
+}
+
+/// A function of, or to, angles of which a turn has kTurn.
+double of_turn(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t), double value) {
+  return rounded(value, [&](mpfr_ptr x) { function(x, x, kTurn, MPFR_RNDN); });
+}
+
+}  // namespace
+
+double sine(double degrees) { return of_turn(mpfr_sinu, degrees); }
+double cosine(double degrees) { return of_turn(mpfr_cosu, degrees); }
+double arc_sine(double value) { return of_turn(mpfr_asinu, value); }
+double arc_cosine(double value) { return of_turn(mpfr_acosu, value); }
+
+double arc_tangent(double y, double x) {
+  return rounded(y, [&](mpfr_ptr result) {
+    mpfr_t abscissa;
+    mpfr_init2(abscissa, 53);
+    mpfr_set_d(abscissa, x, MPFR_RNDN);
+    mpfr_atan2u(result, result, abscissa, kTurn, MPFR_RNDN);
+    mpfr_clear(abscissa);
+  });
+}
+
+}  // namespace touchstone::kinematics

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "experiments/workloads/lattice/triangle_queries.h"
+#include "experiments/workloads/random.h"
+
+namespace touchstone::bench {
+
+inline constexpr double kLargestCoordinate = 0x1p20;
+
+/// A ball that touches a triangle exactly, at its face, an edge or a vertex, with equal chance. All numbers are
+/// integers, |.| <= kLargestCoordinate.
+///
+/// Drawn in an integer frame (workloads::lattice_frame), so that the normal is Pythagorean; the distance to the edge or
+/// the vertex is a Pythagorean triple or quadruple in the frame's units.
+[[nodiscard]] TriangleQuery draw_lattice_tangent(workloads::Random& random);
+
+}  // namespace touchstone::bench

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/experiments/cell/browser/aristo.h"
+
+#include "experiments/cell/model/read_cell.h"
+
+namespace touchstone::cell_browser_tests {
+
+using namespace cell::browser;
+
+const cell::Cell& aristo() {
+  static const cell::Cell cell = cell::read_cell(TOUCHSTONE_SOURCE_DIR "/experiments/cell/cells/aristo.json");
+  return cell;
+}
+
+const Simulator& simulator() {
+  static const Simulator simulator(aristo(),
+                                   {.overhang = 30, .methods = methods::find_methods({"filtered", "thesis"})});
+  return simulator;
+}
+
+const Recording& recording() {
+  static const Recording recording = simulator().run(setting_of(aristo()));
+  return recording;
+}
+
+}  // namespace touchstone::cell_browser_tests

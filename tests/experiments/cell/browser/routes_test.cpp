@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The server of `touchstone cell serve` over HTTP: every route, every refusal.
+#include "experiments/cell/browser/routes.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/experiments/cell/browser/aristo.h"
+#include "tests/experiments/cell/browser/http_client.h"
+#include "tests/experiments/cell/browser/serving.h"
+
+namespace touchstone::cell_browser_tests {
+namespace {
+
+using namespace cell::browser;
+
+class Page : public testing::Test {
+ protected:
+  static nlohmann::json json_of(const Received& received) { return nlohmann::json::parse(received.body); }
+
+  void refuses(const Received& received, unsigned status, const std::string& begin) const {
+    EXPECT_EQ(received.status, status) << received.body;
+    EXPECT_EQ(received.content_type, "application/json");
+    const std::string error = json_of(received).at("error");
+    EXPECT_EQ(error.rfind(begin, 0), 0U) << error;
+    EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U) << "it does not go on after " << begin;
+  }
+
+  const Routes routes{simulator(), KnownHosts("127.0.0.1", true)};
+  const Serving serving{[this](const HttpRequest& request) { return routes.answer(request); }};
+};
+
+TEST_F(Page, AnswersEveryRoute) {
+  const Received page = ask(serving.port(), "GET", "/");
+  EXPECT_EQ(page.status, 200U);
+  EXPECT_EQ(page.content_type, "text/html; charset=utf-8");
+  EXPECT_EQ(page.body.rfind("<!DOCTYPE html>", 0), 0U);
+
+  const Received cell = ask(serving.port(), "GET", "/api/cell");
+  EXPECT_EQ(cell.status, 200U);
+  EXPECT_EQ(json_of(cell)["setting"]["storage"]["radius"], 487.8);
+
+  const Received run = ask(serving.port(), "POST", "/api/run", json_of(cell)["setting"].dump());
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_EQ(json_of(run)["failure"], "");
+  EXPECT_EQ(json_of(run)["stops"].size(), recording().process.stops.size());
+
+  // Figure 6.23's case: the base turns by 183 degrees.
+  const Received second = ask(serving.port(), "POST", "/api/run", R"({"storage": {"angle": -33, "radius": 621.6}})",
+                              "application/json; charset=utf-8");
+  ASSERT_EQ(second.status, 200U) << second.body;
+  bool turned = false;
+  const nlohmann::json answer = json_of(second);
+  for (const auto& move : answer["moves"]) turned = turned || (move["joint"] == "base" && move["degrees"] == -183);
+  EXPECT_TRUE(turned);
+}
+
+TEST_F(Page, RefusesWithAReasonAndGoesOn) {
+  const std::uint16_t port = serving.port();
+  refuses(ask(port, "GET", "/api/runs"), 404, "there are /, /api/cell and /api/run, not /api/runs");
+  refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
+  refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, HEAD, not DELETE");
+  refuses(ask(port, "GET", "/api/run"), 405, "/api/run takes POST, not GET");
+  EXPECT_EQ(ask(port, "GET", "/api/run").allow, "POST");
+  EXPECT_EQ(ask(port, "DELETE", "/api/cell").allow, "GET, HEAD");
+  for (const char* type : {"text/plain", "application/jsonpwn", "application/json-seq;x=application/json", ""})
+    refuses(ask(port, "POST", "/api/run", "{}", type), 415, "the Content-Type must be application/json");
+  refuses(ask(port, "POST", "/api/run", "{\"storage\""), 400, "request: is not JSON: column 11: ");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": -1}})"), 400, "request: storage.radius: ");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
+  refuses(ask(port, "POST", "/api/run", std::string(65537, ' ')), 413, "a request's body may have 65536 bytes");
+  refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1500}})"), 422, "storage.radius: ");
+}
+
+// A page from elsewhere, whose name leads to this machine, sends its own name; of two it may be either.
+TEST_F(Page, AnswersToThisMachineAlone) {
+  const std::uint16_t port = serving.port();
+  for (const char* host : {"localhost", "127.0.0.1", "[::1]"})
+    EXPECT_EQ(ask(port, "GET", "/", "", "", host).status, 200U) << host;
+  for (const char* host : {"evil.example", "127.evil.com", "127.0.0.1.evil.com", "127.0.0.1:80@evil"})
+    for (const char* path : {"/", "/api/cell", "/nothing"})
+      refuses(ask(port, "GET", path, "", "", host), 421, "this server answers to localhost or its address, not to");
+  refuses(ask(port, "POST", "/api/run", "{}", "application/json", "127.evil.com"), 421, "this server answers to");
+  refuses(send_raw(port, "GET / HTTP/1.1\r\nHost:\r\n\r\n"), 421, "this server answers to");
+  refuses(send_raw(port, "GET / HTTP/1.0\r\n\r\n"), 421, "this server answers to");
+}
+
+TEST_F(Page, AnswersHeadAsGetWithoutABody) {
+  for (const char* path : {"/", "/api/cell"}) {
+    const std::string bytes = read_all(
+        serving.port(), std::string("HEAD ") + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
+    EXPECT_TRUE(bytes.starts_with("HTTP/1.1 200 OK\r\n")) << bytes;
+    EXPECT_TRUE(bytes.ends_with("\r\n\r\n")) << bytes;
+    EXPECT_NE(bytes.find("Content-Length: " + std::to_string(ask(serving.port(), "GET", path).body.size()) + "\r\n"),
+              std::string::npos)
+        << bytes;
+  }
+}
+
+// Bytes that are not UTF-8 would not be JSON in the refusal that quotes them.
+TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
+  const std::uint16_t port = serving.port();
+  refuses(send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
+          "there are /, /api/cell and /api/run, not /\\xff");
+  refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
+          "this server answers to localhost or its address, not to \"\\xff\"");
+  refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: column 3: ");
+  refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: column 1: ");
+  refuses(ask(port, "POST", "/api/run", "{\"storage\": {\"\\u001b[31m\": 1}}"), 400,
+          "request: storage.\\x1b[31m: is an unknown key");
+}
+
+// The storage stands in the robot: there is no first stop.
+TEST_F(Page, AnswersWithARunWithoutStops) {
+  const Received run = ask(serving.port(), "POST", "/api/run", R"({"storage": {"radius": 150}})");
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_TRUE(json_of(run)["stops"].empty());
+  EXPECT_EQ(json_of(run)["failure"].get<std::string>().rfind("at home ", 0), 0U) << json_of(run)["failure"];
+}
+
+TEST_F(Page, GivesEveryoneTheAnswerToTheirOwnQuestion) {
+  std::vector<std::thread> clients;
+  std::vector<std::string> bodies(6);
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    clients.emplace_back([&, i] {
+      bodies[i] = ask(serving.port(), "POST", "/api/run", "{\"storage\": {\"angle\": " + std::to_string(i) + "}}").body;
+    });
+  for (std::thread& client : clients) client.join();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    EXPECT_EQ(nlohmann::json::parse(bodies[i])["setting"]["storage"]["angle"], i);
+}
+
+}  // namespace
+}  // namespace touchstone::cell_browser_tests

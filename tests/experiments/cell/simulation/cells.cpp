@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/experiments/cell/simulation/cells.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace touchstone::cell_simulation_tests {
+
+const std::shared_ptr<const std::vector<cell::Covered>>& covered_aristo() {
+  static const auto covered = std::make_shared<const std::vector<cell::Covered>>(
+      cell::cover_arm(cell::build_model(cell::read_cell(kAristo)), 12));
+  return covered;
+}
+
+cell::Workcell aristo(const std::vector<std::string>& changes) {
+  static const auto parts = cell::build_model(cell::read_cell(kAristo));
+  const cell::Cell cell = cell::read_cell(kAristo, std::nullopt, changes);
+  const bool as_it_was = std::ranges::none_of(changes, [](const std::string& change) {
+    return change.find("solid") != std::string::npos || change.find("parts") != std::string::npos ||
+           change.find("height") != std::string::npos || change.find("stand") != std::string::npos;
+  });
+  return {cell, as_it_was ? parts : cell::build_model(cell), covered_aristo()};
+}
+
+}  // namespace touchstone::cell_simulation_tests

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/harness/checkpoint.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "experiments/harness/write_file.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace touchstone::run {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct State {
+  int done = 0;
+
+  friend void from_json(const nlohmann::json& json, State& state) { state.done = json.at("done").get<int>(); }
+};
+
+class CheckpointFile : public testing::Test {
+ protected:
+  CheckpointFile() : folder_(fs::temp_directory_path() / ("touchstone-run-" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~CheckpointFile() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path path() const { return folder_ / "checkpoint.json"; }
+  [[nodiscard]] Checkpoint with(const ordered_json& settings) const { return {path(), settings}; }
+  [[nodiscard]] std::string refusal(const ordered_json& settings) const {
+    try {
+      (void)with(settings).read<State>();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path folder_;
+};
+
+const ordered_json kSettings = {{"version", 1}, {"seed", 3}, {"method", "fast,thesis"}};
+
+TEST_F(CheckpointFile, GivesBackWhatWasWrittenLast) {
+  EXPECT_FALSE(with(kSettings).read<State>());
+  with(kSettings).write({{"done", 4}});
+  with(kSettings).write({{"done", 5}});
+  EXPECT_EQ(with(kSettings).read<State>()->done, 5);
+}
+
+TEST_F(CheckpointFile, NamesTheSettingsThatDiffer) {
+  with(kSettings).write({{"done", 4}});
+  EXPECT_EQ(refusal(kSettings), "");
+  EXPECT_EQ(refusal({{"version", 1}, {"seed", 4}, {"method", "fast,thesis"}}),
+            path().string() + ": is of --seed 3, not of --seed 4");
+  EXPECT_EQ(refusal({{"version", 1}, {"seed", 4}, {"method", "fast"}}),
+            path().string() + ": is of --seed 3 --method fast,thesis, not of --seed 4 --method fast");
+  EXPECT_EQ(refusal({{"version", 2}, {"seed", 3}, {"method", "fast,thesis"}}),
+            path().string() + ": is of another version of this program");
+}
+
+TEST_F(CheckpointFile, IsRefusedWhereItIsDamaged) {
+  for (const char* text : {"", "{", "[]", "{\"version\":1,\"seed\":3,\"method\":\"fast,thesis\"}"}) {
+    write_file(path(), text);
+    EXPECT_NE(refusal(kSettings).find("is no checkpoint of this program"), std::string::npos) << text;
+  }
+}
+
+// Killed while it writes: what stands there is still the last whole state.
+TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
+  with(kSettings).write({{"done", 4}});
+  fs::create_hard_link(path(), folder_ / "same-file");
+  with(kSettings).write({{"done", 5}});
+  EXPECT_EQ(with(kSettings).read<State>()->done, 5);
+  EXPECT_EQ(nlohmann::json::parse(run_tests::text_of(folder_ / "same-file")).at("done"), 4);
+}
+
+// A run that begins anew: what another one had done can be gone on from still, by its old name.
+TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
+  EXPECT_FALSE(with(kSettings).set_aside());
+  with(kSettings).write({{"done", 4}});
+  EXPECT_TRUE(with(kSettings).set_aside());
+  EXPECT_FALSE(with(kSettings).read<State>());
+  fs::rename(folder_ / "checkpoint.json.previous", path());
+  EXPECT_EQ(with(kSettings).read<State>()->done, 4);
+  fs::create_directory(folder_ / "checkpoint.json.previous");  // now it cannot be renamed
+  EXPECT_THROW(with(kSettings).set_aside(), std::runtime_error);
+  EXPECT_EQ(with(kSettings).read<State>()->done, 4);
+}
+
+}  // namespace
+}  // namespace touchstone::run

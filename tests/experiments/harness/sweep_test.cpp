@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How sums over many items are found: the same whatever the threads and stops; and what is said meanwhile.
+#include "experiments/harness/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "experiments/harness/progress_line.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::run {
+namespace {
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+
+TEST(Blocks, AreEachRunOnceByAThreadBelowTheCount) {
+  std::mutex mutex;
+  std::set<std::uint64_t> seen;
+  std::set<unsigned> threads;
+  std::uint64_t told = 0;
+  const std::uint64_t done = run_blocks(
+      1000, 3, kNeverStop, [&](std::uint64_t now) { EXPECT_EQ(now, ++told); },
+      [&](unsigned thread, std::uint64_t block) {
+        const std::lock_guard lock(mutex);
+        EXPECT_TRUE(seen.insert(block).second) << block;
+        threads.insert(thread);
+      });
+  EXPECT_EQ(done, 1000U);
+  EXPECT_EQ(told, 1000U);
+  EXPECT_EQ(seen.size(), 1000U);
+  EXPECT_LT(*threads.rbegin(), 3U);
+}
+
+// More threads than the machine has cores are had nevertheless: each waits for all the others.
+TEST(Blocks, RunOnAsManyThreadsAsAskedFor) {
+  constexpr unsigned kThreads = 5;
+  std::atomic<unsigned> here = 0;
+  run_blocks(
+      kThreads, kThreads, kNeverStop, [](std::uint64_t) {},
+      [&](unsigned, std::uint64_t) {
+        ++here;
+        while (here < kThreads) std::this_thread::yield();
+      });
+  EXPECT_EQ(here, kThreads);
+}
+
+TEST(Blocks, ThatAreDoneAreTheFirst) {
+  for (const unsigned threads : {1U, 4U}) {
+    std::atomic<bool> stop = false;
+    std::mutex mutex;
+    std::set<std::uint64_t> seen;
+    const std::uint64_t done = run_blocks(
+        1000, threads, stop, [&](std::uint64_t now) { stop = now >= 20; },
+        [&](unsigned, std::uint64_t block) {
+          const std::lock_guard lock(mutex);
+          seen.insert(block);
+        });
+    EXPECT_EQ(seen.size(), done);
+    EXPECT_EQ(*seen.rbegin() + 1, done);
+    EXPECT_LT(done, 20U + threads);
+  }
+}
+
+TEST(Blocks, EndWithTheFirstException) {
+  const auto run = [] {
+    run_blocks(
+        1000, 3, kNeverStop, [](std::uint64_t) {},
+        [](unsigned, std::uint64_t block) {
+          if (block == 17) throw std::runtime_error("block 17");
+        });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+}
+
+/// The items themselves.
+struct Items {
+  std::multiset<std::uint64_t> all;
+
+  Items& operator+=(const Items& other) {
+    all.insert(other.all.begin(), other.all.end());
+    return *this;
+  }
+  friend void to_json(nlohmann::ordered_json& json, const Items& items) { json = items.all; }
+  friend void from_json(const nlohmann::json& json, Items& items) { items.all = json.get<decltype(items.all)>(); }
+};
+
+Items first_items(std::uint64_t count) {
+  Items items;
+  for (std::uint64_t i = 0; i < count; ++i) items.all.insert(i);
+  return items;
+}
+
+// The last block may be short; a sweep may begin within a block, where another was stopped or had fewer items.
+TEST(Sweep, TakesEveryItemOnce) {
+  for (const std::uint64_t block : {1U, 7U, 64U})
+    for (const std::uint64_t before : {0U, 1U, 99U, 100U}) {
+      Items items = first_items(before);
+      const std::uint64_t done = run_sweep(
+          {100, block, 3, kAlone, kNeverStop, [](std::uint64_t) {}},
+          [](std::uint64_t item, Items& part) { part.all.insert(item); }, [](std::uint64_t, const Items&) {}, Items(),
+          before, items);
+      EXPECT_EQ(done, 100U);
+      EXPECT_EQ(items.all, first_items(100).all) << block << " " << before;
+    }
+}
+
+// Three threads wait for each other within the first leg, so that each has a part.
+TEST(Sweep, AddsWhatEveryThreadFound) {
+  constexpr unsigned kThreads = 3;
+  std::atomic<unsigned> here = 0;
+  Items items;
+  run_sweep(
+      {kThreads, 1, kThreads, kAlone, kNeverStop, [](std::uint64_t) {}},
+      [&](std::uint64_t item, Items& part) {
+        part.all.insert(item);
+        ++here;
+        while (here < kThreads) std::this_thread::yield();
+      },
+      [](std::uint64_t, const Items&) {}, Items(), 0, items);
+  EXPECT_EQ(items.all, first_items(kThreads).all);
+}
+
+// Whatever is saved is the sum over the first items, and so is what a stopped sweep holds.
+TEST(Sweep, AlwaysHoldsTheFirstItems) {
+  std::atomic<bool> stop = false;
+  Items items;
+  int saves = 0;
+  const std::uint64_t done = run_sweep(
+      {10'000, 3, 2, kAlone, stop, [&](std::uint64_t now) { stop = now >= 500; }},
+      [](std::uint64_t item, Items& part) { part.all.insert(item); },
+      [&](std::uint64_t now, const Items& sum) {
+        EXPECT_EQ(sum.all, first_items(now).all);
+        ++saves;
+      },
+      Items(), 0, items);
+  EXPECT_GE(done, 500U);
+  EXPECT_LT(done, 600U);
+  EXPECT_GT(saves, 2);
+  EXPECT_EQ(items.all, first_items(done).all);
+}
+
+// At the pace of this run alone: 30 of 40 things left, 5 done in 2 s; what was done before took no time of it.
+TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
+  EXPECT_EQ(progress_text("samples", 0, 10, 40, 4), "samples: 25 %, 12 s left");
+  EXPECT_EQ(progress_text("samples", 5, 10, 40, 2), "samples: 25 %, 12 s left");
+  EXPECT_EQ(progress_text("samples", 10, 10, 40, 2), "samples: 25 %");
+  EXPECT_EQ(progress_text("samples", 0, 1, 1001, 3), "samples: <1 %, 50 min left");
+  EXPECT_EQ(progress_text("samples", 0, 1, 10'001, 3), "samples: <1 %, 8.3 h left");
+}
+
+}  // namespace
+}  // namespace touchstone::run

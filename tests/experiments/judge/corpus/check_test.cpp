@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "experiments/judge/corpus/rational_answer.h"
+#include "experiments/cases/verdict.h"
+#include "robust/exact/validate.h"
+#include "tests/experiments/judge/corpus/stored.h"
+
+namespace touchstone {
+namespace {
+
+using corpus::is_nearest_double;
+using corpus::is_nearest_root;
+
+constexpr const char* kGood =
+    R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"off_plane":0}})";
+
+/// Findings about a file of these lines.
+corpus::Findings check(const std::vector<std::string>& lines) {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("touchstone-check-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::ofstream stream(file);
+  for (const std::string& line : lines) stream << line << "\n";
+  stream.close();
+  auto findings = corpus::check_files({file.string()});
+  std::filesystem::remove(file);
+  return findings;
+}
+
+std::string with(const std::string& part, const std::string& other, const std::string& id = "bad") {
+  std::string line = kGood;
+  line.replace(line.find(part), part.size(), other);
+  return line.replace(line.find("good"), 4, id);
+}
+
+TEST(Check, NamesFileLineCaseAndKeyOfEveryPlantedFault) {
+  const std::pair<std::string, std::string> planted[] = {
+      {R"("plane":"intersects")", R"("plane":"behind")"},
+      {R"("plane_tangent":true)", R"("plane_tangent":false)"},
+      {R"("foot":"inside")", R"("foot":"boundary")"},
+      {R"("edges_hit":[])", R"("edges_hit":[2])"},
+      {R"("relation":"touching")", R"("relation":"overlapping")"},
+      {R"("contact":true)", R"("contact":false)"},
+      {R"("nearest":{"kind":"face"})", R"("nearest":{"kind":"edge","index":0})"},
+      {R"("point":[1,1,0])", R"("point":[1,1.0000000000000002,0])"},
+      {R"("distance":2)", R"("distance":2.0000000000000004)"},
+      {R"("off_plane":0)", R"("off_plane":5e-324)"}};
+  for (const auto& [stands, wrong] : planted) {
+    const std::string key = stands.substr(1, stands.find(':') - 2);
+    const auto findings = check({kGood, with(stands, wrong)});
+    EXPECT_EQ(findings.cases, 2u);
+    ASSERT_EQ(findings.faults.size(), 2u) << key;  // one by each number type
+    for (const std::string& fault : findings.faults) {
+      EXPECT_NE(fault.find("touchstone-check-"), std::string::npos) << fault;
+      EXPECT_NE(fault.find(": line 2: case bad: " + key + ": "), std::string::npos) << fault;
+    }
+  }
+}
+
+TEST(Check, WantsEveryKey) {
+  const auto findings = check({with(R"("distance":2,)", "")});
+  ASSERT_EQ(findings.faults.size(), 1u);
+  EXPECT_NE(findings.faults[0].find("distance: is missing"), std::string::npos);
+}
+
+TEST(Check, NamesLinesThatAreNoCasesAndGoesOn) {
+  const auto findings =
+      check({"{", kGood, R"({"id":"none"})", with(R"("radius":2)", R"("radius":-2)", "negative"), kGood});
+  EXPECT_EQ(findings.cases, 5u);
+  ASSERT_EQ(findings.faults.size(), 4u);
+  EXPECT_NE(findings.faults[0].find("line 1: case without id: not JSON"), std::string::npos);
+  EXPECT_NE(findings.faults[1].find("line 3: case none: rejected: malformed-case"), std::string::npos);
+  EXPECT_NE(findings.faults[2].find("line 4: case negative: rejected: negative-radius"), std::string::npos);
+  EXPECT_NE(findings.faults[3].find("line 5: case good: id: stands twice"), std::string::npos);
+}
+
+TEST(Check, NamesAFileThatCannotBeRead) {
+  const auto findings = corpus::check_files({"/nowhere/at-all.jsonl"});
+  ASSERT_EQ(findings.faults.size(), 1u);
+  EXPECT_EQ(findings.faults[0], "/nowhere/at-all.jsonl: cannot be read");
+  const std::string folder = std::filesystem::temp_directory_path();
+  EXPECT_EQ(corpus::check_files({folder}).faults, std::vector<std::string>{folder + ": cannot be read"});
+}
+
+TEST(Check, NamesAFileWithoutCases) {
+  for (const auto& lines : {std::vector<std::string>{}, {"", "  "}}) {
+    const auto findings = check(lines);
+    ASSERT_EQ(findings.faults.size(), 1U);
+    EXPECT_NE(findings.faults[0].find("holds no case"), std::string::npos) << findings.faults[0];
+  }
+}
+
+TEST(Check, NamesAWrongErrorCode) {
+  const std::string spike =
+      R"({"id":"spike","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[2,0,0],[0,4,0]]},"expected":{"error":)";
+  EXPECT_TRUE(check({spike + R"("loop-meets-itself"}})"}).faults.empty());
+  const auto findings = check({spike + R"("zero-normal"}})"});
+  ASSERT_EQ(findings.faults.size(), 1u);
+  EXPECT_NE(findings.faults[0].find("error: stands \"zero-normal\", found \"loop-meets-itself\""), std::string::npos);
+}
+
+TEST(IsNearestDouble, KnowsTiesNeighboursAndEnds) {
+  const double up = std::nextafter(1.0, 2.0);
+  const mpq_class half = (mpq_class(1) + mpq_class(up)) / 2, tiny(1, mpz_class(1) << 2000);
+  EXPECT_TRUE(is_nearest_double(1, half));  // its significand is even
+  EXPECT_FALSE(is_nearest_double(up, half));
+  EXPECT_FALSE(is_nearest_double(1, half + tiny));
+  EXPECT_TRUE(is_nearest_double(up, half + tiny));
+  EXPECT_TRUE(is_nearest_double(-up, -half - tiny));
+  EXPECT_FALSE(is_nearest_double(up, -half - tiny));
+  // Below 1 the doubles are twice as dense.
+  EXPECT_TRUE(is_nearest_double(1, mpq_class(1) - mpq_class(0x1p-54)));
+  EXPECT_FALSE(is_nearest_double(1, mpq_class(1) - mpq_class(0x1p-54) - tiny));
+  EXPECT_TRUE(is_nearest_double(0, mpq_class(0x1p-1074) / 2));
+  EXPECT_FALSE(is_nearest_double(0, mpq_class(0x1p-1074) / 2 + tiny));
+  EXPECT_TRUE(is_nearest_double(0, -tiny));
+  constexpr double kMost = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
+  const mpq_class limit = mpq_class(kMost) + mpq_class(0x1p970);
+  EXPECT_TRUE(is_nearest_double(kMost, limit - tiny));
+  EXPECT_FALSE(is_nearest_double(kMost, limit));
+  EXPECT_TRUE(is_nearest_double(kInfinity, limit));
+  EXPECT_FALSE(is_nearest_double(kInfinity, limit - tiny));
+  EXPECT_TRUE(is_nearest_double(-kInfinity, -limit));
+}
+
+TEST(IsNearestRoot, KnowsTiesAndZero) {
+  const double up = std::nextafter(1.0, 2.0);
+  const mpq_class half = (mpq_class(1) + mpq_class(up)) / 2, tiny(1, mpz_class(1) << 2000);
+  EXPECT_TRUE(is_nearest_root(1, half * half));
+  EXPECT_FALSE(is_nearest_root(up, half * half));
+  EXPECT_TRUE(is_nearest_root(up, half * half + tiny));
+  EXPECT_TRUE(is_nearest_root(0, 0));
+  EXPECT_FALSE(is_nearest_root(0x1p-1074, 0));
+  EXPECT_TRUE(is_nearest_root(std::sqrt(2.0), 2));
+  EXPECT_FALSE(is_nearest_root(std::nextafter(std::sqrt(2.0), 2.0), 2));
+}
+
+// Loops on a small lattice meet, touch and lie in each other in every way.
+TEST(RationalFault, IsThatOfTheSweepOnSmallLattices) {
+  std::uint64_t state = 2026;
+  const auto below = [&state](std::uint64_t limit) {
+    state = state * 6364136223846793005 + 1442695040888963407;
+    return (state >> 33) % limit;
+  };
+  const auto point = [&] {
+    const auto x = static_cast<double>(below(5)), y = static_cast<double>(below(5));
+    return Eigen::Vector3d(x, y, x - 2 * y);
+  };
+  std::array<int, 10> seen{};
+  for (int i = 0; i < 200 * TOUCHSTONE_SAMPLES; ++i) {
+    std::vector<Loop> loops(1 + below(3));
+    for (Loop& loop : loops)
+      for (std::uint64_t n = 3 + below(3); n > 0; --n) loop.push_back(point());
+    try {
+      const Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
+      const auto rejection = exact::validate(polygon);
+      const auto again = corpus::find_rational_fault(polygon);
+      ASSERT_EQ(again.has_value(), rejection.has_value()) << i;
+      if (again) {
+        ASSERT_EQ(*again, rejection->code) << i;
+      }
+      ++seen[again ? static_cast<std::size_t>(*again) : 9];
+    } catch (const Rejected&) {
+      continue;  // equal neighbours
+    }
+  }
+  for (std::size_t code = 5; code < seen.size(); ++code) EXPECT_GT(seen[code], 0) << code;
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The corpus against everything that this project answers with, asked in every way: planted bugs are told by it
+// (tests/system/mutants/run.py --corpus).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "experiments/studies/soak/contestant.h"
+#include "experiments/workloads/ulp.h"
+#include "geometry/contact/fast.h"
+#include "robust/exact/exact.h"
+#include "robust/filtered/engine.h"
+#include "tests/robust/support/environment.h"
+#include "tests/experiments/judge/corpus/stored.h"
+
+namespace touchstone {
+namespace {
+
+const soak::Contestant filtered_path;
+
+std::optional<Triangle> triangle_of(const Polygon& polygon) {
+  if (polygon.vertex_count() != 3) return std::nullopt;
+  return Triangle{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)};
+}
+
+/// Keys that say yes or no, which or how many.
+bool decisive_keys_agree(const Answer& a, const Answer& b) {
+  return a.plane == b.plane && a.plane_tangent == b.plane_tangent && a.foot == b.foot && a.edges_hit == b.edges_hit &&
+         a.relation == b.relation && a.nearest == b.nearest;
+}
+
+TEST(Corpus, EveryLineIsRejectedOrNotAsItExpects) {
+  for (const Stored& stored : stored_cases()) {
+    const auto* rejection = std::get_if<Rejection>(&stored.read.content);
+    ASSERT_TRUE(stored.read.expected) << stored;
+    const auto expected = stored.read.expected->find("error");
+    ASSERT_EQ(rejection != nullptr, expected != stored.read.expected->end()) << stored;
+    if (rejection != nullptr && *expected != true) {
+      ASSERT_EQ(word(rejection->code), expected->get<std::string>()) << stored;
+    }
+  }
+}
+
+TEST(Corpus, ExactMeetsEveryCase) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const exact::PreparedPolygon polygon(stored.polygon());
+    const Ball& ball = stored.ball();
+    const Answer& expected = *stored.answer;
+    ASSERT_EQ(exact::answer(ball, polygon), expected) << stored;
+    ASSERT_EQ(exact::contact(ball, polygon), expected.contact()) << stored;
+    ASSERT_EQ(exact::relation(ball, polygon), expected.relation) << stored;
+    ASSERT_EQ(exact::plane_side(ball, polygon), expected.plane) << stored;
+    ASSERT_EQ(exact::foot(ball, polygon), expected.foot) << stored;
+    ASSERT_EQ(exact::edges_hit(ball, polygon), expected.edges_hit) << stored;
+  }
+}
+
+TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const Answer answer = fast::answer(stored.ball(), stored.polygon());
+    ASSERT_EQ(decisive_keys_agree(answer, *stored.answer), !stored.fails("fast")) << stored;
+    if (!stored.fails("fast")) {
+      ASSERT_EQ(fast::contact(stored.ball(), stored.polygon()), stored.answer->contact()) << stored;
+    }
+  }
+}
+
+// The hand-made cases of ordinary size are small integers, in which doubles round nothing that decides.
+TEST(Corpus, FastMeetsTheHandMadeCasesOfOrdinarySize) {
+  int compared = 0;
+  for (const Stored& stored : stored_cases()) {
+    if (stored.file != "features") continue;
+    const auto named = [&](const char* part) { return stored.id.find(part) != std::string::npos; };
+    const Ball& ball = stored.ball();
+    const bool ordinary = !named("scale-") && !named("double") && !named("-tie") && !named("lift") &&
+                          ball.center.cwiseAbs().maxCoeff() < 1e9 && ball.radius > 1e-9;
+    if (!ordinary && stored.id != "edge-before-vertex-on-a-tie") continue;
+    ++compared;
+    const Polygon& polygon = stored.polygon();
+    const Answer answer = fast::answer(ball, polygon);
+    const Answer& truth = *stored.answer;
+    EXPECT_EQ(answer.plane, truth.plane) << stored;
+    EXPECT_EQ(answer.foot, truth.foot) << stored;
+    EXPECT_EQ(answer.edges_hit, truth.edges_hit) << stored;
+    EXPECT_EQ(answer.relation, truth.relation) << stored;
+    EXPECT_EQ(answer.nearest, truth.nearest) << stored;
+    EXPECT_EQ(answer.point, truth.point) << stored;
+    EXPECT_EQ(answer.distance, truth.distance) << stored;
+    EXPECT_EQ(fast::contact(ball, polygon), truth.contact()) << stored;
+    EXPECT_EQ(fast::relation(ball, polygon), truth.relation) << stored;
+  }
+  EXPECT_GE(compared, 25);
+}
+
+TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const auto triangle = triangle_of(stored.polygon());
+    if (!triangle) continue;
+    const auto& [a, b, c] = *triangle;
+    const Ball& ball = stored.ball();
+    const Answer& expected = *stored.answer;
+    const bool touches = expected.contact();
+    filtered::StageCounts counts;
+    filtered::NoCounts none;
+    ASSERT_EQ(filtered_path.contact(ball, *triangle), touches) << stored;
+    ASSERT_EQ(filtered_path.contact(ball, *triangle, counts), touches) << stored;
+    ASSERT_EQ(filtered_path.plain_contact(ball, *triangle), touches) << stored;
+    const std::array<Triangle, 6> orders{{{a, b, c}, {b, c, a}, {c, a, b}, {c, b, a}, {b, a, c}, {a, c, b}}};
+    std::array<bool, 6> found{};
+    filtered_path.contact(ball, orders, found);
+    ASSERT_EQ(std::ranges::count(found, touches), 6) << stored;
+    for (const Triangle& order : orders) ASSERT_EQ(filtered_path.plain_contact(ball, order), touches) << stored;
+
+    const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
+    ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
+    ASSERT_EQ(filtered::closest(filtered::baseline_engine().plain, ball.center, *triangle, none), closest) << stored;
+  }
+}
+
+TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon polygon(stored.polygon());
+    const Ball& ball = stored.ball();
+    const Answer& expected = *stored.answer;
+    filtered::StageCounts counts;
+    ASSERT_EQ(filtered_path.contact(ball, polygon), expected.contact()) << stored;
+    ASSERT_EQ(filtered_path.contact(ball, polygon, counts), expected.contact()) << stored;
+    ASSERT_EQ(filtered_path.plain_contact(ball, polygon), expected.contact()) << stored;
+    ASSERT_EQ(filtered_path.relation(ball, polygon), expected.relation) << stored;
+    ASSERT_EQ(filtered_path.plane_side(ball, polygon), expected.plane) << stored;
+    ASSERT_EQ(filtered_path.foot(ball, polygon), expected.foot) << stored;
+    ASSERT_EQ(filtered_path.edges_hit(ball, polygon), expected.edges_hit) << stored;
+    ASSERT_EQ(filtered_path.answer(ball, polygon), expected) << stored;
+    ASSERT_EQ(filtered_path.answer(ball, polygon, counts), expected) << stored;
+    ASSERT_EQ(filtered_path.plain_answer(ball, polygon), expected) << stored;
+  }
+}
+
+// Radii on both sides of the stored distance, which is the double nearest to the exact one: two doubles away the answer
+// is known without asking anyone. Nine balls, so that vectors of 2, 4 and 8 leave one over.
+TEST(Corpus, FilteredMeetsEveryCaseInABatch) {
+  for (const Stored& stored : stored_cases()) {
+    const Asked asked(stored);
+    if (!stored.answer || !(stored.answer->distance > 0x1p-1060 && stored.answer->distance < 0x1p1020)) continue;
+    const filtered::PreparedPolygon polygon(stored.polygon());
+    std::array<Ball, 9> balls;
+    std::array<bool, 9> expected{}, found{};
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::int64_t steps = i < 4 ? static_cast<std::int64_t>(i) - 5 : static_cast<std::int64_t>(i) - 2;
+      balls[i] = {stored.ball().center, workloads::move_by_doubles(stored.answer->distance, steps)};
+      expected[i] = steps > 0;
+    }
+    balls[8] = stored.ball();
+    expected[8] = stored.answer->contact();
+    filtered_path.contact(balls, polygon, found);
+    ASSERT_EQ(found, expected) << stored;
+  }
+}
+
+// Preparing and asking; what stands in the corpus is compared when the environment is as it was, since a comparison
+// under flush-to-zero takes subnormals for zero.
+TEST(Corpus, FilteredMeetsEveryCaseInEveryEnvironment) {
+  using contact_tests::Environment;
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon polygon(stored.polygon());
+    const auto triangle = triangle_of(stored.polygon());
+    const Ball& ball = stored.ball();
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : {Environment::kKeep, Environment::kBoth}) {
+        bool as_triangle = stored.answer->contact(), as_polygon = false;
+        const Answer answer = [&] {
+          const Environment changed(mode, flush);
+          if (triangle) as_triangle = filtered_path.plain_contact(ball, *triangle);
+          as_polygon = filtered_path.plain_contact(ball, polygon);
+          return filtered_path.plain_answer(ball, polygon);
+        }();
+        ASSERT_EQ(as_triangle, stored.answer->contact()) << stored;
+        ASSERT_EQ(as_polygon, stored.answer->contact()) << stored;
+        ASSERT_EQ(answer, *stored.answer) << stored;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace touchstone

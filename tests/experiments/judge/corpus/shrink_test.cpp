@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/judge/corpus/shrink.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/cases/method.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "tests/experiments/judge/corpus/stored.h"
+
+namespace touchstone {
+namespace {
+
+using corpus::SameFailure;
+using corpus::Shrunk;
+
+const std::atomic<bool> never = false;
+
+/// Every so many of the cases that the method fails.
+std::vector<const Stored*> failed_by(const std::string& method, std::size_t every) {
+  std::vector<const Stored*> failed;
+  for (const Stored& stored : stored_cases())
+    if (stored.fails(method)) failed.push_back(&stored);
+  std::vector<const Stored*> some;
+  for (std::size_t i = 0; i < failed.size(); i += every) some.push_back(failed[i]);
+  return some;
+}
+
+judge::Verdict wrong(const methods::Method& method, const Ball& ball, const Polygon& polygon) {
+  return corpus::wrong_values(method, ball, polygon, corpus::exact_answer(ball, polygon));
+}
+
+class Shrink : public testing::TestWithParam<const char*> {};
+
+TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
+  const methods::Method& method = *methods::find_method(GetParam());
+  for (const Stored* stored : failed_by(GetParam(), 60)) {
+    const SameFailure failure(method, stored->ball(), stored->polygon());
+    const Shrunk small = corpus::shrink(failure, stored->ball(), stored->polygon(), never);
+    EXPECT_FALSE(find_fault(small.ball)) << *stored;
+    EXPECT_FALSE(exact::validate(small.polygon)) << *stored;
+    const auto before = corpus::size_of(stored->ball(), stored->polygon());
+    const auto after = corpus::size_of(small.ball, small.polygon);
+    EXPECT_LE(after, before) << *stored;
+    EXPECT_LE(after.vertices, before.vertices) << *stored;
+    const auto still = wrong(method, small.ball, small.polygon);
+    ASSERT_FALSE(failure.keys().empty()) << *stored;
+    for (const std::string& key : failure.keys()) EXPECT_TRUE(still.contains(key)) << *stored << ": " << key;
+  }
+}
+
+TEST_P(Shrink, ChangesNothingThatItHasShrunk) {
+  const methods::Method& method = *methods::find_method(GetParam());
+  for (const Stored* stored : failed_by(GetParam(), 110)) {
+    const Shrunk once = corpus::shrink(SameFailure(method, stored->ball(), stored->polygon()), stored->ball(),
+                                       stored->polygon(), never);
+    const Shrunk twice = corpus::shrink(SameFailure(method, once.ball, once.polygon), once.ball, once.polygon, never);
+    EXPECT_EQ(once.polygon, twice.polygon) << *stored;
+    EXPECT_EQ(once.ball.center, twice.ball.center) << *stored;
+    EXPECT_EQ(once.ball.radius, twice.ball.radius) << *stored;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Shrink, testing::Values("fast", "fast-float", "thesis", "cgal-double"),
+                         [](const auto& method) {
+                           std::string name = method.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// The thesis's tests are strict: a ball that touches a face is nowhere near it. Nothing of the U but a triangle, and
+// nothing of the numbers but ones, has to do with that.
+TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
+  const Polygon u(
+      {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
+  const Ball ball{{40, 30, 12}, 7};
+  const methods::Method& thesis = *methods::find_method("thesis");
+  const auto [small_ball, small] = corpus::shrink(SameFailure(thesis, ball, u, "contact"), ball, u, never);
+  EXPECT_EQ(small.vertex_count(), 3u);
+  EXPECT_LE(corpus::size_of(small_ball, small).bits, 6u);
+  EXPECT_EQ(exact::relation(small_ball, small), Relation::Touching);
+}
+
+TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
+  // Doubles lose the ball that touches an edge of the second hole alone.
+  for (const Stored* stored : failed_by("fast", 1)) {
+    if (stored->file != "holes" || stored->polygon().loop_count() != 3) continue;
+    const methods::Method& fast = *methods::find_method("fast");
+    const Shrunk small =
+        corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
+    EXPECT_LT(small.polygon.loop_count(), 3u) << *stored;
+  }
+}
+
+TEST(ShrinkOf, WordsStayAsTheyWere) {
+  const methods::Method& fast = *methods::find_method("fast");
+  for (const Stored* stored : failed_by("fast", 40)) {
+    const auto before = wrong(fast, stored->ball(), stored->polygon());
+    if (!before.contains("relation")) continue;
+    const Shrunk small =
+        corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
+    EXPECT_EQ(exact::relation(small.ball, small.polygon), stored->answer->relation) << *stored;
+    EXPECT_EQ(wrong(fast, small.ball, small.polygon)["relation"], before["relation"]) << *stored;
+  }
+}
+
+TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
+  const methods::Method& fast = *methods::find_method("fast");
+  int shrunk = 0;
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer || stored.fails("fast") || shrunk == 15) continue;
+    if (wrong(fast, stored.ball(), stored.polygon()).empty()) continue;
+    const Shrunk small =
+        corpus::shrink(SameFailure(fast, stored.ball(), stored.polygon()), stored.ball(), stored.polygon(), never);
+    const auto still = wrong(fast, small.ball, small.polygon);
+    EXPECT_FALSE(still.empty()) << stored;
+    EXPECT_FALSE(corpus::any_decisive(still)) << stored;
+    ++shrunk;
+  }
+  EXPECT_EQ(shrunk, 15);
+}
+
+TEST(ShrinkOf, WhatDoesNotFailIsRefused) {
+  const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+  const Ball ball{{1, 1, 1}, 2};
+  EXPECT_THROW(SameFailure(*methods::find_method("exact"), ball, square), std::invalid_argument);
+  EXPECT_THROW(SameFailure(*methods::find_method("thesis"), {{1, 1, 1}, 1}, square, "foot"), std::invalid_argument);
+}
+
+TEST(SizeOf, CountsBitsSignsAndExponents) {
+  const Polygon triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const auto bits = [&](double radius) { return corpus::size_of({{0, 0, 0}, radius}, triangle).bits - 2; };
+  EXPECT_EQ(bits(0), 0u);
+  EXPECT_EQ(bits(1), 1u);
+  EXPECT_EQ(bits(3), 2u);
+  EXPECT_EQ(bits(0.5), 2u);              // 1, and 1 for the exponent
+  EXPECT_EQ(bits(0x1p-1074), 1u + 11u);  // 1, and 1074
+  EXPECT_EQ(bits(0x1.fffffffffffffp0), 53u + 6u);
+  EXPECT_EQ(corpus::size_of({{-1, 0, 0}, 0}, triangle).bits - 2, 2u);
+}
+
+}  // namespace
+}  // namespace touchstone

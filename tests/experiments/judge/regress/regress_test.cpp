@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Failures held against a baseline: a change of one answer is seen, and named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/cases/case.h"
+#include "experiments/judge/regress/baseline.h"
+#include "experiments/harness/write_file.h"
+#include "robust/exact/exact.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace touchstone::regress_tests {
+namespace {
+
+using namespace regress;
+
+const Settings kSmall{.seed = 5, .samples = 2};
+
+Standing standing_of(const std::vector<std::string>& methods, unsigned threads = 1) {
+  const std::atomic<bool> stop = false;
+  return find_standing(kSmall, methods::find_methods(methods), threads, stop, [](std::uint64_t) {}).value();
+}
+
+TEST(Standing, IsWhatTheMethodSaysOfTheCaseOfThatNumber) {
+  const Standing standing = standing_of({"fast", "exact"});
+  const methods::Method& fast = *methods::find_method("fast");
+  for (const auto family : workloads::all_families()) {
+    const Outcomes& outcomes = standing.at("fast").at(std::string(word(family)));
+    ASSERT_EQ(outcomes.size(), kSmall.cases());
+    for (std::size_t n = 0; n < outcomes.size(); ++n) {
+      const auto sample = draw_case(kSmall, family, n);
+      const auto said = fast.prepare(sample.polygon)->ask(sample.ball, methods::Question::Contact).contact;
+      EXPECT_EQ(outcomes[n] == Outcome::Wrong, said != exact::contact(sample.ball, sample.polygon))
+          << word(family) << " " << n;
+    }
+    EXPECT_EQ(summary_of(standing.at("exact").at(std::string(word(family)))).wrong, 0U);
+  }
+}
+
+TEST(Standing, RadiiGoThroughTheDistanceFromBelow) {
+  for (std::size_t n = 0; n + 1 < kRadii; ++n)
+    EXPECT_LT(draw_case(kSmall, workloads::Family::Star, n).ball.radius,
+              draw_case(kSmall, workloads::Family::Star, n + 1).ball.radius);
+  EXPECT_EQ(exponent_of(0), 8);
+  EXPECT_EQ(exponent_of(kRadii - 1), 8);
+  EXPECT_EQ(exponent_of(kRadii / 2), std::nullopt);
+  EXPECT_EQ(exponent_of(kRadii / 2 + 1), 52);
+}
+
+TEST(Standing, IsTheSameForAnyNumberOfThreads) {
+  EXPECT_EQ(standing_of({"fast", "thesis"}, 1), standing_of({"fast", "thesis"}, 3));
+}
+
+TEST(Standing, AMethodIsNotWrongWhereItIsUnsure) {
+  const Standing standing = standing_of({"interval"});
+  EXPECT_GT(summary_of(standing.at("interval").at("star")).unsure, 10U);
+  EXPECT_EQ(summary_of(standing.at("interval").at("star")).wrong, 0U);
+}
+
+TEST(Baseline, ReadsWhatItWrites) {
+  const run_tests::Scratch scratch;
+  const Baseline baseline{kSmall, standing_of({"fast", "thesis-float", "interval"})};
+  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  const Baseline read = read_baseline(scratch.path / "baseline.json");
+  EXPECT_EQ(read.settings, baseline.settings);
+  EXPECT_EQ(read.standing, baseline.standing);
+}
+
+std::string with(std::string text, const std::string& part) { return text.replace(text.find("%s"), 2, part); }
+
+TEST(Baseline, NamesWhatIsWrongWithTheFile) {
+  const run_tests::Scratch scratch;
+  const auto fault = [&](const std::string& text) -> std::string {
+    const auto file = scratch.path / "baseline.json";
+    run::write_file(file, text);
+    try {
+      (void)read_baseline(file);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).substr(file.string().size());
+    }
+    return "";
+  };
+  EXPECT_EQ(fault("{\n\"version\" 1}"),
+            ": not JSON: line 2, column 11: syntax error while parsing object separator - unexpected number literal; "
+            "expected ':'");
+  EXPECT_EQ(fault("[]"), ": is not an object");
+  EXPECT_EQ(fault("{}"), ": key 'version' not found");
+  EXPECT_EQ(fault(R"({"version":7,"seed":1,"samples":1,"methods":{}})"), ": is of version 7, this program's is 1");
+  for (const char* methods : {"{}", "null", "[]", "7"})
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":1,"methods":%s})", methods)),
+              ": \"methods\" has no method");
+  for (const char* number : {"1.7", "-1", "\"1\"", "null"}) {
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":%s,"samples":1,"methods":{"fast":{}}})", number)),
+              ": \"seed\" is no whole number without a sign");
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
+              ": \"samples\" is no whole number without a sign");
+  }
+  for (const char* number : {"0", "100001"})
+    EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
+              ": \"samples\" must be from 1 to 100000");
+  EXPECT_EQ(fault(R"({"version":1,"seed":1,"seed":1})"), ": has the key \"seed\" twice");
+
+  const nlohmann::json sound = nlohmann::json::parse(baseline_text({kSmall, standing_of({"fast"})}));
+  nlohmann::json other = sound;
+  other["methods"]["fast"]["star"] = "00";
+  EXPECT_EQ(fault(other.dump()), ": star of fast: are not the digits of so many cases");
+  other = sound;
+  other["methods"]["fast"]["star"] = 0;
+  EXPECT_EQ(fault(other.dump()), ": star of fast: is not a string");
+  other = sound;
+  other["methods"]["fast"]["hexagon"] = "";
+  EXPECT_EQ(fault(other.dump()), ": fast has the unknown key \"hexagon\"");
+  other = sound;
+  other["methods"]["fast"].erase("star");
+  EXPECT_EQ(fault(other.dump()), ": fast has no key \"star\"");
+  other = sound;
+  other["methods"]["fast"] = 7;
+  EXPECT_EQ(fault(other.dump()), ": fast is not an object");
+  other = sound;
+  other["method"] = other["methods"];
+  EXPECT_EQ(fault(other.dump()), ": has the unknown key \"method\"");
+  other = sound;
+  other["unsure"] = nullptr;
+  EXPECT_EQ(fault(other.dump()), ": \"unsure\" is not an object");
+  other = sound;
+  other["unsure"]["slow"] = other["methods"]["fast"];
+  EXPECT_EQ(fault(other.dump()), ": \"unsure\" has slow, which \"methods\" has not");
+  other = sound;
+  other["unsure"] = other["methods"];
+  EXPECT_NE(fault(other.dump()).find(" is wrong and unsure"), std::string::npos);
+  try {
+    (void)read_baseline(scratch.path);
+    FAIL() << "a folder is no baseline";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), scratch.path.string() + ": cannot be read");
+  }
+}
+
+TEST(Baseline, IsReadUpToALength) {
+  try {
+    (void)read_baseline("/dev/zero", std::size_t{3} << 20);
+    FAIL() << "it has no end";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/dev/zero: is longer than 3 MiB");
+  }
+}
+
+TEST(Baseline, EveryChangeIsNamedOnce) {
+  const Standing before = standing_of({"fast", "thesis"});
+  EXPECT_TRUE(changes(before, before).empty());
+  Standing was = before, is = before;
+  const std::vector<std::pair<Outcome, Outcome>> better = {
+      {Outcome::Wrong, Outcome::Right}, {Outcome::Wrong, Outcome::Unsure}, {Outcome::Unsure, Outcome::Right}};
+  for (std::size_t i = 0; i < better.size(); ++i) {
+    std::tie(was["fast"]["comb"][10 + i], is["fast"]["comb"][10 + i]) = better[i];
+    std::tie(is["fast"]["comb"][20 + i], was["fast"]["comb"][20 + i]) = better[i];
+  }
+  is["new"] = is["fast"];
+  const auto found = changes(was, is);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].method, "fast");
+  EXPECT_EQ(found[0].family, "comb");
+  EXPECT_EQ(found[0].better, (std::vector<std::size_t>{10, 11, 12}));
+  EXPECT_EQ(found[0].worse, (std::vector<std::size_t>{20, 21, 22}));
+}
+
+TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
+  for (const char* option : {"--seed", "--samples"}) {
+    const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", "none", option, "3"});
+    EXPECT_NE(ran.status, 0);
+    EXPECT_NE(ran.err.find("excludes"), std::string::npos) << ran.err;
+  }
+}
+
+TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", file, "--method", "fast"});
+  EXPECT_EQ(ran.status, 2) << ran.out;
+  EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
+}
+
+TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
+  const auto refused = run_tests::run_captured(commands::add_regress, "regress", named);
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing goes on without it");
+  std::vector<std::string> allowed = named;
+  allowed.emplace_back("--allow-missing");
+  for (const auto& arguments : {allowed, {"--baseline", file, "--method", "all", "--threads", "2"}}) {
+    const auto ran = run_tests::run_captured(commands::add_regress, "regress", arguments);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_NE(ran.out.find("fast: not in the baseline\n"), std::string::npos) << ran.out;
+  }
+}
+
+TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
+  const run_tests::Scratch scratch;
+  const std::string file = (scratch.path / "baseline.json").string();
+  const std::vector<std::string> arguments = {"--method", "fast", "--samples", "1", "--write", file};
+  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", arguments).status, 0);
+  const std::string written = run_tests::text_of(file);
+  run::write_file(file, "mine");
+  const auto refused = run_tests::run_captured(commands::add_regress, "regress", arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out, "");  // no time was spent
+  EXPECT_EQ(refused.err, file + ": is there already; --force writes over it");
+  EXPECT_EQ(run_tests::text_of(file), "mine");
+  std::vector<std::string> forced = arguments;
+  forced.emplace_back("--force");
+  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", forced).status, 0);
+  EXPECT_EQ(run_tests::text_of(file), written);
+}
+
+TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
+  const run_tests::Scratch scratch;
+  Baseline baseline{kSmall, standing_of({"thesis"})};
+  Outcomes& outcomes = baseline.standing["thesis"]["star"];
+  const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
+  outcomes[wrong] = Outcome::Right;  // as if it had been right about it
+  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  const auto ran = run_tests::run_captured(commands::add_regress, "regress",
+                                           {"--baseline", (scratch.path / "baseline.json").string(), "--method",
+                                            "thesis,boost-geometry", "--output", (scratch.path / "out").string()});
+  EXPECT_EQ(ran.status, 1) << ran.err;
+  EXPECT_NE(ran.out.find("thesis on star: 0 better, 1 worse: cases " + std::to_string(wrong) + "\n"), std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.out.find("boost-geometry: does not say whether ball and polygon touch; left out"), std::string::npos);
+  const std::string worse = run_tests::text_of(scratch.path / "out" / "worse.jsonl");
+  ASSERT_EQ(std::count(worse.begin(), worse.end(), '\n'), 1);
+  const auto judged = judge::read_case(worse);
+  const auto& shapes = std::get<judge::Shapes>(judged.content);
+  EXPECT_EQ(judged.expected->at("contact"), exact::contact(shapes.ball, shapes.polygon));
+  EXPECT_NE(
+      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, methods::Question::Contact).contact,
+      judged.expected->at("contact").get<bool>());
+}
+
+}  // namespace
+}  // namespace touchstone::regress_tests

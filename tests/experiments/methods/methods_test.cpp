@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The methods that stand beside ours: what is exact is exact, what is sure is right, and asking leaves no trace.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "experiments/studies/bench/polygon_queries.h"
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/cases/method.h"
+#include "experiments/cases/threshold.h"
+#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/random.h"
+#include "experiments/workloads/workload.h"
+#include "robust/exact/exact.h"
+#include "tests/robust/support/generators.h"
+
+namespace touchstone::methods {
+namespace {
+
+using workloads::BallPlace;
+using workloads::Placement;
+
+struct Sample {
+  std::string id;
+  Ball ball;
+  Polygon polygon;
+};
+
+/// Every family, placement and place of the ball, with and without holes, a few doubles from the threshold.
+std::vector<Sample> adversarial_samples() {
+  std::vector<Sample> samples;
+  std::uint64_t index = 0;
+  for (const auto family : workloads::all_families())
+    for (const auto placement : {Placement::LatticeFrame, Placement::Rotated})
+      for (const auto place : workloads::all_ball_places()) {
+        if (place == BallPlace::LatticeTangent && placement == Placement::Rotated) continue;
+        workloads::Workload workload{.family = family, .placement = placement, .ball = place};
+        workload.doubles = static_cast<int>(index % 5) - 2;
+        if (family == workloads::Family::Star && index % 2 == 0) workload.holes = 2;
+        auto sample = workloads::sample(workload, 11, index++);
+        samples.push_back({sample.id, sample.ball, std::move(sample.polygon)});
+      }
+  return samples;
+}
+
+/// Polygons whose vertices are off their plane, by a unit in the last place up to a tenth of the size.
+std::vector<Sample> off_plane_samples() {
+  std::vector<Sample> samples;
+  std::uint64_t index = 0;
+  for (const auto& off_plane : bench::all_off_plane())
+    for (const auto family : bench::outlines_of(16)) {
+      const Polygon polygon = bench::move_off_plane(bench::draw_polygon(family, 16, 5, index), off_plane, 5, index);
+      for (const auto& query : bench::draw_balls({polygon}, 5 + index, 4)) {
+        Ball ball = query.ball;
+        const double distance = exact::answer(ball, polygon).distance;
+        ball.radius = workloads::move_by_doubles(distance, static_cast<std::int64_t>(index % 3));
+        samples.push_back({off_plane.name + " off, number " + std::to_string(index), ball, polygon});
+        ++index;
+      }
+    }
+  return samples;
+}
+
+std::vector<Sample> all_samples() {
+  std::vector<Sample> samples = adversarial_samples();
+  for (Sample& sample : off_plane_samples()) samples.push_back(std::move(sample));
+  return samples;
+}
+
+judge::Verdict ask(std::string_view method, const Sample& sample, Question question = Question::Answer) {
+  return judge::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, question));
+}
+
+/// By what sums do: fegetround looks at the x87 unit alone.
+bool rounds_to_nearest() {
+  const volatile double one = 1, little = 0x1p-60;
+  return one + little == one && one - little == one;
+}
+
+constexpr std::array kQuestions{Question::Contact, Question::Relation, Question::PlaneSide,
+                                Question::Foot,    Question::EdgesHit, Question::Answer};
+
+// Every key of every question, off the plane too.
+TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
+  for (const Sample& sample : all_samples())
+    for (const Question question : kQuestions) {
+      const auto truth = ask("exact", sample, question);
+      for (const char* method : {"cgal-epeck", "rational", "filtered"})
+        EXPECT_EQ(ask(method, sample, question), truth) << method << ", " << sample.id;
+    }
+}
+
+// Sure answers are right, key by key; a missing key is owned up to, and none is missing without that.
+TEST(Interval, IsNeverWrongWhereItIsSure) {
+  std::uint64_t sure = 0, unsure = 0;
+  for (const Sample& sample : all_samples()) {
+    const auto prepared = find_method("interval")->prepare(sample.polygon);
+    for (const Question question : kQuestions) {
+      const PartialAnswer answer = prepared->ask(sample.ball, question);
+      ASSERT_TRUE(rounds_to_nearest()) << sample.id;  // bounds come from no mode that was left behind
+      const auto given = judge::object_of(answer), truth = ask("exact", sample, question);
+      for (const auto& [key, value] : given.items()) EXPECT_EQ(value, truth[key]) << key << ", " << sample.id;
+      EXPECT_EQ(answer.unsure, given.size() < truth.size()) << sample.id;
+      if (question == Question::Contact) ++(answer.unsure ? unsure : sure);
+    }
+  }
+  EXPECT_GT(sure, 20U);
+  EXPECT_GT(unsure, 20U);
+}
+
+// The same on any case of the generators: grids, far away, warped, at extreme exponents.
+RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
+  const auto drawn = *contact_tests::any_case();
+  const auto truth = judge::object_of(PartialAnswer::of(exact::answer(drawn.ball, drawn.polygon), ""));
+  const Sample sample{drawn.id, drawn.ball, drawn.polygon};
+  RC_ASSERT(ask("cgal-epeck", sample) == truth);
+  RC_ASSERT(ask("rational", sample) == truth);
+  const auto sure = ask("interval", sample);
+  for (const auto& [key, value] : sure.items()) RC_ASSERT(value == truth[key]);
+}
+
+// Where every product and quotient is a double, intervals are points, and nothing is left open.
+TEST(Interval, KnowsAllThatDoublesHold) {
+  const Polygon u({{0, -1, 0}, {4, -1, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0, 0}, {1, 0, 0}, {1, 4, 0}, {0, 4, 0}});
+  const Sample sample{"U", {{1.5, 2, 0}, 0.5}, u};
+  EXPECT_EQ(ask("interval", sample), ask("exact", sample));
+}
+
+// 201 bits are right wherever double-doubles are right by a wide margin, and 64 doubles from a threshold both are.
+TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
+  const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
+  for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
+    if (!near_edge::moves_radius(near_edge::all_strata()[s].threshold)) continue;
+    const auto crossing = near_edge::draw_crossing({s, {}, 9, 0}, *methods::find_method("exact"));
+    ASSERT_TRUE(crossing);
+    const auto by_wide = wide->prepare(crossing->polygon), by_narrow = narrow->prepare(crossing->polygon);
+    for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
+      const auto offset = std::abs(near_edge::all_offsets()[i]);
+      const auto truth = crossing->truths[i].contact;
+      if (offset >= 64) {
+        EXPECT_EQ(by_narrow->ask(crossing->balls[i], Question::Contact).contact, truth) << s << " " << offset;
+      }
+      if (offset >= 1) {
+        EXPECT_EQ(by_wide->ask(crossing->balls[i], Question::Contact).contact, truth) << s << " " << offset;
+      }
+    }
+  }
+}
+
+// No scalar is computed in a narrower one on the way: each step up gets more of the thresholds right.
+TEST(FastScalars, ErrLessTheWiderTheyAre) {
+  std::vector<std::uint64_t> wrong;
+  for (const char* name : {"fast-float", "fast", "fast-long-double", "fast-double-double"}) {
+    wrong.push_back(0);
+    for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
+      if (near_edge::all_strata()[s].threshold != near_edge::Threshold::Face) continue;
+      const auto crossing = near_edge::draw_crossing({s, {}, 2, 0}, *methods::find_method("exact"));
+      ASSERT_TRUE(crossing);
+      const auto prepared = find_method(name)->prepare(crossing->polygon);
+      for (std::size_t i = 0; i < crossing->balls.size(); ++i)
+        if (prepared->ask(crossing->balls[i], Question::Contact).contact != crossing->truths[i].contact) ++wrong.back();
+    }
+  }
+  for (std::size_t i = 1; i < wrong.size(); ++i) EXPECT_LT(wrong[i], wrong[i - 1]) << i;
+}
+
+TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
+  const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+  std::set<std::string_view> names;
+  for (const auto& method : all_methods()) {
+    EXPECT_TRUE(names.insert(method->name()).second) << method->name();
+    EXPECT_LE(method->summary().size(), 96U) << method->name();
+    const auto prepared = method->prepare(square);
+    const PartialAnswer whole = prepared->ask({{1, 1, 1}, 1.25}, Question::Answer);
+    EXPECT_FALSE(whole.unsure) << method->name();
+    EXPECT_TRUE(whole.contact || whole.foot) << method->name() << " answers nothing";
+    if (whole.contact) {
+      EXPECT_TRUE(*whole.contact) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, Question::Contact).contact, true) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, Question::Contact).contact, false) << method->name();
+    }
+    // Engines of others answer one of these questions, ours all.
+    EXPECT_EQ(whole.foot.value_or(FootPlace::Inside), FootPlace::Inside) << method->name();
+    EXPECT_EQ(whole.plane.value_or(PlaneSide::Intersects), PlaneSide::Intersects) << method->name();
+    EXPECT_EQ(whole.edges_hit.value_or(std::vector<std::size_t>{}), std::vector<std::size_t>{}) << method->name();
+  }
+}
+
+// Intervals round upwards while they compute, and only then.
+// Planes, feet and squares of such numbers overflow; exact predicates of what is not finite would end the program.
+TEST(AllMethods, GoOnWhereNumbersOverflow) {
+  const std::set<std::string_view> exact_ones{"exact", "filtered", "rational", "cgal-epeck"};
+  for (const double size : {1e100, 1e155, 1e200, 1e300, 0x1p1022}) {
+    const Polygon triangle({{0, 0, 0}, {size, 0, size / 4}, {0, size, 0}});
+    for (const Ball& ball : {Ball{{size / 3, size / 3, size}, size / 2}, Ball{{1, 1, 1}, size}, Ball{{-size, 0, 0}, 1}})
+      for (const auto& method : all_methods()) {
+        const auto answer = method->prepare(triangle)->ask(ball, Question::Answer);
+        if (exact_ones.count(method->name()) == 1) {
+          EXPECT_EQ(answer.contact, exact::contact(ball, triangle)) << method->name() << ", " << size;
+        }
+      }
+  }
+}
+
+TEST(AllMethods, LeaveTheRoundingModeAsItWas) {
+  for (const Sample& sample : adversarial_samples())
+    for (const auto& method : all_methods()) {
+      const auto prepared = method->prepare(sample.polygon);
+      ASSERT_TRUE(rounds_to_nearest()) << method->name();
+      (void)prepared->ask(sample.ball, Question::Answer);
+      ASSERT_TRUE(rounds_to_nearest()) << method->name();
+    }
+}
+
+// What one thread asks of a prepared polygon does not disturb another: lazy numbers are shared, and change.
+TEST(AllMethods, MayBeAskedFromSeveralThreads) {
+  workloads::Workload workload{.placement = Placement::Rotated, .ball = BallPlace::NearEdge};
+  const auto sample = workloads::sample(workload, 1, 0);
+  for (const auto& method : all_methods()) {
+    const auto alone = judge::object_of(method->prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+    const auto shared = method->prepare(sample.polygon);
+    std::array<judge::Verdict, 4> answers;
+    {
+      std::vector<std::jthread> threads;
+      for (auto& answer : answers)
+        threads.emplace_back([&] { answer = judge::object_of(shared->ask(sample.ball, Question::Answer)); });
+    }
+    for (const auto& answer : answers) EXPECT_EQ(answer, alone) << method->name();
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::methods

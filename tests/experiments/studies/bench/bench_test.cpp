@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The comparison of filtered with fast: how it is measured, and that tables and files hold all of it. No time is
+// asserted.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/output.h"
+#include "experiments/commands.h"
+#include "tests/experiments/studies/bench/run_bench.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using run_tests::Scratch;
+
+using run_tests::kNeverStop;
+using run_tests::kSilent;
+
+/// Answers the numbers that it is asked; right about all but those below `wrong`.
+Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
+  const auto ask = [name, log](std::size_t count) {
+    if (count > 1 && log != nullptr) log->push_back(name);
+    return static_cast<std::uint64_t>(count);
+  };
+  return {name, queries, ask, [wrong](std::size_t count) { return std::min(wrong, count); }, {}, {}};
+}
+
+Contest duel(std::vector<std::string>* log = nullptr) {
+  Contest contest;
+  contest.name = "duel";
+  contest.checked = 10;
+  contest.contestants = {counter("base", 100, 0, log), counter("other", 100, 3, log)};
+  contest.contestants[1].comparison = Comparison{"base", Goal{1e9}};
+  return contest;
+}
+
+TEST(BenchMeasurement, QuartilesLieBetweenTheSortedValues) {
+  const Quartiles q = quartiles({5, 1, 4, 2, 3});
+  EXPECT_EQ(q.minimum, 1);
+  EXPECT_EQ(q.lower, 2);
+  EXPECT_EQ(q.median, 3);
+  EXPECT_EQ(q.upper, 4);
+  EXPECT_EQ(q.maximum, 5);
+  EXPECT_EQ(quartiles({1, 2}).median, 1.5);
+  EXPECT_EQ(quartiles({7}).upper, 7);
+}
+
+TEST(BenchMeasurement, ContestantsTakeTurnsAndEachBegins) {
+  std::vector<std::string> log;
+  EXPECT_EQ(measure("test", duel(&log), 4, kNeverStop, kSilent).contestants.size(), 2U);
+  ASSERT_GE(log.size(), 8U);
+  const std::vector<std::string> timed(log.end() - 8, log.end());
+  EXPECT_EQ(timed, (std::vector<std::string>{"base", "other", "other", "base", "base", "other", "other", "base"}));
+}
+
+TEST(BenchMeasurement, HoldsEveryRepetitionRatioAndWrongAnswer) {
+  const Result result = measure("test", duel(), 5, kNeverStop, kSilent);
+  ASSERT_EQ(result.contestants.size(), 2U);
+  const auto& [base, other] = std::tie(result.contestants[0], result.contestants[1]);
+  EXPECT_EQ(base.queries, 100U);
+  EXPECT_EQ(base.nanoseconds.size(), 5U);
+  EXPECT_TRUE(base.ratios.empty());
+  ASSERT_EQ(other.ratios.size(), 5U);
+  EXPECT_EQ(other.ratios[2], other.nanoseconds[2] / base.nanoseconds[2]);
+  EXPECT_EQ(base.wrong->count, 0U);
+  EXPECT_EQ(other.wrong->count, 3U);
+  EXPECT_EQ(other.wrong->of, 10U);
+}
+
+TEST(BenchMeasurement, AComparisonWithNobodyIsRefused) {
+  Contest contest = duel();
+  contest.contestants[1].comparison->base = "nobody";
+  EXPECT_THROW((void)measure("test", contest, 1, kNeverStop, kSilent), std::logic_error);
+}
+
+TEST(BenchMeasurement, PoolsAreMeans) {
+  Result one{
+      "test", "one",
+      "",     "query",
+      "all",  {{"base", 10, {2, 4}, Wrong{1, 5}, {}, {}}, {"other", 10, {2, 2}, {}, Comparison{"base", {}}, {1, 0.5}}}};
+  Result two = one;
+  two.contestants[0].nanoseconds = {4, 8};
+  const auto both = pooled({one, two}, "all");
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->name, "all");
+  EXPECT_EQ(both->contestants[0].nanoseconds, (std::vector<double>{3, 6}));
+  EXPECT_EQ(both->contestants[0].wrong->of, 10U);
+  EXPECT_EQ(both->contestants[1].ratios, (std::vector<double>{2 / 3.0, 2 / 6.0}));
+  EXPECT_FALSE(pooled({one}, "all"));
+  EXPECT_FALSE(pooled({one, two}, "none"));
+}
+
+TEST(BenchMeasurement, AStopLeavesWhatWasMeasured) {
+  std::atomic<bool> stop = false;
+  const Result result = measure("test", duel(), 10, stop, [&](std::uint64_t done) { stop = done == 3; });
+  EXPECT_EQ(result.contestants[0].nanoseconds.size(), 3U);
+  EXPECT_EQ(result.contestants[1].ratios.size(), 3U);
+  EXPECT_FALSE(result.contestants[0].wrong);
+}
+
+TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
+  Result result{
+      "test",  "", "",
+      "query", "", {{"base", 10, {2, 2}, {}, {}, {}}, {"other", 10, {6, 6}, {}, Comparison{"base", Goal{2}}, {3, 3}}}};
+  EXPECT_NE(table(result).find("<= 2 MISSED"), std::string::npos);
+  EXPECT_NE(goals({result}).find("0 of 1 goals met; missed:\n  test: other is 3.00 x base, not <= 2"),
+            std::string::npos);
+  EXPECT_EQ(json({result})[0]["contestants"][1]["goal"]["met"], false);
+  result.contestants[1].comparison->goal = Goal{2, false};
+  EXPECT_NE(table(result).find(">= 2 met"), std::string::npos);
+  EXPECT_NE(goals({result}).find("1 of 1 goals met\n"), std::string::npos);
+}
+
+// Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.
+TEST(BenchCommand, PrintsAndWritesEveryRow) {
+  const Scratch scratch;
+  const auto file = scratch.path / "it's new" / "bench.json";
+  const std::string families =
+      "random-triangles,half-near,lattice-tangent,slivers,far,extreme,polygons-8,off-plane,questions,batches";
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run_bench({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--json",
+                       file.string()}),
+            0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  const auto all = nlohmann::json::parse(std::ifstream(file));
+
+  EXPECT_EQ(all["run"]["seed"], 5);
+  EXPECT_TRUE(all["run"].contains("flags"));
+  EXPECT_TRUE(all["processor_features"].contains("compiled_for"));
+  EXPECT_TRUE(fs::exists(file.parent_path() / "run.json"));
+  EXPECT_EQ(all["contests"].size(), 6U + (4 + 1 + 1) + 3 + 10 + 3);
+  for (const auto& contest : all["contests"]) {
+    const std::string family = contest["family"], name = contest["name"];
+    EXPECT_NE(text.find("\n" + family + (name.empty() ? "" : ", " + name)), std::string::npos);
+    EXPECT_GE(contest["contestants"].size(), 2U) << family << ", " << name;
+    for (const auto& contestant : contest["contestants"]) {
+      const std::string who = contestant["name"];
+      EXPECT_EQ(contestant["nanoseconds"]["repetitions"].size(), 2U);
+      if (name != "preparation") {
+        EXPECT_GT(contestant["wrong"]["of"], 0) << family << ", " << name << ", " << who;
+      }
+      if (who.starts_with("filtered") || who.starts_with("EPECK") || family == "off-plane") {
+        EXPECT_EQ(contestant.value("/wrong/count"_json_pointer, 0), 0) << family << ", " << name << ", " << who;
+      }
+      if (who.starts_with("filtered")) {
+        EXPECT_EQ(contestant["ratio"]["repetitions"].size(), 2U);
+      }
+    }
+  }
+  EXPECT_NE(text.find("goals met"), std::string::npos);
+  EXPECT_NE(text.find("Fewer than 100000 samples"), std::string::npos);
+}
+
+// The contestants of the families that a test has no time for.
+TEST(BenchFamilies, AreAllThere) {
+  std::vector<std::string> names;
+  for (const Family& family : all_families()) {
+    names.push_back(family.name);
+    EXPECT_FALSE(family.summary.empty());
+    EXPECT_FALSE(family.contests.empty());
+  }
+  for (const char* name : {"polygons-8", "polygons-32", "polygons-128", "polygons-1024", "polygons-10000",
+                           "polygons-100000", "off-plane", "questions", "batches"})
+    EXPECT_EQ(std::ranges::count(names, name), 1) << name;
+}
+
+// Goals are part of what is measured.
+TEST(BenchFamilies, KnowTheirGoals) {
+  const auto goal = [](const std::string& family, const std::string& contestant) {
+    Settings settings;
+    settings.samples = 1;
+    settings.checks = false;
+    const auto found = std::ranges::find(all_families(), family, &Family::name);
+    for (const Contestant& c : found->contests.front()(settings).contestants)
+      if (c.name == contestant && c.comparison && c.comparison->goal) return c.comparison->goal->ratio;
+    return 0.0;
+  };
+  EXPECT_EQ(goal("random-triangles", "filtered"), 1);
+  EXPECT_EQ(goal("random-triangles", "EPECK"), 100);
+  EXPECT_EQ(goal("half-near", "filtered"), 3);
+  EXPECT_EQ(goal("half-near", "EPECK"), 50);
+  EXPECT_EQ(goal("lattice-tangent", "filtered"), 10);
+  EXPECT_EQ(goal("slivers", "filtered"), 0);
+  EXPECT_EQ(goal("polygons-128", "filtered"), 0.25);
+  EXPECT_EQ(goal("polygons-1024", "filtered"), 0.08);
+  EXPECT_EQ(goal("polygons-100000", "filtered"), 0.002);
+}
+
+TEST(BenchCommand, CountsAsksOneContestantOnly) {
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run_bench({"--family", "random-triangles", "--count", "fast", "--samples", "30", "--repetitions", "3"}), 0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(text.rfind("random-triangles, fast: 30 queries, 3 times; sum of the answers ", 0), 0U) << text;
+}
+
+TEST(BenchCommand, WrongOptionsAreErrors) {
+  EXPECT_THROW(run_bench({"--family", "circles"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--samples", "10000001"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--repetitions", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--seed", "one"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/dev/null/bench.json"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/tmp"}), std::runtime_error);
+  try {
+    run_bench({"--family", "circles"});
+  } catch (const CLI::ParseError& error) {
+    EXPECT_NE(std::string(error.what()).find("there are random-triangles, half-near, "), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::bench

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes beside other libraries: what is asked, who is right, and that tables and files hold all of it. No time is
+// asserted.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/studies/bench_scenes/output.h"
+#include "experiments/commands.h"
+#include "geometry/scene/box.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "tests/experiments/studies/bench/run_bench.h"
+#include "tests/experiments/support/address_sanitizer.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
+
+using run_tests::kNeverStop;
+
+SceneSettings small_settings() { return {.samples = 60, .seed = 3, .repetitions = 2, .seconds_of_repetition = 1e-3}; }
+
+SceneResult measure_small(const std::vector<Library>& libraries, std::size_t triangles = 400) {
+  return measure_scene(
+      {"torus", torus(triangles)}, libraries, small_settings(), kNeverStop, [](const SceneResult&) {},
+      [](const SceneContest&) {});
+}
+
+/// Says that every ball touches something, leaves out the last triangle that is touched, and names triangle 0 as the
+/// nearest.
+class Planted : public BuiltScene {
+ public:
+  explicit Planted(std::span<const Triangle> triangles) : exact_(touchstone_library().build(triangles)) {}
+  bool any(const Ball&) override { return true; }
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+    exact_->all(ball, triangles);
+    if (!triangles.empty()) triangles.pop_back();
+  }
+  std::uint32_t nearest(const Eigen::Vector3d&) override { return 0; }
+
+ private:
+  std::unique_ptr<BuiltScene> exact_;
+};
+
+Library planted(bool exact) {
+  return {"planted", [](std::span<const Triangle> triangles) { return std::make_unique<Planted>(triangles); }, exact};
+}
+
+const Measured& find(const SceneContest& contest, const std::string& library) {
+  return *std::ranges::find(contest.result.contestants, library, &Measured::name);
+}
+
+std::string title(const SceneContest& contest) { return contest.result.name; }
+
+std::array<double, 9> numbers(const Triangle& t) {
+  return {t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
+}
+
+TEST(SceneBench, ATorusHasAboutTheTrianglesAskedForAllDifferentAndValid) {
+  for (const std::size_t wanted : {1000U, 10'000U}) {
+    const auto triangles = torus(wanted);
+    EXPECT_NEAR(static_cast<double>(triangles.size()), static_cast<double>(wanted), 0.03 * static_cast<double>(wanted));
+    std::set<std::array<double, 9>> different;
+    for (const Triangle& t : triangles) different.insert(numbers(t));
+    EXPECT_EQ(different.size(), triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); i += 97) {
+      const Triangle& t = triangles[i];
+      EXPECT_FALSE(exact::validate(Polygon({t.a, t.b, t.c}))) << i;
+    }
+  }
+}
+
+TEST(SceneBench, BallsAreAFunctionOfTheSeedAndLieWhereTheyShould) {
+  const auto triangles = torus(400);
+  Box all;
+  for (const Triangle& t : triangles) all = all.joined(box(t));
+  for (const BallPlace place : {BallPlace::Near, BallPlace::Anywhere}) {
+    const auto balls = draw_scene_balls(place, triangles, 50, 7);
+    const auto again = draw_scene_balls(place, triangles, 20, 7), other = draw_scene_balls(place, triangles, 20, 8);
+    for (std::size_t i = 0; i < again.size(); ++i) {
+      EXPECT_EQ(balls[i].center, again[i].center);
+      EXPECT_NE(balls[i].center, other[i].center);
+    }
+    for (const Ball& ball : balls) {
+      EXPECT_GT(ball.radius, 0);
+      if (place == BallPlace::Anywhere)
+        EXPECT_TRUE((ball.center.array() >= all.low.array()).all() && (ball.center.array() <= all.high.array()).all());
+      else
+        EXPECT_LE(least_distance_by_brute_force(triangles, ball.center), 2 * std::sqrt(3.0) * ball.radius);
+    }
+  }
+}
+
+TEST(SceneBench, BruteForceLeavesOutNoTriangleOfALargeScene) {
+  const auto triangles = torus(2500);
+  const auto balls = draw_scene_balls(BallPlace::Near, triangles, 3, 1);
+  for (const Ball& ball : balls) {
+    std::vector<std::uint32_t> touched;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const Triangle& t = triangles[i];
+      if (exact::contact(ball, Polygon({t.a, t.b, t.c}))) touched.push_back(i);
+      least = std::min(least, exact_distance(t, ball.center));
+    }
+    EXPECT_EQ(touched_by_brute_force(triangles, ball), touched);
+    EXPECT_EQ(least_distance_by_brute_force(triangles, ball.center), least);
+  }
+}
+
+// All that were built, asked everything: rows for all, the exact one never wrong, and where nothing is close to contact
+// who answers about balls, not spheres, is right too.
+TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
+  const auto libraries = all_libraries();
+  const SceneResult result = measure_small(libraries);
+  EXPECT_EQ(result.triangles, 400U);
+  ASSERT_EQ(result.builds.size(), libraries.size());
+  for (const Build& build : result.builds) {
+    if (!run_tests::kAddressSanitizer) {
+      EXPECT_GT(build.bytes, 8) << build.library;
+    }
+  }
+  ASSERT_EQ(result.contests.size(), 3U + 3U + 2U);
+  for (const SceneContest& contest : result.contests) {
+    for (const Library& library : libraries) {
+      if (contest.question == SceneQuestion::Nearest && !library.knows_nearest) continue;
+      const Measured& measured = find(contest, library.name);
+      EXPECT_EQ(measured.nanoseconds.size(), 2U);
+      ASSERT_TRUE(measured.wrong);
+      EXPECT_EQ(measured.wrong->of, 60U);
+      const bool spheres = library.name == "CGAL AABB_tree" && contest.question != SceneQuestion::Nearest;
+      if (library.exact || (!spheres && contest.place != BallPlace::Touching)) {
+        EXPECT_EQ(measured.wrong->count, 0U) << library.name << ", " << title(contest);
+      }
+    }
+  }
+  EXPECT_TRUE(result.disputes.empty());
+}
+
+TEST(SceneBench, DoublesAreWrongAboutSomeBallsThatTouch) {
+  const SceneResult result = measure_small({touchstone_library(), boost_rtree_library()});
+  const auto touching = std::ranges::find(result.contests, BallPlace::Touching, &SceneContest::place);
+  EXPECT_GT(find(*touching, "Boost R-tree").wrong->count, 0U);
+  EXPECT_EQ(find(*touching, "Scene").wrong->count, 0U);
+}
+
+TEST(SceneBench, APlantedErrorIsCounted) {
+  const SceneResult result = measure_small({touchstone_library(), planted(false)});
+  for (const SceneContest& contest : result.contests) {
+    EXPECT_GT(find(contest, "planted").wrong->count, 0U) << title(contest);
+    EXPECT_EQ(find(contest, "Scene").wrong->count, 0U) << title(contest);
+  }
+}
+
+// Were the exact scene wrong, all would be held against a wrong truth: brute force would say so.
+TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
+  const SceneResult result = measure_small({planted(true)});
+  for (const SceneContest& contest : result.contests)
+    EXPECT_GT(find(contest, "planted").wrong->count, 0U) << title(contest);
+  ASSERT_FALSE(result.disputes.empty());
+  EXPECT_EQ(result.disputes.front().rfind("torus, 400 triangles, near, any, seed 3, ball ", 0), 0U)
+      << result.disputes.front();
+}
+
+TEST(SceneBench, NobodyExactIsRefused) {
+  EXPECT_THROW((void)measure_small({boost_rtree_library()}), std::invalid_argument);
+}
+
+TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
+  std::atomic<bool> stop = false;
+  const SceneResult result = measure_scene(
+      {"torus", torus(100)}, {touchstone_library()}, small_settings(), stop, [](const SceneResult&) {},
+      [&](const SceneContest& contest) { stop = contest.question == SceneQuestion::All; });
+  EXPECT_EQ(result.contests.size(), 2U);
+  EXPECT_EQ(result.builds.size(), 1U);
+}
+
+SceneResult timed(std::size_t triangles, double nanoseconds) {
+  Result result{"torus", "near, any", "", "query", "", {{"Scene", 10, {nanoseconds}, Wrong{0, 5}, {}, {}}}};
+  return {"torus", triangles, {{"Scene", {2.0}, 120}}, {{BallPlace::Near, SceneQuestion::Any, result}}, {}};
+}
+
+TEST(SceneBench, GrowthIsHeldAgainstTheLogarithmFromTenThousandOn) {
+  const std::vector<SceneResult> results{timed(1000, 1), timed(10'000, 100), timed(99'856, 120), timed(1'000'000, 200)};
+  const auto all = growths(results);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[1].from, 10'000U);
+  EXPECT_EQ(all[1].times, 2);
+  EXPECT_NEAR(all[1].log_times, 1.5, 1e-12);
+  const std::string table = growth_table(all, "Scene");
+  EXPECT_NE(table.find("1.20 x, log 1.25 x   met"), std::string::npos) << table;
+  EXPECT_NE(table.find("2.00 x, log 1.50 x   MISSED"), std::string::npos) << table;
+}
+
+TEST(SceneBench, GoalsOfAMillionTriangles) {
+  SceneResult result = timed(1'000'000, 100);
+  result.contests[0].result.contestants[0].comparison = Comparison{"Embree 3", Goal{1}};
+  result.contests[0].result.contestants[0].ratios = {1.25};
+  EXPECT_NE(builds_table(result).find("build <= 1 MISSED, memory <= 100 MISSED"), std::string::npos);
+  const std::string goals = scene_goals({result}, "Scene");
+  EXPECT_EQ(goals.rfind("0 of 3 goals met; missed:\n", 0), 0U) << goals;
+  EXPECT_NE(goals.find("near, any, in times of Embree 3: 1.25, not <= 1"), std::string::npos) << goals;
+}
+
+/// A tetrahedron, and a face that is no triangle.
+void write_mesh(const fs::path& file) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "OFF\n5 5 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n1 1 0\n"
+                         "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n4 0 1 4 2\n";
+}
+
+TEST(SceneBench, MeshesAreReplicatedInOneSize) {
+  const Scratch scratch;
+  write_mesh(scratch.path / "a" / "one.off");
+  write_mesh(scratch.path / "b" / "two.OFF");
+  std::ofstream(scratch.path / "readme.txt") << "no mesh";
+  const Machine machine(scratch.path);
+  EXPECT_EQ(machine.triangle_count(), 12U);
+  const auto triangles = machine.replicated(100);
+  EXPECT_EQ(triangles.size(), 100U);
+  std::set<std::array<double, 9>> different;
+  for (const Triangle& t : triangles) {
+    different.insert(numbers(t));
+    EXPECT_LT((t.b - t.a).norm(), 2);
+  }
+  EXPECT_EQ(different.size(), triangles.size());
+  fs::remove_all(scratch.path / "a");
+  fs::remove_all(scratch.path / "b");
+  EXPECT_THROW(Machine{scratch.path}, std::runtime_error);
+  EXPECT_THROW(Machine{scratch.path / "nowhere"}, std::runtime_error);
+}
+
+TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
+  const Scratch scratch;
+  write_mesh(scratch.path / "meshes" / "one.off");
+  const auto folder = scratch.path / "it's new";
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run_bench({"--scene", "--most-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
+                       "20", "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
+            0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  const auto all = nlohmann::json::parse(std::ifstream(folder / "bench.json"));
+  EXPECT_EQ(all["run"]["samples_asked"], 20);
+  ASSERT_EQ(all["scenes"].size(), 3U);
+  const std::string queries = text_of(folder / "queries.csv"), builds = text_of(folder / "builds.csv");
+  for (const auto& scene : all["scenes"]) {
+    const std::string kind = scene["scene"], size = scene["triangles"].dump();
+    EXPECT_NE(text.find("== " + kind + ", " + size + " triangles"), std::string::npos);
+    EXPECT_EQ(scene["builds"].size(), all_libraries().size());
+    EXPECT_EQ(scene["contests"].size(), 8U);
+    EXPECT_TRUE(scene["disputes"].empty());
+    for (const Library& library : all_libraries()) {
+      EXPECT_NE(builds.find(kind + "," + size + "," + library.name), std::string::npos);
+      EXPECT_NE(queries.find(kind + "," + size + ",near,all," + library.name), std::string::npos);
+    }
+  }
+  for (const std::string& absent : absent_libraries())
+    EXPECT_NE(text.find("Built without " + absent), std::string::npos);
+  EXPECT_NE(text.find("goals met"), std::string::npos);
+}
+
+TEST(SceneBenchCommand, WrongOptionsAreErrors) {
+  EXPECT_THROW(run_bench({"--most-faces", "1000"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--most-faces", "999"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--most-faces", "10000001"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--family", "far"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--scene", "--meshes", "/nowhere"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::bench

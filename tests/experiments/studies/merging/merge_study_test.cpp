@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "experiments/commands.h"
+#include "experiments/studies/merging/output.h"
+#include "experiments/studies/merging/study.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/write_file.h"
+#include "geometry/io/read_mesh.h"
+#include "robust/mesh/scene_faces.h"
+#include "robust/scene/scene.h"
+#include "tests/robust/mesh/random_meshes.h"
+#include "tests/experiments/support/address_sanitizer.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::mesh_tests {
+namespace {
+
+using merging::Kind;
+using merging::MeshResult;
+
+const merging::Settings kQuick{.balls = 60, .least = 3, .repetitions = 1};
+
+Mesh plate_and_cube() {
+  Mesh mesh = grid(4, 4, [](int i, int j) { return i != 1 || j != 1; });
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const Mesh box = cube();
+  for (const auto& vertex : box.vertices) mesh.vertices.emplace_back(vertex + Eigen::Vector3d(9, 9, 9));
+  for (auto face : box.faces) {
+    for (std::uint32_t& vertex : face) vertex += first;
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+MeshResult studied(const merging::Settings& settings, const char* name, const Mesh& mesh) {
+  return study(settings, name, mesh, run_tests::kNeverStop).value();
+}
+
+TEST(MergeStudy, AsksScenesThatAnswerAlike) {
+  const MeshResult result = studied(kQuick, "plate and cube", plate_and_cube());
+  EXPECT_EQ(result.counts.faces, 42U);
+  EXPECT_EQ(result.counts.polygons, 7U);
+  EXPECT_EQ(result.counts.holes, 1U);
+  EXPECT_EQ(result.counts.largest, 20U);
+  const auto kind = [&](Kind k) { return result.measured[static_cast<std::size_t>(k)]; };
+  EXPECT_EQ(kind(Kind::Faces).triangles, 42U);
+  EXPECT_EQ(kind(Kind::Merged).polygons, 7U);
+  EXPECT_EQ(kind(Kind::Mixed).polygons, 1U);  // the plate
+  EXPECT_EQ(kind(Kind::Mixed).triangles, 12U);
+  if (!run_tests::kAddressSanitizer) {
+    EXPECT_GT(kind(Kind::Merged).memory, kind(Kind::Mixed).memory);
+  }
+  EXPECT_EQ(result.differences.asked, (std::array<std::uint64_t, 3>{120, 120, 12}));
+  EXPECT_EQ(result.differences.differ, (std::array<std::uint64_t, 3>{}));
+}
+
+// A merge that covers more than the faces must be seen.
+TEST(MergeStudy, SeesAnswersThatDiffer) {
+  merging::Settings rough = kQuick;
+  rough.tolerance = 0.2;
+  const MeshResult result = studied(rough, "dented", shaken(grid(6, 6, [](int, int) { return true; }), 0.1, 1));
+  EXPECT_LT(result.counts.polygons, 36U);
+  EXPECT_GT(result.differences.differ[2], 0U);
+  EXPECT_GT(result.differences.distance, 0);
+  EXPECT_LE(result.differences.distance, result.counts.off_plane);
+}
+
+TEST(MergeStudy, DrawsBallsOfWhichSomeTouchAndSomeDoNot) {
+  const Mesh mesh = plate_and_cube();
+  const mesh::MergedMesh merged = mesh::merge_faces(mesh);
+  scene::Scene scene;
+  scene.add("mesh", mesh::scene_faces(mesh, merged).faces);
+  int touching = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) touching += scene.touches(merging::draw_ball(mesh, merged, 1, i)) ? 1 : 0;
+  EXPECT_GT(touching, 20);
+  EXPECT_LT(touching, 95);
+}
+
+// Spans of coordinates overflow.
+TEST(MergeStudy, DrawsFiniteBallsWhereTheMeshsExtentIsNotFinite) {
+  const double far = 1.7e308;
+  const Mesh mesh{{{-far, -far, 0}, {far, -far, 0}, {far, far, 1}}, {{0, 1, 2}}};
+  const mesh::MergedMesh merged = mesh::merge_faces(mesh);
+  for (std::uint64_t i = 0; i < 1000; ++i) EXPECT_FALSE(find_fault(merging::draw_ball(mesh, merged, 1, i))) << i;
+}
+
+TEST(MergeStudy, WritesTheSameCountsAgainAndAsManyFieldsAsNames) {
+  const run_tests::Scratch scratch;
+  const std::vector<MeshResult> once{studied(kQuick, "a, b", plate_and_cube())};
+  const std::vector<MeshResult> again{studied(kQuick, "a, b", plate_and_cube())};
+  write_counts(scratch.path, once);
+  const std::string text = run_tests::text_of(scratch.path / "merge.csv");
+  write_counts(scratch.path, again);
+  EXPECT_EQ(run_tests::text_of(scratch.path / "merge.csv"), text);
+  write_times(scratch.path, once);
+  for (const char* name : {"merge.csv", "merge-times.csv"}) {
+    std::istringstream lines(run_tests::text_of(scratch.path / name));
+    std::string header, line;
+    std::getline(lines, header);
+    const auto names = std::ranges::count(header, ',');
+    while (std::getline(lines, line)) EXPECT_EQ(std::ranges::count(line, ','), names + 1) << line;  // one in "a, b"
+  }
+}
+
+TEST(MergeStudy, GivesNothingOnceItIsStopped) {
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(study(kQuick, "plate and cube", plate_and_cube(), stop));
+  EXPECT_FALSE(mesh::merge_faces(plate_and_cube(), 0, stop));
+}
+
+// So many balls take far longer than the thread needs to see that interrupts are heeded.
+TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  std::atomic<bool> ended = false;
+  std::thread interrupting([&ended] {
+    struct sigaction now {};
+    while (!ended && ::sigaction(SIGINT, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::this_thread::yield();
+    if (!ended) ::kill(::getpid(), SIGINT);
+  });
+  const auto ran = run_tests::run_captured(
+      commands::add_merge, "merge", {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
+  ended = true;
+  interrupting.join();
+  EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
+  EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
+            std::string::npos)
+      << ran.err;
+  const auto record = nlohmann::json::parse(run_tests::text_of(scratch.path / "out" / "run.json"));
+  EXPECT_EQ(record["interrupted"], true);
+  EXPECT_EQ(record["samples_asked"], 1);
+  EXPECT_EQ(record["samples_done"], 0);
+  EXPECT_EQ(record["samples_missing"], 1);
+}
+
+TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  std::string bad;
+  for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
+  const auto ran =
+      run_tests::run_captured(commands::add_merge, "merge",
+                              {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
+}
+
+TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
+  const auto polygons = [&](const char* tolerance) {
+    const auto ran = run_tests::run_captured(
+        commands::add_merge, "merge",
+        {mesh, "--compare", "0", "--tolerance", tolerance, "--force", "--output", (scratch.path / "out").string()});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    std::string text = run_tests::text_of(scratch.path / "out" / "polygons.csv");
+    const std::string name = scratch.path.filename().string() + "/mesh";
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) text.replace(at, name.size(), "m");
+    return text;
+  };
+  const std::string heading = "mesh,polygon,faces,edges,holes,off_plane\n";
+  EXPECT_EQ(polygons("0"), heading + "m,0,1,3,0,0\nm,1,1,3,0,0\nm,2,1,3,0,0\n");
+  const std::string merged = polygons("0.5");
+  EXPECT_TRUE(merged.starts_with(heading + "m,0,2,4,0,0.")) << merged;
+  EXPECT_TRUE(merged.ends_with("m,1,1,3,0,0\n")) << merged;
+}
+
+TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
+  const auto ran = run_tests::run_captured(commands::add_merge, "merge",
+                                           {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.out.find("nan"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("0 of 0,"), std::string::npos) << ran.out;
+}
+
+TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
+  const run_tests::Scratch scratch;
+  const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
+  run::write_file(none, "V 0 0 0\n");
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto ran = run_tests::run_captured(
+      commands::add_merge, "merge",
+      {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is no word of OBJ; the file has no face\n");
+  EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
+}
+
+TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
+  for (const char* tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"})
+    EXPECT_EQ(run_tests::run_captured(commands::add_merge, "merge", {"absent.obj", "--tolerance", tolerance})
+                  .err.find("--tolerance: \"" + std::string(tolerance) + "\" is no"),
+              0U)
+        << tolerance;
+}
+
+TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
+  const run_tests::Scratch scratch;
+  const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
+  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
+  for (const bool skip : {false, true}) {
+    std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
+    if (skip) arguments.emplace_back("--skip-bad");
+    const auto ran = run_tests::run_captured(commands::add_merge, "merge", arguments);
+    EXPECT_EQ(ran.status, skip ? 0 : 2) << ran.err;
+    EXPECT_NE(ran.err.find("mesh.obj: line 6: face 1: zero-normal"), std::string::npos) << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::mesh_tests

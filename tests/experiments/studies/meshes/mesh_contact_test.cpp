@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "experiments/studies/meshes/output.h"
+#include "experiments/studies/meshes/study.h"
+#include "experiments/workloads/ulp.h"
+#include "geometry/io/read_mesh.h"
+#include "robust/exact/validate.h"
+
+namespace touchstone::real_input {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A cube of quads, then a quad that is off its plane, a face without area and a bow tie.
+constexpr const char* kCube = R"(v 0.1 0.1 0.1
+v 1.3 0.1 0.1
+v 1.3 1.3 0.1
+v 0.1 1.3 0.1
+v 0.1 0.1 1.3
+v 1.3 0.1 1.3
+v 1.3 1.3 1.3
+v 0.1 1.3 1.3
+v 1.3 1.3 1.4
+v 2.5 0.1 0.1
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+f 5 6 9 8
+f 1 2 10
+f 1 10 4 3
+)";
+constexpr std::uint64_t kFaces = 9, kAccepted = 7;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A folder of its own for each test, with the cube in it.
+class MeshContact : public testing::Test {
+ protected:
+  MeshContact() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder = fs::temp_directory_path() / ("touchstone-" + std::to_string(getpid()) + "-" + test->name());
+    fs::create_directories(folder / "model");
+    cube = write("model/cube.obj", kCube);
+  }
+  ~MeshContact() override { fs::remove_all(folder); }
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+
+  struct Run {
+    int status;
+    std::string out, err;
+  };
+  /// Runs the program in the folder.
+  Run touchstone(const std::string& arguments) const {
+    const std::string command = "cd '" + folder.string() + "' && '" TOUCHSTONE_PROGRAM "' " + arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "out"), text_of(folder / "err")};
+  }
+
+  fs::path folder, cube;
+};
+
+Result study(const fs::path& mesh, const std::vector<std::string>& methods, unsigned threads = 1,
+             std::uint64_t seed = 1) {
+  const std::atomic<bool> stop = false;
+  return run_study({.methods = methods::find_methods(methods), .seed = seed, .threads = threads},
+                   {{"model/cube", read_mesh(mesh).mesh}}, stop, [](std::uint64_t) {});
+}
+
+std::vector<nlohmann::json> lines_of(const fs::path& file) {
+  std::vector<nlohmann::json> lines;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+TEST_F(MeshContact, ComesToEveryFaceAndNamesThoseRejected) {
+  const Result result = study(cube, {"all"});
+  ASSERT_EQ(result.meshes.size(), 1U);
+  const MeshCounts& counts = result.meshes[0];
+  EXPECT_EQ(counts.faces, kFaces);
+  EXPECT_EQ(counts.queries, kAccepted * kPlaces.size() * kSteps.size());
+  ASSERT_EQ(counts.rejected, 2U);
+  EXPECT_EQ(result.rejected[0].face, 7U);
+  EXPECT_EQ(result.rejected[0].rejection.code, RejectionCode::ZeroNormal);
+  EXPECT_EQ(result.rejected[1].face, 8U);
+  EXPECT_EQ(result.rejected[1].rejection.code, RejectionCode::LoopMeetsItself);
+}
+
+TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
+  const Result result = study(cube, {"exact", "thesis-float"});
+  for (const judge::Test test : kTests) {
+    const Count exact = result.meshes[0].methods[0].total(test);
+    EXPECT_EQ(exact.trials, result.meshes[0].queries);
+    EXPECT_EQ(exact.wrong(), 0U) << judge::word(test);
+  }
+  EXPECT_EQ(result.meshes[0].methods[0].faces_wrong, 0U);
+  EXPECT_GT(result.meshes[0].methods[1].total(judge::Test::Contact).wrong(), 0U);
+  EXPECT_EQ(result.meshes[0].methods[1].faces_wrong, kAccepted);  // radii in floats do not resolve doubles
+}
+
+// Each ball is what it is said to be: the nearest feature, and the radius the double nearest to the distance, moved.
+TEST_F(MeshContact, BallsAreNearTheirFeature) {
+  const Mesh mesh = read_mesh(cube).mesh;
+  for (std::uint64_t face = 0; face < kAccepted; ++face) {
+    const Polygon polygon = face_polygon(mesh, face);
+    const exact::PreparedPolygon exact(polygon);
+    const MeshBalls drawn = draw_mesh_balls(polygon, exact, 7, "model/cube", face);
+    EXPECT_TRUE(drawn.missing.empty());
+    ASSERT_EQ(drawn.balls.size(), kPlaces.size() * kSteps.size());
+    for (const auto& [place, steps, ball] : drawn.balls) {
+      const Answer answer = exact::answer(ball, exact);
+      if (place == Place::Foot) {
+        EXPECT_TRUE(answer.contact());
+        EXPECT_FALSE(answer.edges_hit.empty());
+        continue;
+      }
+      EXPECT_EQ(word(answer.nearest.kind), word(place));
+      EXPECT_EQ(ball.radius, workloads::move_by_doubles(answer.distance, steps));
+      if (steps != 0) {
+        EXPECT_EQ(answer.contact(), steps > 0);
+      }
+    }
+  }
+}
+
+TEST_F(MeshContact, ThreadsChangeNothingAndTheSeedDoes) {
+  const auto counts = [&](unsigned threads, std::uint64_t seed) {
+    const Settings settings{.methods = methods::find_methods({"all"}), .seed = seed, .threads = threads};
+    const std::vector<NamedMesh> meshes{{"model/cube", read_mesh(cube).mesh}, {"again", read_mesh(cube).mesh}};
+    const std::atomic<bool> stop = false;
+    const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
+    write_failures(folder, settings, meshes, result);
+    return table(settings, meshes, result) + text_of(folder / "failures.jsonl");
+  };
+  EXPECT_EQ(counts(1, 3), counts(4, 3));
+  EXPECT_NE(counts(1, 3), counts(1, 4));
+}
+
+// A face's balls depend on seed, name and number alone: not on the meshes beside it.
+TEST_F(MeshContact, OtherMeshesChangeNothing) {
+  const Mesh mesh = read_mesh(cube).mesh;
+  const auto counts = [&](const std::vector<NamedMesh>& meshes) {
+    const std::atomic<bool> stop = false;
+    const Settings settings{.methods = methods::find_methods({"fast", "thesis"}), .seed = 5};
+    const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
+    return result.meshes.back().methods[1].total(judge::Test::Contact).wrong();
+  };
+  EXPECT_EQ(counts({{"cube", mesh}}), counts({{"other", mesh}, {"cube", mesh}}));
+}
+
+TEST_F(MeshContact, WhatIsStoppedHasComeToNothingMore) {
+  const std::atomic<bool> stop = true;
+  const Result result = run_study({.methods = methods::find_methods({"fast"})}, {{"cube", read_mesh(cube).mesh}}, stop,
+                                  [](std::uint64_t) {});
+  EXPECT_EQ(result.meshes[0].faces, 0U);
+  EXPECT_EQ(result.faces, kFaces);
+}
+
+TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
+  ASSERT_EQ(touchstone("mesh-contact model/cube.obj --skip-bad --output o").status, 0);
+  const auto cases = lines_of(folder / "o/failures.jsonl");
+  ASSERT_FALSE(cases.empty());
+  std::set<std::string> ids;
+  std::map<std::string, std::vector<nlohmann::json>> by_method;
+  for (const auto& failure : cases) {
+    EXPECT_TRUE(ids.insert(failure["id"]).second) << failure["id"];
+    for (const std::string tag : failure["tags"])
+      if (tag.starts_with("fails-")) by_method[tag.substr(6)].push_back(failure);
+  }
+  EXPECT_TRUE(by_method.count("thesis"));
+  EXPECT_FALSE(by_method.count("exact"));
+  for (const auto& [method, failures] : by_method) {
+    std::string text;
+    for (const auto& failure : failures) text += failure.dump() + "\n";
+    write("named.jsonl", text);
+    const Run run = touchstone("judge --method " + method + " named.jsonl");
+    EXPECT_EQ(run.status, 1) << method;
+    for (const auto& failure : failures)
+      EXPECT_NE(run.err.find(failure["id"].get<std::string>() + ": "), std::string::npos) << method << failure["id"];
+  }
+  EXPECT_EQ(touchstone("judge --method exact o/failures.jsonl").status, 0);
+}
+
+TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
+  const Run run = touchstone("mesh-contact absent.obj model/cube.obj --skip-bad --method exact,thesis --output o");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("absent.obj"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("model/cube"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,2,exact,face,contact,35,0,"), std::string::npos);
+}
+
+TEST_F(MeshContact, AMeshWithoutAFaceIsAnErrorAndTheOthersGoOn) {
+  write("points.obj", "v 0 0 0\nv 1 0 0\n");
+  const Run run = touchstone("mesh-contact points.obj model/cube.obj --skip-bad --method exact --output o");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "touchstone: points.obj: the file has no face\n");
+  EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,"), std::string::npos);
+}
+
+TEST_F(MeshContact, NoMeshAtAllIsAnErrorWithoutATable) {
+  const Run run = touchstone("mesh-contact absent.obj --output o");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+}
+
+TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
+  const Run refused = touchstone("mesh-contact model/cube.obj --method exact --output o");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("2 faces were rejected"), std::string::npos) << refused.err;
+  const Run skipped = touchstone("mesh-contact model/cube.obj --method exact --output o --skip-bad --force");
+  EXPECT_EQ(skipped.status, 0) << skipped.err;
+  for (const Run& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
+}
+
+TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
+  write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
+  EXPECT_EQ(touchstone("mesh-contact bad.obj --method exact --output o").status, 2);
+  const Run run = touchstone("mesh-contact bad.obj --method exact --output o --skip-bad --force");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("left out: bad.obj: line 20"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("left out: bad.obj: line 21"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("2 parts of files left out"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(folder / "o/left-out.txt").find("line 21"), std::string::npos);
+}
+
+TEST_F(MeshContact, TheSidecarSaysHowItWasRun) {
+  ASSERT_EQ(touchstone("mesh-contact model/cube.obj --skip-bad --method exact --seed 17 --faces 3 --output o").status,
+            0);
+  const auto record = nlohmann::json::parse(text_of(folder / "o/run.json"));
+  EXPECT_EQ(record["seed"], 17);
+  EXPECT_EQ(record["samples_done"], 3);
+  EXPECT_NE(record["command"].get<std::string>().find("--faces 3"), std::string::npos);
+}
+
+TEST_F(MeshContact, AnUnknownMethodIsNamed) {
+  const Run run = touchstone("mesh-contact model/cube.obj --method nonesuch --output o");
+  EXPECT_NE(run.status, 0);
+  EXPECT_NE(run.err.find("nonesuch"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace touchstone::real_input

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Maps of failures: that each is about the place that it names, and holds what it shows.
+#include "experiments/studies/near_edge/map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
+
+TEST(NearEdgeMap, HoldsAllThatItShows) {
+  const auto maps = draw_maps(methods::find_methods({"exact", "thesis"}), 1, 1, kAlone, kNeverStop, kSilent);
+  ASSERT_EQ(maps.size(), 21U);
+  for (const Map& map : maps) {
+    const std::string both = map.test == judge::Test::Foot ? "io" : "cn";
+    for (const char letter : both)
+      EXPECT_NE(map.truth.find(letter), std::string::npos) << word(map.spot) << " " << map.origin_distance;
+    EXPECT_EQ(map.verdicts[0], std::string(map.truth.size(), '='));
+    // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
+    if (map.spot == Spot::ReflexVertex && map.test == judge::Test::Foot) {
+      EXPECT_NE(map.verdicts[1].find('+'), std::string::npos);
+    }
+  }
+}
+
+/// Says nothing, but keeps each polygon that it prepares with the balls that it is asked about.
+class Watching : public methods::Method {
+ public:
+  struct Seen {
+    Polygon polygon;
+    std::vector<Ball> balls;
+  };
+
+  std::string_view name() const override { return "watching"; }
+  std::string_view summary() const override { return ""; }
+  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+    seen.push_back(std::make_unique<Seen>(Seen{polygon, {}}));
+    return std::make_unique<Prepared>(*seen.back());
+  }
+  mutable std::vector<std::unique_ptr<Seen>> seen;
+
+ private:
+  class Prepared : public methods::PreparedMethod {
+   public:
+    explicit Prepared(Seen& seen) : seen_(seen) {}
+    methods::PartialAnswer ask(const Ball& ball, methods::Question) const override {
+      seen_.balls.push_back(ball);
+      return {};
+    }
+
+   private:
+    Seen& seen_;
+  };
+};
+
+// Where the contact changes, it does at the feature that the map is about; about a reflex vertex at both of its edges.
+TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
+  const Watching method;
+  const auto maps = draw_maps({&method}, 3, 1, kAlone, kNeverStop, kSilent);
+  method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
+  ASSERT_EQ(maps.size(), method.seen.size());
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    if (maps[i].test != judge::Test::Contact) continue;
+    const Spot spot = maps[i].spot;
+    const auto& [polygon, balls] = *method.seen[i];
+    ASSERT_EQ(balls.size(), maps[i].truth.size());
+    const auto truth = methods::find_method("exact")->prepare(polygon);
+    std::set<std::size_t> edges;
+    for (std::size_t pixel = 0; pixel < balls.size(); pixel += 13) {
+      const Feature nearest = *truth->ask(balls[pixel], methods::Question::Answer).nearest;
+      const auto expected = spot == Spot::Face     ? Feature::Kind::Face
+                            : spot == Spot::Vertex ? Feature::Kind::Vertex
+                                                   : Feature::Kind::Edge;
+      ASSERT_EQ(nearest.kind, expected) << word(spot) << " " << maps[i].origin_distance;
+      edges.insert(nearest.index);
+    }
+    EXPECT_EQ(edges.size(), spot == Spot::ReflexVertex ? 2U : 1U) << word(spot) << " " << maps[i].origin_distance;
+  }
+}
+
+// Three quarters of the plane about a reflex vertex lie inside in the sum of all directions, one quarter about a
+// vertex of an L, half about an edge; the map shows it from straight above but for a projection along an axis.
+TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
+  for (const Map& map : draw_maps(methods::find_methods({"exact"}), 2, 2, kAlone, kNeverStop, kSilent)) {
+    if (map.test != judge::Test::Foot || map.origin_distance > 0) continue;
+    const double inside = static_cast<double>(std::count(map.truth.begin(), map.truth.end(), 'i')) /
+                          static_cast<double>(map.truth.size());
+    const bool edge = map.spot == Spot::Edge, vertex = map.spot == Spot::Vertex;
+    EXPECT_GT(inside, edge ? 0.4 : vertex ? 0.05 : 0.55) << word(map.spot);
+    EXPECT_LT(inside, edge ? 0.6 : vertex ? 0.45 : 0.95) << word(map.spot);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::near_edge

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of thresholds: what is compared, that its samples stand at thresholds, and that it keeps its promises.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "experiments/commands.h"
+#include "experiments/cases/case.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/studies/near_edge/map.h"
+#include "experiments/studies/near_edge/output.h"
+#include "experiments/studies/near_edge/study.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::near_edge {
+namespace {
+
+namespace fs = std::filesystem;
+using methods::PartialAnswer;
+using run_tests::Scratch;
+using run_tests::text_of;
+using workloads::Family;
+using workloads::Placement;
+using Tested = judge::Test;  // within TEST, Test is GoogleTest's
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
+const methods::Method& kExact = *methods::find_method("exact");
+
+Settings settings(const std::vector<std::string>& methods, std::uint64_t samples, unsigned threads = 1) {
+  return {methods::find_methods(methods), {Family::Star, Family::L}, samples, 7, threads};
+}
+
+/// What a whole run gives.
+Result whole(const Settings& settings) {
+  Result result = no_result(settings);
+  run_study(settings, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  return result;
+}
+
+std::vector<std::size_t> strata(Placement placement, Threshold threshold) {
+  std::vector<std::size_t> found;
+  for (std::size_t s = 0; s < all_strata().size(); ++s)
+    if (all_strata()[s].placement == placement && all_strata()[s].threshold == threshold) found.push_back(s);
+  return found;
+}
+
+std::size_t place_of(std::int64_t offset) {
+  const auto& offsets = all_offsets();
+  return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
+}
+
+PartialAnswer foot(FootPlace place) {
+  PartialAnswer answer;
+  answer.foot = place;
+  return answer;
+}
+
+TEST(NearEdgeComparison, FrontAndBehindCountAlike) {
+  PartialAnswer front, behind, across;
+  front.plane = PlaneSide::InFront;
+  behind.plane = PlaneSide::Behind;
+  across.plane = PlaneSide::Intersects;
+  EXPECT_EQ(compare(Tested::Plane, front, behind, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Plane, across, behind, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Plane, front, across, true), Outcome::WronglyOut);
+}
+
+TEST(NearEdgeComparison, ABoundaryIsAskedOfThoseWhoKnowTheWord) {
+  const auto inside = foot(FootPlace::Inside), boundary = foot(FootPlace::Boundary), outside = foot(FootPlace::Outside);
+  EXPECT_EQ(compare(Tested::Foot, boundary, boundary, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, inside, boundary, true), Outcome::BoundaryMissed);
+  EXPECT_EQ(compare(Tested::Foot, outside, boundary, true), Outcome::WronglyOut);
+  EXPECT_EQ(compare(Tested::Foot, boundary, outside, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Foot, inside, boundary, false), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, outside, boundary, false), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Foot, inside, outside, false), Outcome::WronglyIn);
+  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("exact")));
+  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("fast")));
+  EXPECT_FALSE(judge::knows_boundary(*methods::find_method("thesis")));
+}
+
+TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
+  PartialAnswer truth, fewer, other;
+  truth.edges_hit = {1, 4};
+  fewer.edges_hit = {4};
+  other.edges_hit = {4, 5};
+  EXPECT_EQ(compare(Tested::Edges, truth, truth, true), Outcome::Right);
+  EXPECT_EQ(compare(Tested::Edges, fewer, truth, true), Outcome::WronglyOut);
+  EXPECT_EQ(compare(Tested::Edges, other, truth, true), Outcome::WronglyIn);
+  EXPECT_EQ(compare(Tested::Edges, PartialAnswer{}, truth, true), std::nullopt);
+}
+
+// Radii: none below the distance, contact above it. Feet: not outside at offset 0, outside at offset 1.
+TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
+  for (std::size_t s = 0; s < all_strata().size(); ++s) {
+    const auto crossing = draw_crossing({s, {}, 3, 0}, kExact);
+    ASSERT_TRUE(crossing) << s;
+    const auto& truths = crossing->truths;
+    if (moves_radius(all_strata()[s].threshold)) {
+      EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
+      EXPECT_TRUE(*truths[place_of(1)].contact) << s;
+    } else {
+      EXPECT_NE(truths[place_of(0)].foot, FootPlace::Outside) << s;
+      EXPECT_EQ(truths[place_of(1)].foot, FootPlace::Outside) << s;
+    }
+    if (all_strata()[s].threshold == Threshold::Tangent) {
+      EXPECT_TRUE(*truths[place_of(0)].contact) << s;
+    }
+  }
+}
+
+// What is filled in between by monotony is what `exact` says; and `exact`, as a method, never fails.
+TEST(NearEdgeStudy, ExactNeverFails) {
+  const auto setting = settings({"exact"}, 3);
+  const Result result = whole(setting);
+  EXPECT_EQ(result.missing, 0U);
+  for (const Tested test : kTests)
+    for (const Threshold threshold : all_thresholds()) {
+      const Summary summary = result.counts.summary(strata(Placement::LatticeFrame, threshold), test, 0);
+      EXPECT_EQ(summary.all.failures, 0U) << word(test) << " " << word(threshold);
+      EXPECT_EQ(summary.samples.trials, 6U);
+      if (threshold == Threshold::Tangent) continue;
+      EXPECT_EQ(result.counts.summary(strata(Placement::Rotated, threshold), test, 0).all.failures, 0U);
+    }
+}
+
+// In rotated planes rounding is felt at once; the sweep reaches to where it is no longer.
+TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
+  const auto setting = settings({"fast"}, 30);
+  const Result result = whole(setting);
+  std::uint64_t near = 0, far = 0;
+  for (const std::size_t s : strata(Placement::Rotated, Threshold::Face)) {
+    for (std::int64_t k = -4; k <= 4; ++k) near += result.counts.at(s, Tested::Plane, 0, place_of(k)).failures;
+    far += result.counts.at(s, Tested::Plane, 0, 0).failures;
+    far += result.counts.at(s, Tested::Plane, 0, all_offsets().size() - 1).failures;
+  }
+  EXPECT_GT(near, 0U);
+  EXPECT_EQ(far, 0U);
+}
+
+// Touching is a contact, but not to the thesis: |s| < r is strict. Where a contact is seen nevertheless, a wrong foot
+// or rounding saw it.
+TEST(NearEdgeStudy, ThesisMissesTangentBalls) {
+  const auto setting = settings({"thesis-signed", "thesis-closed"}, 30);
+  const Result result = whole(setting);
+  for (const std::size_t s : strata(Placement::LatticeFrame, Threshold::Tangent)) {
+    const Tally& tally = result.counts.at(s, Tested::Contact, 0, place_of(0));
+    EXPECT_GE(2 * tally.failures, tally.trials);
+  }
+}
+
+TEST(NearEdgeStudy, TheNumberOfThreadsChangesNothing) {
+  const Scratch scratch;
+  const std::vector<std::string> names{"fast", "thesis"};
+  for (const unsigned threads : {1U, 2U}) {
+    const auto setting = settings(names, 4, threads);
+    const auto folder = scratch.path / std::to_string(threads);
+    fs::create_directories(folder);
+    const Result result = whole(setting);
+    write_rates(folder, setting, result.counts);
+    write_bands(folder, setting, result.counts);
+    write_maps(folder, setting, draw_maps(setting.methods, setting.seed, threads, kAlone, kNeverStop, kSilent));
+  }
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(scratch.path / "1")) {
+    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "2" / file.path().filename())) << file.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 23);
+}
+
+// Stopped after two samples: the same as a run of two.
+TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
+  std::atomic<bool> stop = false;
+  const auto longer = settings({"fast"}, 50), shorter = settings({"fast"}, 2);
+  Result stopped = no_result(longer);
+  const std::uint64_t done = run_study(
+      longer, {.processes = kAlone, .stop = stop, .progress = [&](std::uint64_t samples) { stop = samples == 2; }},
+      stopped);
+  EXPECT_EQ(done, 2U);
+  const Result two = whole(shorter);
+  EXPECT_EQ(stopped.samples, 2U);
+  EXPECT_EQ(stopped, two);
+  EXPECT_EQ(table(longer, stopped.counts), table(shorter, two.counts));
+}
+
+// Killed after its first checkpoint: the work since then is lost, and done again.
+TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
+  const auto setting = settings({"fast", "thesis"}, 12, 2);
+  std::atomic<bool> stop = false;
+  nlohmann::ordered_json saved;
+  Result lost = no_result(setting);
+  run_study(setting,
+            {.processes = kAlone,
+             .stop = stop,
+             .progress = kSilent,
+             .save =
+                 [&](const Result& now) {
+                   if (saved.is_null()) saved = now;
+                   stop = now.samples >= 4;
+                 }},
+            lost);
+  EXPECT_GE(lost.samples, 4U);
+  auto result = nlohmann::json::parse(saved.dump()).get<Result>();
+  EXPECT_GT(result.samples, 0U);
+  EXPECT_LT(result.samples, 4U);
+  run_study(setting, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);
+  EXPECT_EQ(result, whole(setting));
+}
+
+TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
+  auto setting = settings({"fast", "thesis"}, 3);
+  setting.shape.holes = 1;
+  const Result exact = whole(setting);
+  setting.truth = methods::find_method("filtered");
+  const Result filtered = whole(setting);
+  EXPECT_EQ(exact.counts, filtered.counts);
+  EXPECT_EQ(exact.checked, 0U);
+  EXPECT_GT(filtered.checked, 100U);
+  EXPECT_EQ(filtered.disagreements.count(), 0U);
+}
+
+/// `exact`, but that touching does not count and that no foot is on a boundary.
+class WrongTruth : public methods::Method {
+  class Prepared : public methods::PreparedMethod {
+   public:
+    explicit Prepared(const Polygon& polygon) : exact_(kExact.prepare(polygon)) {}
+    PartialAnswer ask(const Ball& ball, methods::Question question) const override {
+      PartialAnswer answer = exact_->ask(ball, question);
+      if (answer.contact)
+        answer.contact = exact_->ask(ball, methods::Question::Relation).relation == Relation::Overlapping;
+      if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+      return answer;
+    }
+
+   private:
+    std::unique_ptr<methods::PreparedMethod> exact_;
+  };
+
+  std::string_view name() const override { return "wrong"; }
+  std::string_view summary() const override { return ""; }
+  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<Prepared>(polygon);
+  }
+};
+
+// Asked about failures, a method that is right shows every error of the truth; the case is told as the judge reads it.
+TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
+  const WrongTruth wrong;
+  auto setting = settings({"filtered"}, 4);
+  setting.truth = &wrong;
+  const Result result = whole(setting);
+  std::uint64_t failures = 0;
+  for (std::size_t s = 0; s < all_strata().size(); ++s)
+    for (const Tested test : kTests) failures += result.counts.summary({s}, test, 0).all.failures;
+  EXPECT_GT(failures, 0U);
+  EXPECT_EQ(result.disagreements.count(), failures);
+  for (const Disagreement& found : result.disagreements.kept()) {
+    const judge::Case read = judge::read_case(found.line);
+    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << found.line;
+    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+    const auto truth = judge::object_of(kExact.prepare(polygon)->ask(ball, methods::Question::Answer));
+    EXPECT_TRUE(judge::differences(*read.expected, truth).empty()) << found.line;
+  }
+}
+
+// Where a method makes the same mistake, only the samples chosen by their index show it.
+TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
+  const WrongTruth wrong;
+  auto setting = settings({}, 120);
+  setting.families = {Family::L};
+  setting.methods = {&wrong};
+  setting.truth = &wrong;
+  const Result result = whole(setting);
+  EXPECT_GT(result.disagreements.count(), 0U);
+  const std::uint64_t asked = 120 * 11 * kTests.size() * all_offsets().size();
+  EXPECT_GT(result.checked, asked / 200);
+  EXPECT_LT(result.checked, asked / 50);
+}
+
+// Sums of the largest sweep that the options allow stay below 2^64.
+TEST(NearEdgeCounts, DoNotOverflow) {
+  const std::uint64_t most = kMostSamples * all_strata().size() * all_offsets().size() * kTests.size();
+  EXPECT_EQ(most / all_strata().size() / all_offsets().size() / kTests.size(), kMostSamples);
+  EXPECT_LT(kMostSamples * all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
+}
+
+// The counts of a family do not depend on which others are asked for.
+TEST(NearEdgeStudy, FamiliesStandAlone) {
+  auto alone = settings({"fast"}, 3);
+  const auto both = alone;
+  alone.families = {Family::L};
+  const Result one = whole(alone), two = whole(both);
+  for (std::size_t s = 0; s < all_strata().size(); ++s) {
+    if (all_strata()[s].family != Family::L) continue;
+    const Summary first = one.counts.summary({s}, Tested::Contact, 0),
+                  second = two.counts.summary({s}, Tested::Contact, 0);
+    EXPECT_EQ(first.all.failures, second.all.failures) << s;
+    EXPECT_EQ(first.all.trials, second.all.trials) << s;
+  }
+}
+
+int run_command(std::vector<std::string> arguments) {
+  return run_tests::run_command(commands::add_near_edge, "near-edge", std::move(arguments));
+}
+
+TEST(NearEdgeCommand, WritesResultsAndASidecar) {
+  const Scratch scratch;
+  const auto folder = scratch.path / "it's new" / "too";
+  ASSERT_EQ(run_command({"--method", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
+                         "--no-pictures", "--output", folder.string()}),
+            0);
+  const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
+  for (const char* key : {"command", "seed", "samples_asked", "samples_done", "samples_missing", "threads", "seconds",
+                          "date", "commit", "compiler", "flags", "processor", "cores", "machine"})
+    EXPECT_TRUE(record.contains(key)) << key;
+  EXPECT_EQ(record["seed"], 5);
+  EXPECT_EQ(record["samples_done"], 1);
+  EXPECT_TRUE(fs::exists(folder / "rates.csv"));
+  EXPECT_TRUE(fs::exists(folder / "bands.csv"));
+  EXPECT_TRUE(fs::exists(folder / "map-edge-contact-1000000.csv"));
+}
+
+std::string error_of(const std::vector<std::string>& arguments) {
+  try {
+    run_command(arguments);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// In two parts, the second with more samples, as in one; and not with other settings, which the error names.
+TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
+  const Scratch scratch;
+  const auto run = [&](const char* folder, std::vector<std::string> more) {
+    more.insert(more.end(),
+                {"--method", "fast", "--families", "l", "--no-pictures", "--output", (scratch.path / folder).string()});
+    return more;
+  };
+  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--truth", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--truth", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--truth", "filtered", "--resume"})), 0);
+  int files = 0;
+  for (const auto& file : fs::directory_iterator(scratch.path / "one")) {
+    if (file.path().filename() == "run.json") continue;
+    EXPECT_EQ(text_of(file.path()), text_of(scratch.path / "parts" / file.path().filename())) << file.path();
+    ++files;
+  }
+  EXPECT_EQ(files, 29);
+
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--truth", "filtered", "--resume", "--seed", "2"}))
+                .find("is of --seed 1, not of --seed 2"),
+            std::string::npos);
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--holes", "1", "--resume"}))
+                .find("is of --holes 0 --truth filtered, not of --holes 1 --truth exact"),
+            std::string::npos);
+  EXPECT_NE(error_of(run("one", {"--samples", "4", "--truth", "filtered", "--resume"}))
+                .find("holds 5 already, more than the 4 asked for"),
+            std::string::npos);
+}
+
+TEST(NearEdgeCommand, WrongOptionsAreErrors) {
+  EXPECT_THROW(run_command({"--method", "slow"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--samples", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "many"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "1099511627777"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--truth", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--holes", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--vertices", "2"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--origin-distance", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::near_edge

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/write_file.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using run_tests::Ran;
+using run_tests::Scratch;
+using run_tests::text_of;
+
+Ran touchstone_scene(std::vector<std::string> arguments) {
+  return run_tests::run_captured(commands::add_scene, "scene", std::move(arguments));
+}
+
+std::vector<nlohmann::json> lines_of(const Ran& run) {
+  std::vector<nlohmann::json> lines;
+  std::istringstream stream(run.out);
+  for (std::string line; std::getline(stream, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+/// A unit cube of quads and, above it at height 3, a triangle.
+constexpr const char* kCube =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+constexpr const char* kRoof = "OFF 5 3 0\n0 0 3\n2 0 3\n0 2 3\n2 2 3\n5 5 5\n3 0 1 2\n4 0 1 3 2\n3 1 3 2\n";
+
+class SceneCommand : public testing::Test {
+ protected:
+  SceneCommand() {
+    write("cube.obj", kCube);
+    write("roof.off", kRoof);
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    run::write_file(scratch.path / name, text);
+    return path(name);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
+  /// As objects of the scene are named.
+  [[nodiscard]] std::string object(const std::string& stem) const {
+    return scratch.path.filename().string() + "/" + stem;
+  }
+
+  Scratch scratch;
+};
+
+TEST_F(SceneCommand, NamesTheFacesThatAreTouchedByObjectAndByTheirNumbersInTheMesh) {
+  const std::string balls = write("balls.txt", "# x y z r\n0.5 0.5 2 1   # touches both\n\n9 9 9 0.5\n");
+  const Ran run = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const auto lines = lines_of(run);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0]["id"], "2") << "the number of the line";
+  const auto face = [&](const char* stem, int number) {
+    return nlohmann::json{{"object", object(stem)}, {"face", number}};
+  };
+  // In the scene triangles come first; in the file the quad stands between them.
+  EXPECT_EQ(lines[0]["touched"], nlohmann::json({face("cube", 1), face("roof", 0), face("roof", 1)}));
+  EXPECT_EQ(lines[1]["touched"], nlohmann::json::array());
+  EXPECT_NE(run.err.find("2 balls, 2 objects of 9 faces, 0 parts of files left out"), std::string::npos) << run.err;
+}
+
+TEST_F(SceneCommand, AnswersEachQuestionAboutChosenObjects) {
+  const std::string balls =
+      write("balls.jsonl", R"({"id":"above","ball":{"center":[0.5,0.5,2.25],"radius":1},"polygon":{}})");
+  const auto ask = [&](const std::string& question, const std::string& name) {
+    const Ran run =
+        touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, question, "--objects", object(name)});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return lines_of(run).at(0);
+  };
+  EXPECT_EQ(ask("--any", "cube")["touches"], false);
+  EXPECT_EQ(ask("--any", "roof")["touches"], true);
+  EXPECT_EQ(ask("--all", "cube")["touched"].size(), 0U);
+  EXPECT_EQ(ask("--nearest", "cube")["nearest"],
+            nlohmann::json::parse(R"({"object":")" + object("cube") +
+                                  R"(","face":1,"feature":{"kind":"face"},"point":[0.5,0.5,1.0],"distance":1.25})"));
+  EXPECT_EQ(ask("--nearest", "roof")["nearest"]["distance"], 0.75);
+  const Ran unknown = touchstone_scene({path("cube.obj"), "--balls", balls, "--objects", "cone"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("no object \"cone\"; there are " + object("cube")), std::string::npos) << unknown.err;
+}
+
+// The lines of answers serve as balls again, and give the same answers.
+TEST_F(SceneCommand, GivesTheSameBytesForAnyThreadsAndForItsOwnAnswersAsBalls) {
+  for (const std::string question : {"--any", "--all", "--nearest"}) {
+    const auto ask = [&](const std::vector<std::string>& more) {
+      std::vector<std::string> arguments{path("cube.obj"), path("roof.off"), question, "--counts"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Ran run = touchstone_scene(arguments);
+      EXPECT_EQ(run.status, 0) << run.err;
+      return run.out;
+    };
+    const std::string one = ask({"--random", "100", "--threads", "1"});
+    EXPECT_EQ(one, ask({"--random", "100", "--threads", "3"}));
+    EXPECT_NE(one, ask({"--random", "100", "--seed", "2"}));
+    EXPECT_EQ(one, ask({"--balls", write("again.jsonl", one)}));
+    EXPECT_TRUE(one.starts_with(ask({"--random", "40"}))) << "a ball depends on seed and index alone";
+  }
+}
+
+TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
+  const std::string folder = path("it's new/results");
+  const Ran run =
+      touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "50", "--counts", "--output", folder});
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::map<std::string, std::uint64_t> sums;
+  std::istringstream answers(text_of(folder + "/answers.jsonl"));
+  std::size_t balls = 0, touched = 0;
+  for (std::string line; std::getline(answers, line); ++balls) {
+    const auto answer = nlohmann::json::parse(line);
+    for (const auto& [what, count] : answer["counts"].items()) sums[what] += count.get<std::uint64_t>();
+    touched += answer["touched"].size();
+  }
+  EXPECT_EQ(balls, 50U);
+  EXPECT_EQ(sums["faces"], 50U * 9);
+  EXPECT_EQ(sums["touched"], touched);
+  EXPECT_GT(touched, 0U);
+  EXPECT_EQ(sums["faces"],
+            sums["box"] + sums["known"] + sums["slab"] + sums["foot"] + sums["edges_missed"] + sums["touched"]);
+  std::istringstream table(text_of(folder + "/counts.csv"));
+  std::string line;
+  std::getline(table, line);
+  std::getline(table, line);
+  EXPECT_EQ(line, "balls,50");
+  std::size_t rows = 0;
+  for (; std::getline(table, line); ++rows)
+    EXPECT_EQ(line, line.substr(0, line.find(',')) + "," + std::to_string(sums[line.substr(0, line.find(','))]));
+  EXPECT_EQ(rows, sums.size());
+  const auto record = nlohmann::json::parse(text_of(folder + "/run.json"));
+  EXPECT_EQ(record["samples_done"], 50);
+  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --all --method filtered"),
+            std::string::npos);
+}
+
+// Any method: exact agrees on every ball; single floats do not where a radius is a double below the distance.
+TEST_F(SceneCommand, HoldsAnotherMethodAgainstFiltered) {
+  for (const std::string question : {"--any", "--all", "--nearest"}) {
+    const Ran run =
+        touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question, "--method", "exact"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("exact answers otherwise than filtered to 0 of 60 balls"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question}).out);
+  }
+  const std::string balls = write("balls.txt", "0.5 0.5 2 0.99999999999\n0.5 0.5 2 0.5\n");
+  const Ran run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
+  EXPECT_NE(run.err.find("fast-float answers otherwise than filtered to 1 of 2 balls"), std::string::npos) << run.err;
+  EXPECT_EQ(lines_of(run)[0]["touched"].size(), 1U) << "the answer of the method";
+}
+
+TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
+  const std::string balls = write("balls.txt", "12.7 12.7 50.8 25.4\n");
+  const auto nearest = [&](const std::vector<std::string>& units) {
+    std::vector<std::string> arguments{path("cube.obj"), "--balls", balls, "--nearest"};
+    arguments.insert(arguments.end(), units.begin(), units.end());
+    const Ran run = touchstone_scene(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return lines_of(run).at(0)["nearest"]["distance"].get<double>();
+  };
+  EXPECT_EQ(nearest({"--unit", "inch", "--scene-unit", "mm"}), 50.8 - 25.4);
+  EXPECT_EQ(nearest({"--unit", "mm"}), nearest({})) << "in one unit nothing changes";
+  const Ran two = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--unit", "mm,m,inch"});
+  EXPECT_EQ(two.status, 2);
+  EXPECT_NE(two.err.find("3 were given for 2 meshes"), std::string::npos) << two.err;
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--unit", "ell"})
+                .err.find("there is no unit \"ell\"; there are um, mm, cm, m, inch, foot"),
+            std::string::npos);
+}
+
+TEST_F(SceneCommand, NamesTheFileAndVertexThatOverflowInTheUnitOfTheScene) {
+  const std::string big = write("big.obj", "v 0 0 0\nv 1e308 0 0\nv 0 1e308 0\nf 1 2 3\n");
+  const Ran run = touchstone_scene({big, "--random", "1", "--unit", "m", "--scene-unit", "mm"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, big + ": vertex 1 leaves the finite doubles from m to mm");
+  EXPECT_EQ(touchstone_scene({big, "--random", "1", "--unit", "mm", "--scene-unit", "foot"}).status, 0);
+}
+
+// In the scene the triangles come first.
+TEST_F(SceneCommand, ListsTouchedFacesByTheirNumbersInTheMesh) {
+  const std::string mesh = write("mixed.off", "OFF 4 3 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n3 0 1 2\n4 3 2 1 0\n");
+  const Ran run = touchstone_scene({mesh, "--balls", write("balls.txt", "1.5 0.5 0 1\n")});
+  std::vector<int> faces;
+  const auto line = lines_of(run).at(0);
+  for (const auto& face : line["touched"]) faces.push_back(face["face"].get<int>());
+  EXPECT_EQ(faces, (std::vector<int>{0, 1, 2}));
+}
+
+TEST_F(SceneCommand, NumbersFilesOfOneNameSoThatNoTwoObjectsAreCalledAlike) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string off = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const Ran run = touchstone_scene({write("b.obj", triangle), write("b.off", off), write("b#2.off", off), "--balls",
+                                    write("balls.txt", "0 0 0 1\n")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::vector<std::string> names;
+  const auto line = lines_of(run).at(0);
+  for (const auto& face : line["touched"]) names.push_back(face["object"].get<std::string>());
+  EXPECT_EQ(names, (std::vector<std::string>{object("b"), object("b#3"), object("b#2")}));
+}
+
+TEST_F(SceneCommand, TakesNamesOfObjectsThatHoldCommas) {
+  const std::string comma = write("co,mma.obj", kCube);
+  const auto touched = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> arguments{comma, path("cube.obj"), path("roof.off"), "--balls",
+                                       write("balls.txt", "0 0 3 9\n")};
+    for (const std::string& name : names) arguments.insert(arguments.end(), {"--objects", name});
+    const Ran run = touchstone_scene(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return lines_of(run).at(0)["touched"].size();
+  };
+  EXPECT_EQ(touched({object("co,mma")}), 6U);
+  EXPECT_EQ(touched({object("co,mma"), object("roof")}), 9U);
+  EXPECT_EQ(touched({object("cube") + "," + object("roof")}), 9U);
+}
+
+TEST_F(SceneCommand, RefusesAFileNameThatIsNotUtf8AndNamesIt) {
+  const Ran run = touchstone_scene({write("bad\xff.obj", kCube), "--random", "1"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("the name of a file is not UTF-8: " + path("bad\\xff.obj")), std::string::npos) << run.err;
+}
+
+TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
+  const auto fault = [&](const std::string& text) {
+    const Ran run = touchstone_scene({path("cube.obj"), "--balls", write("balls", "0 0 0 1\n" + text + "\n")});
+    EXPECT_EQ(run.status, 2) << text;
+    const std::string prefix = path("balls") + ": line 2: ";
+    EXPECT_TRUE(run.err.starts_with(prefix)) << run.err;
+    return run.err.substr(std::min(prefix.size(), run.err.size()));
+  };
+  EXPECT_EQ(fault("1 2 3"), "expected four numbers, x y z r, found 3");
+  EXPECT_EQ(fault("1 2 3 4 5"), "expected four numbers, x y z r, found 5");
+  EXPECT_EQ(fault("1 2 x 4"), "'x' is not a number");
+  EXPECT_EQ(fault("1,2,3,4"), "'1,2,3,4' is not a number");
+  EXPECT_NE(fault("1 2 nan 4"), "");
+  EXPECT_NE(fault("1 2 3 1e400"), "");
+  EXPECT_NE(fault("1 2 3 -1"), "");
+  EXPECT_TRUE(fault("{\"ball\":").starts_with("not JSON: "));
+  EXPECT_EQ(fault("{}"), "the line has no key \"ball\"");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2],"radius":1}})"), "ball.center is not a point of three numbers");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,"3"],"radius":1}})"), "a coordinate of ball.center is not a number");
+  EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3]}})"), "ball has no key \"radius\"");
+  EXPECT_EQ(fault(R"({"id":7,"ball":{"center":[1,2,3],"radius":1}})"), "id is not a string");
+  EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("stands twice"), std::string::npos);
+  const Ran absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
+  EXPECT_EQ(absent.status, 2);
+  EXPECT_EQ(absent.err, path("absent") + ": cannot be read");
+}
+
+TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
+  // A face without area at line 15, an index out of range at line 16.
+  const std::string bad = write("bad.obj", std::string(kCube) + "f 1 2 1\nf 1 2 99\nf 1 2 3\n");
+  const Ran refused = touchstone_scene({bad, "--random", "3"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("bad.obj: line 16: vertex 99 is out of range"), std::string::npos) << refused.err;
+  const Ran skipped = touchstone_scene({bad, "--random", "3", "--skip-bad", "--output", path("results")});
+  EXPECT_EQ(skipped.status, 0) << skipped.err;
+  EXPECT_NE(skipped.err.find("left out: " + bad + ": line 16: "), std::string::npos) << skipped.err;
+  EXPECT_NE(skipped.err.find("left out: " + bad + ": line 15: face 6: "), std::string::npos) << skipped.err;
+  EXPECT_NE(skipped.out.find("1 objects of 7 faces, 2 parts of files left out"), std::string::npos) << skipped.out;
+  EXPECT_NE(text_of(path("results/left-out.txt")).find("line 15"), std::string::npos);
+
+  const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\n");
+  const Ran degenerate = touchstone_scene({path("cube.obj"), flat, "--random", "3"});
+  EXPECT_EQ(degenerate.status, 2);
+  EXPECT_NE(degenerate.err.find("flat.obj: line 5: face 0: zero-normal: "), std::string::npos) << degenerate.err;
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), path("absent.stl"), "--random", "3", "--skip-bad"}).status, 2);
+  const Ran nothing = touchstone_scene({flat, "--random", "3", "--skip-bad"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("flat.obj: no face is left"), std::string::npos) << nothing.err;
+}
+
+// "Nothing is touched" would be a wrong answer about what the file was meant to hold.
+TEST_F(SceneCommand, RefusesAMeshWithoutAFaceWhateverIsAskedOfIt) {
+  const std::string balls = write("balls.txt", "0 0 0 1\n");
+  const std::string wide = write("wide.obj", std::string("\xFF\xFEv\0 \0", 6));
+  const std::string capitals = write("capitals.obj", "V 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n");
+  for (const std::string skip : {"", "--skip-bad"})
+    for (const std::string& bad : {wide, capitals, write("empty.obj", ""), write("empty.stl", std::string(84, '\0'))})
+      for (const std::string question : {"--any", "--all", "--nearest"}) {
+        std::vector<std::string> arguments{path("cube.obj"), bad, "--balls", balls, question};
+        if (!skip.empty()) arguments.push_back(skip);
+        const Ran ran = touchstone_scene(arguments);
+        EXPECT_EQ(ran.status, 2) << bad;
+        EXPECT_EQ(ran.out, "") << bad;
+        EXPECT_TRUE(ran.err.starts_with("touchstone: " + bad + ": ")) << ran.err;
+      }
+}
+
+TEST_F(SceneCommand, RefusesAMeshWhoseFacesAreAllLeftOut) {
+  const std::string balls = write("balls.txt", "0 0 0 1\n");
+  const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n");
+  const Ran ran = touchstone_scene({path("cube.obj"), flat, "--balls", balls, "--skip-bad"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_NE(ran.err.find("touchstone: " + flat + ": no face is left"), std::string::npos) << ran.err;
+}
+
+TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
+  EXPECT_EQ(touchstone_scene({path("cube.obj")}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--balls", "x"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--any", "--nearest"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "-1"}).status, 2);
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--method", "guess"}).err.find("guess"),
+            std::string::npos);
+}
+
+/// While one lives, no file can grow: as where a disk is full.
+class NoRoomForFiles {
+ public:
+  NoRoomForFiles() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &none);
+  }
+  NoRoomForFiles(const NoRoomForFiles&) = delete;
+  NoRoomForFiles& operator=(const NoRoomForFiles&) = delete;
+  ~NoRoomForFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
+  for (const char* count : {"1", "2000"}) {
+    const NoRoomForFiles no_room;
+    const Ran file = touchstone_scene({path("cube.obj"), "--random", count, "--force", "--output", path("full")});
+    EXPECT_EQ(file.status, 2);
+    EXPECT_EQ(file.err, path("full/answers.jsonl") + ": cannot be written: File too large");
+    EXPECT_FALSE(std::filesystem::exists(path("full/run.json")));
+  }
+
+  // Longer than any buffer, so that nothing is left to be written at the end.
+  std::string many;
+  for (int i = 0; i < 4000; ++i) many += "f 1 2 3\n";
+  const std::string mesh = write("many.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + many);
+  const std::string balls = write("ball.txt", "0 0 0 1\n");
+  std::fflush(stdout);
+  const int kept = ::dup(STDOUT_FILENO), full = ::open("/dev/full", O_WRONLY);
+  ASSERT_GE(full, 0);
+  ::dup2(full, STDOUT_FILENO);
+  std::string said;
+  try {
+    (void)run_tests::run_command(commands::add_scene, "scene", {mesh, "--balls", balls});
+  } catch (const std::exception& error) {
+    said = error.what();
+  }
+  ::dup2(kept, STDOUT_FILENO);
+  std::clearerr(stdout);
+  ::close(kept);
+  ::close(full);
+  EXPECT_EQ(said, "standard output: cannot be written: No space left on device");
+}
+
+TEST_F(SceneCommand, RefusesAFileOfAnswersThatCannotBeOpened) {
+  std::filesystem::create_directories(path("results/answers.jsonl"));
+  const Ran run = touchstone_scene({path("cube.obj"), "--random", "1", "--force", "--output", path("results")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, path("results/answers.jsonl") + ": cannot be written: Is a directory");
+}
+
+TEST_F(SceneCommand, ReplacesASymbolicLinkInPlaceOfFollowingIt) {
+  const std::string victim = write("victim.txt", "precious\n");
+  std::filesystem::create_directories(path("results"));
+  std::filesystem::create_symlink(victim, path("results/answers.jsonl"));
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--force", "--output", path("results")}).status, 0);
+  EXPECT_EQ(text_of(victim), "precious\n");
+  EXPECT_FALSE(std::filesystem::is_symlink(path("results/answers.jsonl")));
+}
+
+TEST_F(SceneCommand, TakesItsOwnFileOfAnswersForBallsAndReplacesIt) {
+  const std::string file = path("results/answers.jsonl");
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "30", "--output", path("results")}).status, 0);
+  const std::string once = text_of(file);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--balls", file, "--force", "--output", path("results")}).status, 0);
+  EXPECT_EQ(text_of(file), once);
+  EXPECT_EQ(touchstone_scene({path("absent.obj"), "--balls", file, "--force", "--output", path("results")}).status, 2);
+  EXPECT_EQ(text_of(file), once) << "a run that is refused loses no results";
+}
+
+// Answers go to a pipe, which holds the command up until it has been interrupted.
+TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
+  std::filesystem::create_directories(path("results"));
+  ASSERT_EQ(::mkfifo(path("results/answers.jsonl").c_str(), 0600), 0);
+  std::thread reader([file = path("results/answers.jsonl")] {
+    const int pipe = ::open(file.c_str(), O_RDONLY);
+    char bytes[4096];
+    (void)!::read(pipe, bytes, sizeof bytes);
+    ::kill(::getpid(), SIGINT);
+    while (::read(pipe, bytes, sizeof bytes) > 0) {
+    }
+    ::close(pipe);
+  });
+  const Ran run = touchstone_scene({path("cube.obj"), "--random", "1000000", "--force", "--output", path("results")});
+  // Where the command wrote nothing, the reader still waits.
+  const int writer = ::open(path("results/answers.jsonl").c_str(), O_RDWR | O_NONBLOCK);
+  EXPECT_EQ(::write(writer, "x", 1), 1);
+  ::close(writer);
+  reader.join();
+  EXPECT_EQ(run.status, run::kInterrupted) << run.err;
+  const auto record = nlohmann::json::parse(text_of(path("results/run.json")));
+  const auto asked = record["samples_asked"].get<int>(), done = record["samples_done"].get<int>();
+  EXPECT_EQ(record["interrupted"], true);
+  EXPECT_EQ(asked, 1'000'000);
+  EXPECT_LT(done, asked);
+  EXPECT_EQ(record["samples_missing"], asked - done);
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The soak: its cases are what it says, it finds planted errors, and killed runs end as whole ones do.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/commands.h"
+#include "experiments/cases/case.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/harness/course.h"
+#include "experiments/harness/write_file.h"
+#include "experiments/studies/soak/campaign.h"
+#include "experiments/studies/soak/comparison.h"
+#include "experiments/studies/soak/output.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::soak {
+namespace {
+
+namespace fs = std::filesystem;
+using run_tests::Scratch;
+using run_tests::text_of;
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+
+run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
+  return {scratch.path / "checkpoint.json", checkpoint_settings(settings)};
+}
+
+/// What a run of these settings goes on from.
+Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
+  return run::begin(checkpoint, kAlone, true, settings.cases, Tally(), [](const Tally& held) { return held.cases(); });
+}
+
+/// What a whole run of these cases gives.
+Tally whole(const Settings& settings, const Contestant& contestant = {}) {
+  Tally tally;
+  run_campaign(
+      settings, contestant, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+  return tally;
+}
+
+std::string line_of(const Case& c) { return judge::to_line(judge::case_of("", c.ball, c.polygon, {})); }
+
+TEST(SoakCases, AreLegalAndOfTheirFamily) {
+  for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
+    const Case c = draw_case(5, index);
+    EXPECT_FALSE(find_fault(c.ball)) << "index " << index;
+    EXPECT_FALSE(exact::validate(c.polygon)) << "index " << index;
+    EXPECT_EQ(c.family == Family::Outline, index % 10 == 9) << "index " << index;
+    EXPECT_TRUE(c.family == Family::Outline || c.triangle()) << "index " << index;
+  }
+}
+
+TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
+  std::set<std::string> seen;
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    const std::string line = line_of(draw_case(1, index));
+    EXPECT_EQ(line, line_of(draw_case(1, index))) << "index " << index;
+    EXPECT_NE(line, line_of(draw_case(2, index))) << "index " << index;
+    seen.insert(line);
+  }
+  EXPECT_EQ(seen.size(), 200U);
+}
+
+// Hard where they say so: every family but Anywhere has contacts and misses, ties where it promises them.
+TEST(SoakCases, StandAtTheirThresholds) {
+  std::array<std::uint64_t, static_cast<std::size_t>(Family::Outline) + 1> touching{}, separate{}, overlapping{},
+      boundary{};
+  for (std::uint64_t index = 0; index < 3000; ++index) {
+    const Case c = draw_case(3, index);
+    const Answer answer = exact::answer(c.ball, c.polygon);
+    const auto family = static_cast<std::size_t>(c.family);
+    touching[family] += answer.relation == Relation::Touching ? 1 : 0;
+    separate[family] += answer.relation == Relation::Separate ? 1 : 0;
+    overlapping[family] += answer.relation == Relation::Overlapping ? 1 : 0;
+    boundary[family] += answer.foot == FootPlace::Boundary ? 1 : 0;
+  }
+  for (const Family family : all_families()) {
+    const auto f = static_cast<std::size_t>(family);
+    EXPECT_GT(separate[f], 10U) << word(family);
+    EXPECT_GT(overlapping[f], 10U) << word(family);
+  }
+  for (const Family family :
+       {Family::Lattice, Family::Tangent, Family::Point, Family::Exponents, Family::Scaled, Family::Outline})
+    EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << word(family);
+  for (const Family family : {Family::Lattice, Family::Tangent, Family::Foot, Family::Point})
+    EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << word(family);
+}
+
+TEST(Soak, CountsEveryCaseOnceEachWay) {
+  const Tally tally = whole({.cases = 2000, .seed = 4});
+  std::uint64_t triangles = 0, prepared = 0, answers = 0;
+  for (const Family family : all_families()) {
+    for (const Way way : kWays) {
+      const Outcomes& o = tally.at(family, way);
+      std::uint64_t sum = 0;
+      for (const std::uint64_t count : o.by_stage) sum += count;
+      EXPECT_EQ(sum, o.cases) << word(family) << " " << word(way);
+    }
+    triangles += tally.at(family, Way::Triangle).cases;
+    prepared += tally.at(family, Way::Prepared).cases;
+    answers += tally.at(family, Way::Answer).cases;
+  }
+  EXPECT_EQ(tally.cases(), 2000U);
+  EXPECT_EQ(prepared, 2000U);
+  EXPECT_GE(triangles, 1800U);
+  EXPECT_GT(answers, 60U);
+  EXPECT_LT(answers, 240U);
+  EXPECT_EQ(tally.differing(), 0U);
+}
+
+/// Touching does not count, in one overload.
+class StrictTriangle : public Contestant {
+  using Contestant::contact;
+  bool contact(const Ball& ball, const Triangle& t) const override {
+    return exact::relation(ball, Polygon({t.a, t.b, t.c})) == Relation::Overlapping;
+  }
+};
+
+/// The last lane of a batch is forgotten.
+class ForgetfulBatch : public Contestant {
+  using Contestant::contact;
+  void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) const override {
+    Contestant::contact(ball, triangles.first(triangles.size() - 1), touches.first(touches.size() - 1));
+    touches.back() = false;
+  }
+};
+
+class StrictBatchOfBalls : public Contestant {
+  using Contestant::contact;
+  void contact(std::span<const Ball> balls, const Prepared& polygon, std::span<bool> touches) const override {
+    for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = relation(balls[i], polygon) == Relation::Overlapping;
+  }
+};
+
+class SwappedSides : public Contestant {
+  PlaneSide plane_side(const Ball& ball, const Prepared& polygon) const override {
+    const PlaneSide side = Contestant::plane_side(ball, polygon);
+    return side == PlaneSide::InFront ? PlaneSide::Behind : side;
+  }
+};
+
+class UnroundedDistance : public Contestant {
+  using Contestant::answer;
+  Answer answer(const Ball& ball, const Prepared& polygon) const override {
+    Answer answer = Contestant::answer(ball, polygon);
+    answer.distance = std::nextafter(answer.distance, 0.0);
+    return answer;
+  }
+};
+
+class FarthestVertex : public Contestant {
+  filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const override {
+    filtered::ClosestPoint closest = Contestant::closest(center, triangle);
+    if (closest.feature.kind == Feature::Kind::Vertex) closest.feature.index = (closest.feature.index + 1) % 3;
+    return closest;
+  }
+};
+
+class NoBoundary : public Contestant {
+  FootPlace foot(const Ball& ball, const Prepared& polygon) const override {
+    const FootPlace place = Contestant::foot(ball, polygon);
+    return place == FootPlace::Boundary ? FootPlace::Inside : place;
+  }
+};
+
+class FirstEdgeOnly : public Contestant {
+  std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const override {
+    auto edges = Contestant::edges_hit(ball, polygon);
+    if (edges.size() > 1) edges.erase(edges.begin() + 1, edges.end());
+    return edges;
+  }
+};
+
+class Throwing : public Contestant {
+  using Contestant::contact;
+  bool contact(const Ball& ball, const Prepared& polygon) const override {
+    if (ball.radius == 0) throw std::length_error("no points, please");
+    return Contestant::contact(ball, polygon);
+  }
+};
+
+/// Is the error found, and told as a case that the judge reads, with the exact answer expected?
+void expect_found(const Contestant& wrong, const std::string& question) {
+  const Settings settings{.cases = 3000, .seed = 9};
+  const Tally tally = whole(settings, wrong);
+  EXPECT_GT(tally.differing(), 0U) << question;
+  ASSERT_FALSE(tally.kept().empty()) << question;
+  for (const Difference& difference : tally.kept()) {
+    const judge::Case read = judge::read_case(difference.line);
+    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << difference.line;
+    EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
+    EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
+    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+    const auto truth = methods::PartialAnswer::of(exact::answer(ball, polygon), "");
+    EXPECT_TRUE(judge::differences(*read.expected, judge::object_of(truth)).empty()) << difference.line;
+  }
+  // Asked again by its index alone, the first one differs again.
+  const std::uint64_t index = tally.kept().front().index;
+  EXPECT_EQ(whole({.cases = 1, .seed = 9, .from = index}, wrong).kept().front(), tally.kept().front());
+}
+
+TEST(Soak, FindsPlantedErrors) {
+  expect_found(StrictTriangle(), "triangle");
+  expect_found(ForgetfulBatch(), "triangle, in a batch");
+  expect_found(StrictBatchOfBalls(), "contact, in a batch");
+  expect_found(SwappedSides(), "plane");
+  expect_found(UnroundedDistance(), "answer");
+  expect_found(FarthestVertex(), "closest");
+  expect_found(NoBoundary(), "foot");
+  expect_found(FirstEdgeOnly(), "edges_hit");
+  expect_found(Throwing(), "prepared: no points, please");
+}
+
+// Only so many are kept; they are the first, and the count goes on.
+TEST(Soak, KeepsTheFirstDifferences) {
+  Tally tally;
+  for (std::uint64_t i = 3000; i-- > 0;) tally.add_case({{i, "a"}, {i, "b"}});
+  EXPECT_EQ(tally.differing(), 3000U);
+  ASSERT_EQ(tally.kept().size(), Tally::kMostKept);
+  for (std::size_t k = 0; k < tally.kept().size(); ++k)
+    EXPECT_EQ(tally.kept()[k], (Difference{k / 2, k % 2 == 0 ? "a" : "b"}));
+}
+
+TEST(Soak, TheNumberOfThreadsChangesNothing) {
+  const StrictTriangle wrong;
+  const Settings one{.cases = 3000, .seed = 6, .threads = 1}, three{.cases = 3000, .seed = 6, .threads = 3};
+  EXPECT_EQ(whole(one, wrong), whole(three, wrong));
+}
+
+// Stopped within a leg and read back from its checkpoint, again and again.
+TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
+  const Scratch scratch;
+  const StrictTriangle wrong;
+  const Settings settings{.cases = 3000, .seed = 8, .from = 1'000'000, .threads = 2};
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  Tally tally;
+  int stops = 0;
+  while (tally.cases() < settings.cases) {
+    std::atomic<bool> stop = false;
+    tally = resumed(checkpoint, settings);
+    const std::uint64_t before = tally.cases();
+    const std::uint64_t done = run_campaign(
+        settings, wrong, kAlone, stop, [](const Tally&) {}, [&](std::uint64_t) { stop = true; }, tally);
+    EXPECT_GT(tally.cases(), before);
+    EXPECT_EQ(tally.cases(), done);
+    checkpoint.write(tally);
+    ++stops;
+  }
+  EXPECT_GT(stops, 2);
+  EXPECT_EQ(tally, whole(settings, wrong));
+  EXPECT_EQ(resumed(checkpoint, settings), tally);
+}
+
+// Killed after a checkpoint was written: the work since then is lost, and done again.
+TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
+  const Scratch scratch;
+  const StrictTriangle wrong;
+  const Settings settings{.cases = 3000, .seed = 8, .threads = 2};
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  std::atomic<bool> stop = false, saved = false;
+  Tally lost;
+  run_campaign(
+      settings, wrong, kAlone, stop,
+      [&](const Tally& now) {
+        if (!saved.exchange(true)) checkpoint.write(now);
+        stop = now.cases() >= 1500;
+      },
+      [](std::uint64_t) {}, lost);
+  EXPECT_GE(lost.cases(), 1500U);
+  Tally tally = resumed(checkpoint, settings);
+  EXPECT_GT(tally.cases(), 0U);
+  EXPECT_LT(tally.cases(), 1500U);
+  run_campaign(
+      settings, wrong, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+  EXPECT_EQ(tally, whole(settings, wrong));
+}
+
+void expect_refused(const Scratch& scratch, const Settings& settings, const std::string& why) {
+  try {
+    (void)resumed(checkpoint_in(scratch, settings), settings);
+    FAIL() << "taken in spite of: " << why;
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+  }
+}
+
+TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
+  const Scratch scratch;
+  const Settings settings{.cases = 500, .seed = 3}, more{.cases = 501, .seed = 3};
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  EXPECT_EQ(resumed(checkpoint, settings), Tally());
+  checkpoint.write(whole(settings));
+  expect_refused(scratch, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
+  expect_refused(scratch, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
+  expect_refused(scratch, {.cases = 499, .seed = 3}, "holds 500 already, more than the 499 asked for");
+  EXPECT_EQ(resumed(checkpoint_in(scratch, more), more).cases(), 500U);
+
+  const std::string text = text_of(checkpoint.path());
+  for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
+    run::write_file(checkpoint.path(), damaged);
+    expect_refused(scratch, settings, "is no checkpoint");
+  }
+}
+
+// What an earlier version of the program wrote is gone on with.
+TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
+  const Scratch scratch;
+  const Settings settings{.cases = 256, .seed = 3};
+  const auto checkpoint = checkpoint_in(scratch, settings);
+  checkpoint.write(whole(settings));
+  const auto text = text_of(checkpoint.path());
+  EXPECT_EQ(text.rfind("{\"version\":1,\"seed\":3,\"from\":0,\"cases\":256,\"differing\":0,\"outcomes\":[[", 0), 0U)
+      << text;
+  EXPECT_NE(text.find("]],\"kept\":[]}\n"), std::string::npos) << text;
+}
+
+int run_command(std::vector<std::string> arguments) {
+  return run_tests::run_command(commands::add_soak, "soak", std::move(arguments));
+}
+
+TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
+  const auto ran =
+      run_tests::run_captured(commands::add_soak, "soak", {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  std::string line;
+  for (std::uint64_t index = 7; index < 12; ++index) {
+    ASSERT_TRUE(std::getline(lines, line));
+    const judge::Case read = judge::read_case(line);
+    const Case drawn = draw_case(2, index);
+    EXPECT_EQ(read.id, "soak-s2-i" + std::to_string(index));
+    const auto& shapes = std::get<judge::Shapes>(read.content);
+    EXPECT_EQ(shapes.ball.center, drawn.ball.center);
+    EXPECT_EQ(shapes.ball.radius, drawn.ball.radius);
+    EXPECT_EQ(shapes.polygon, drawn.polygon);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
+  const Scratch scratch;
+  const std::string parts = (scratch.path / "parts").string(), one = (scratch.path / "one").string();
+  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "1", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--cases", "700", "--seed", "2", "--threads", "2", "--output", parts}), 0);
+  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "2", "--output", parts, "--resume"}), 0);
+  for (const char* file : {"soak.csv", "differences.jsonl", "checkpoint.json"})
+    EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
+  EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
+  // Without --resume it begins anew, and what stood there is kept.
+  ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--force", "--output", one}), 0);
+  EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
+  EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));
+}
+
+TEST(SoakCommand, WrongOptionsAreErrors) {
+  EXPECT_THROW(run_command({"--cases", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--cases", "many"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--from", "1.5"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--from", "18446744073709551615", "--cases", "2"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--cases", "1"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace touchstone::soak

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of run time and error: what is planted is measured, fronts are fronts, and it keeps its promises.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/commands.h"
+#include "experiments/cases/case.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/studies/tradeoff/band.h"
+#include "experiments/studies/tradeoff/front.h"
+#include "experiments/studies/tradeoff/output.h"
+#include "experiments/workloads/ulp.h"
+#include "robust/exact/exact.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+#include "tests/experiments/studies/tradeoff/small_study.h"
+
+namespace touchstone::tradeoff {
+namespace {
+
+namespace fs = std::filesystem;
+using methods::PartialAnswer;
+using methods::Question;
+using run_tests::Scratch;
+using workloads::Family;
+using workloads::Placement;
+
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// `exact` with something changed in the ball or the answer.
+class Changed final : public methods::Method {
+ public:
+  using Change = std::function<PartialAnswer(const methods::PreparedMethod& exact, const Ball&, Question)>;
+  explicit Changed(Change change) : change_(std::move(change)) {}
+  std::string_view name() const override { return "changed"; }
+  std::string_view summary() const override { return ""; }
+  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+    return std::make_unique<Prepared>(methods::find_method("exact")->prepare(polygon), change_);
+  }
+
+ private:
+  class Prepared final : public methods::PreparedMethod {
+   public:
+    Prepared(std::unique_ptr<methods::PreparedMethod> exact, Change change)
+        : exact_(std::move(exact)), change_(std::move(change)) {}
+    PartialAnswer ask(const Ball& ball, Question question) const override { return change_(*exact_, ball, question); }
+
+   private:
+    std::unique_ptr<methods::PreparedMethod> exact_;
+    Change change_;
+  };
+  Change change_;
+};
+
+/// What one method did in all strata of a placement whose threshold is crossed by the radius.
+MethodErrors errors_of(const methods::Method& method, Placement placement = Placement::Rotated) {
+  const Settings one{{&method}, {Family::Star}, 2, 7, 1};
+  return whole(one).sum(strata_of(std::nullopt, placement, true), 0);
+}
+
+const UlpErrors& ulps(const MethodErrors& errors, Quantity quantity) {
+  return errors.ulps[static_cast<std::size_t>(quantity)];
+}
+
+TEST(TradeoffErrors, OfExactAreNone) {
+  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+    const MethodErrors errors = errors_of(*methods::find_method("filtered"), placement);
+    EXPECT_EQ(errors.samples, placement == Placement::LatticeFrame ? 8U : 6U);
+    EXPECT_EQ(errors.near_threshold(), (Tally{0, 0, 17 * errors.samples}));
+    EXPECT_EQ(text_of(band_of(errors)), "none seen");
+    for (const Quantity quantity : kQuantities) {
+      EXPECT_EQ(ulps(errors, quantity).known.count(), errors.samples);
+      EXPECT_EQ(ulps(errors, quantity).known.quantile(1), 0);
+    }
+  }
+}
+
+// Each of them twice, asked about at each of its thresholds.
+TEST(TradeoffErrors, OfOnePolygonAtSeveralThresholdsAreOfOnePolygon) {
+  const Settings two{{methods::find_method("fast")}, {Family::Star, Family::L}, 2, 7, 1};
+  const Errors errors = whole(two);
+  for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
+    EXPECT_EQ(errors.polygons(strata_of(Family::Star, placement, true), 0), 2U);
+    EXPECT_EQ(errors.polygons(strata_of(std::nullopt, placement, true), 0), 4U);
+    for (const std::size_t stratum : strata_of(Family::Star, placement, true))
+      EXPECT_EQ(errors.polygons({stratum}, 0), errors.sum({stratum}, 0).samples);
+  }
+}
+
+TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
+  const Changed method([](const auto& exact, const Ball& ball, Question question) {
+    PartialAnswer answer = exact.ask(ball, question);
+    if (question != Question::Answer) return answer;
+    answer.distance = std::nextafter(*answer.distance, kInfinity);
+    int axis = 0;
+    answer.point->cwiseAbs().maxCoeff(&axis);
+    (*answer.point)[axis] = std::nextafter((*answer.point)[axis], (*answer.point)[axis] > 0 ? kInfinity : -kInfinity);
+    return answer;
+  });
+  const MethodErrors errors = errors_of(method);
+  for (const Quantity quantity : kQuantities) {
+    EXPECT_EQ(ulps(errors, quantity).known.quantile(0), 1);
+    EXPECT_EQ(ulps(errors, quantity).known.quantile(1), 1);
+    EXPECT_EQ(errors.worst[static_cast<std::size_t>(quantity)].ulps, 1);
+  }
+}
+
+// A ball that is taken for three doubles larger than it is: wrong from -3 doubles up to the threshold.
+TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
+  const Changed method([](const auto& exact, const Ball& ball, Question question) {
+    return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, question);
+  });
+  const MethodErrors errors = errors_of(method);
+  const Band band = band_of(errors);
+  EXPECT_EQ(band.lowest, -3);
+  EXPECT_LE(*band.highest, 0);
+  const Tally near = errors.near_threshold();
+  EXPECT_EQ(near.trials, 17 * errors.samples);
+  EXPECT_GE(near.wrong, 2 * errors.samples);
+  EXPECT_LE(near.wrong, 4 * errors.samples);
+  EXPECT_EQ(near.unsure, 0U);
+}
+
+TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
+  const Changed method([](const auto&, const Ball&, Question) {
+    PartialAnswer answer;
+    answer.unsure = true;
+    return answer;
+  });
+  const MethodErrors errors = errors_of(method);
+  EXPECT_EQ(errors.near_threshold(), (Tally{0, 17 * errors.samples, 17 * errors.samples}));
+  EXPECT_EQ(ulps(errors, Quantity::Point).known.count(), 0U);
+  EXPECT_EQ(ulps(errors, Quantity::Point).asked, errors.samples);
+}
+
+// One distance in three is infinite, and all contacts are wrong: a third of them for that reason; the errors of the
+// other distances are still told.
+TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
+  int number = 0;
+  const Changed method([&number](const auto& exact, const Ball& ball, Question question) {
+    PartialAnswer answer = exact.ask(ball, question);
+    if (question != Question::Answer) {
+      answer.contact = !*answer.contact;
+      return answer;
+    }
+    answer.distance = number++ % 3 == 0 ? kInfinity : std::nextafter(*answer.distance, kInfinity);
+    return answer;
+  });
+  const MethodErrors errors = errors_of(method);
+  ASSERT_EQ(errors.samples, 6U);
+  EXPECT_EQ(errors.near_threshold(), (Tally{17 * 6, 0, 17 * 6, 17 * 2}));
+  const UlpErrors& distances = ulps(errors, Quantity::Distance);
+  EXPECT_EQ(distances.known.count(), 6U);
+  EXPECT_EQ(distances.known.infinite(), 2U);
+  for (const double share : {0.0, 0.5, 0.99, 1.0}) EXPECT_EQ(distances.quantile_of_finite(share), 1) << share;
+  EXPECT_EQ(distances.known.quantile(0.99), kInfinity);
+  EXPECT_EQ(ulps(errors, Quantity::Point).quantile_of_finite(1), 0);
+}
+
+TEST(TradeoffErrors, SlowMethodsAreAskedAboutFewerSamples) {
+  const auto setting = settings({"exact", "fast"}, kSlowStride + 1);
+  const Errors errors = whole(setting);
+  const auto strata = strata_of(Family::Star, Placement::Rotated, true);
+  EXPECT_EQ(errors.sum(strata, 0).samples, strata.size() * 2);
+  EXPECT_EQ(errors.sum(strata, 1).samples, strata.size() * (kSlowStride + 1));
+}
+
+// The same bytes for one thread and two; the worst cases are legal, expect the truth, and their methods fail them.
+TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
+  const Scratch scratch;
+  for (const unsigned threads : {1U, 2U}) {
+    const auto setting = settings({"fast", "interval", "rational", "thesis"}, 3, threads);
+    const auto folder = scratch.path / std::to_string(threads);
+    fs::create_directories(folder);
+    const Errors errors = whole(setting);
+    write_errors(folder, setting, errors);
+    write_bands(folder, setting, errors);
+    write_points(folder, setting, errors);
+    write_worst(folder, setting, errors);
+  }
+  for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl"}) {
+    EXPECT_EQ(run_tests::text_of(scratch.path / "1" / file), run_tests::text_of(scratch.path / "2" / file)) << file;
+    EXPECT_GT(fs::file_size(scratch.path / "1" / file), 1000U) << file;
+  }
+  std::ifstream lines(scratch.path / "1" / "worst.jsonl");
+  int cases = 0;
+  for (std::string line; std::getline(lines, line); ++cases) {
+    const judge::Case read = judge::read_case(line);
+    const auto& shapes = std::get<judge::Shapes>(read.content);
+    const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
+    EXPECT_TRUE(judge::differences(*read.expected, judge::object_of(truth)).empty()) << *read.id;
+    const std::string method = nlohmann::json::parse(line)["tags"][0];
+    const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, Question::Answer);
+    EXPECT_FALSE(judge::differences(*read.expected, judge::object_of(given)).empty()) << *read.id;
+  }
+  EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing
+}
+
+// Stopped after two samples: the same as a run of two.
+TEST(Tradeoff, AStoppedRunIsAShorterOne) {
+  std::atomic<bool> stop = false;
+  const auto longer = settings({"fast", "exact"}, 50), shorter = settings({"fast", "exact"}, 2);
+  Errors stopped = no_errors(longer);
+  measure_errors(longer, {kAlone, stop, [&](std::uint64_t done) { stop = done == 2; }}, stopped);
+  const Errors shorter_one = whole(shorter);
+  EXPECT_EQ(stopped.samples, 2U);
+  EXPECT_EQ(table(longer, stopped, {}), table(shorter, shorter_one, {}));
+}
+
+// Errors that were written and read again are the same, to the last bit.
+TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
+  const nlohmann::ordered_json json = whole(settings({"fast", "thesis", "interval"}, 3));
+  EXPECT_EQ(nlohmann::ordered_json(nlohmann::json::parse(json.dump()).get<Errors>()), json);
+}
+
+int run_command(std::vector<std::string> arguments) {
+  return run_tests::run_command(commands::add_tradeoff, "tradeoff", std::move(arguments));
+}
+
+TEST(TradeoffCommand, WritesResultsAndASidecar) {
+  const Scratch scratch;
+  const auto folder = scratch.path / "it's new";
+  ASSERT_EQ(run_command({"--method", "fast,filtered", "--families", "l,u", "--samples", "1", "--queries", "10",
+                         "--repetitions", "1", "--no-pictures", "--output", folder.string()}),
+            0);
+  for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl", "timings.csv", "front.csv"})
+    EXPECT_TRUE(fs::exists(folder / file)) << file;
+  const auto record = nlohmann::json::parse(run_tests::text_of(folder / "run.json"));
+  EXPECT_EQ(record["interrupted"], false);
+  EXPECT_EQ(record["samples_done"], 1);
+}
+
+TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
+  const auto complaint = [](const std::vector<std::string>& arguments) -> std::string {
+    try {
+      run_command(arguments);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NE(complaint({"--method", "slow"}).find("\"slow\""), std::string::npos);
+  EXPECT_NE(complaint({"--families", "donut"}).find("--families"), std::string::npos);
+  EXPECT_NE(complaint({"--samples", "0"}).find("--samples"), std::string::npos);
+  EXPECT_NE(complaint({"--seed", "-1"}).find("--seed"), std::string::npos);
+  EXPECT_NE(complaint({"--threads", "0"}).find("--threads"), std::string::npos);
+  EXPECT_NE(complaint({"--queries", "many"}).find("--queries"), std::string::npos);
+  EXPECT_NE(complaint({"--repetitions", "0"}).find("--repetitions"), std::string::npos);
+  EXPECT_NE(complaint({"--output", "/dev/null/folder", "--samples", "1"}).find("/dev/null/folder"), std::string::npos);
+  EXPECT_NE(complaint({"--redraw", "--output", "/nowhere"}).find("--redraw"), std::string::npos);
+}
+
+// Interrupted once its folder is there: it ends early, says so in words, status and record, and keeps what it has.
+TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
+  const Scratch scratch;
+  const std::string folder = scratch.path / "run";
+  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--method", "fast", "--families", "l",
+                                 "--samples",        "100000000", "--output", folder};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (scratch.path / "err").c_str(), O_WRONLY | O_CREAT, 0600);
+  pid_t process = 0;
+  ASSERT_EQ(posix_spawn(&process, words[0].c_str(), &actions, nullptr, arguments.data(), environ), 0);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  while (!fs::exists(folder) && waitpid(process, &status, WNOHANG) == 0) sched_yield();
+  kill(process, SIGINT);
+  waitpid(process, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_NE(run_tests::text_of(scratch.path / "err").find("interrupted"), std::string::npos);
+  const auto record = nlohmann::json::parse(run_tests::text_of(fs::path(folder) / "run.json"));
+  EXPECT_EQ(record["interrupted"], true);
+  EXPECT_LT(record["samples_done"], record["samples_asked"]);
+  EXPECT_TRUE(fs::exists(fs::path(folder) / "errors.csv"));
+  EXPECT_FALSE(fs::exists(fs::path(folder) / "front.csv"));
+}
+
+}  // namespace
+}  // namespace touchstone::tradeoff

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "experiments/harness/course.h"
+#include "experiments/harness/processes.h"
+
+/// A study's run that nobody stops or looks at, in one process.
+namespace touchstone::run_tests {
+
+inline const std::atomic<bool> kNeverStop = false;
+inline const run::Progress kSilent = [](std::uint64_t) {};
+inline const run::Processes kAlone;
+
+}  // namespace touchstone::run_tests

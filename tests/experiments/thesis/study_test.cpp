@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cell as the entries of chapters 5 and 6 have it, and the files of `touchstone thesis`.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "experiments/cell/kinematics/solve_layout.h"
+#include "experiments/commands.h"
+#include "experiments/thesis/drawn_cell.h"
+#include "experiments/thesis/entries.h"
+#include "experiments/thesis/output.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/thesis/begun_study.h"
+
+namespace touchstone::thesis_tests {
+namespace {
+
+using namespace thesis_figures;
+using kinematics::kCases;
+
+const std::atomic<bool> kGoOn{false}, kStop{true};
+
+constexpr Settings kSmall{
+    .samples = 100, .seed = 3, .angle_step = 60, .radius_step = 200, .radius_scan = 40, .height_scan = 100};
+
+/// By name, what a study writes.
+std::map<std::string, std::string> files_of(const Study& study) {
+  const run_tests::Scratch scratch;
+  write_entries(scratch.path, entries_of(study));
+  write_data(scratch.path, study);
+  std::map<std::string, std::string> files;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(scratch.path))
+    if (file.is_regular_file())
+      files[std::filesystem::relative(file.path(), scratch.path).string()] = run_tests::text_of(file.path());
+  return files;
+}
+
+TEST(ThesisStudy, WritesTheSameBytesForAnyNumberOfThreads) {
+  const auto quiet = [](std::uint64_t, std::uint64_t) {};
+  const auto one = run_study(kSmall, 1, kGoOn, quiet), three = run_study(kSmall, 3, kGoOn, quiet);
+  ASSERT_TRUE(one && three);
+  const auto files = files_of(*one);
+  EXPECT_EQ(files.size(), 18U);
+  EXPECT_EQ(files, files_of(*three));
+  for (const auto& [name, text] : files) EXPECT_FALSE(text.empty()) << name;
+  // With so few samples, too, every stated number comes out; but for a reach that other sources' lengths do not give.
+  for (const Entry& entry : entries_of(*one)) {
+    if (entry.caption->id != "table 5.1") {
+      EXPECT_TRUE(entry.agrees()) << entry.caption->id;
+    }
+  }
+  EXPECT_NE(table(entries_of(*one)).find("otherwise:\n  table 5.1: reach of the flange"), std::string::npos);
+}
+
+TEST(ThesisStudy, StopsWhenItIsAskedTo) {
+  EXPECT_FALSE(run_study(kSmall, 2, kStop, [](std::uint64_t, std::uint64_t) {}).has_value());
+}
+
+TEST(ThesisStudy, HasTheCellOfTheChosenLayout) {
+  const Study& study = begun();
+  const kinematics::Layout& layout = study.layout;
+  EXPECT_EQ(study.cell.storage.angle, kCases[0].storage_angle);
+  EXPECT_EQ(study.cell.storage.home, kinematics::kStorageHome);
+  EXPECT_EQ(study.cell.storage.radius, layout.storage_radius[0]);
+  EXPECT_EQ(study.cell.machine.azimuth(), kinematics::kMachineAzimuth);
+  EXPECT_EQ(study.cell.machine.radius, layout.machine_radius);
+  EXPECT_EQ(study.cell.machine.height, layout.machine_height);
+  EXPECT_EQ(study.cell.gripper.sphere.radius, layout.sphere_radius);
+  const Eigen::Vector3d& place = study.cell.storage.slots[study.cell.material.slot].place;
+  EXPECT_EQ(study.cell.storage.height + place.z(), layout.storage_height[0]);
+  EXPECT_NEAR(place.y(), -layout.gap - layout.side / 2, 1e-12);
+}
+
+TEST(CaseStudy, StopsAtTheFirstStepThatTouches) {
+  for (const CaseStudy& its : begun().cases) {
+    ASSERT_EQ(its.stops.size(), 2U);
+    for (const Stop& stop : its.stops) {
+      EXPECT_TRUE(stop.at.contact());
+      EXPECT_FALSE(stop.before.contact());
+      EXPECT_TRUE(stop.thesis_at);
+      EXPECT_FALSE(stop.thesis_before);
+    }
+    EXPECT_EQ(its.moments.size(), its.rehearsal.moves.size() + 1);
+    EXPECT_FALSE(its.moments[its.stops[0].move].gripped);
+    EXPECT_TRUE(its.moments[its.stops[0].move + 1].gripped);
+    EXPECT_EQ(its.asked % 6, 0U);
+    for (const std::uint64_t wrong : its.wrong) EXPECT_EQ(wrong, 0U);
+  }
+  EXPECT_EQ(face_words(begun().cases[0].stops[0].face), "counter-clockwise side");
+  EXPECT_EQ(face_words(begun().cases[0].stops[1].face), "upper face");
+}
+
+// The arm of the cell's file, by which pictures are drawn, and that of the rehearsals hold the sphere in one place.
+TEST(DrawnCell, HoldsTheSphereWhereTheRehearsalHasIt) {
+  for (const CaseStudy& its : begun().cases) {
+    const auto drawn = drawn_moments(begun().cell, its);
+    for (const Moment& moment : its.moments) {
+      const auto& sphere = drawn.at(moment.name).at("sphere");
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(sphere.at(static_cast<std::size_t>(i)).get<double>(), moment.sphere(i), 1e-9);
+    }
+    // What is gripped stays where it is at that moment, and then goes along.
+    const auto material = [&](std::size_t i) {
+      return drawn.at(its.moments[i].name).at("material").get<std::vector<double>>();
+    };
+    const std::size_t grip = its.stops[0].move;
+    const auto lying = material(grip), gripped = material(grip + 1), carried = material(grip + 2);
+    for (std::size_t i = 0; i < lying.size(); ++i) EXPECT_NEAR(lying[i], gripped[i], 1e-9);
+    EXPECT_NE(gripped, carried);
+  }
+}
+
+// Each part is drawn in the frame of its own link, not of a neighbour.
+TEST(DrawnCell, PutsEveryLinkAtItsJoint) {
+  const Study& study = begun();
+  const auto links = drawn_moments(study.cell, study.cases[0]).at("case 1, home").at("links");
+  ASSERT_EQ(links.size(), study.cell.robot.links.size());
+  const auto height = [&](std::size_t link) { return links.at(link).at(11).get<double>(); };
+  EXPECT_EQ(height(0), 0);
+  EXPECT_EQ(height(1), 200);
+  EXPECT_EQ(height(2), kinematics::kShoulderHeight);
+  const Eigen::Vector3d wrist =
+      kinematics::wrist(kinematics::aristo(study.layout.coupling), study.cases[0].moments[0].commanded);
+  EXPECT_NEAR(height(3), wrist.z(), 1e-9);  // the forearm is level at home
+  EXPECT_NEAR(height(5), wrist.z(), 1e-9);
+  EXPECT_NEAR(links.at(5).at(9).get<double>(), wrist.x(), 1e-9);
+  EXPECT_NEAR(height(6), wrist.z() - kinematics::kHand, 1e-9);
+}
+
+TEST(DrawnCell, CoversEveryFaceWithTriangles) {
+  for (const auto& part : drawn_parts(begun().parts)) {
+    const std::size_t vertices = part.at("vertices").size();
+    EXPECT_GE(part.at("triangles").size(), part.at("loops").size()) << part.at("name");
+    for (const auto& triangle : part.at("triangles"))
+      for (const auto& corner : triangle) EXPECT_LT(corner.get<std::size_t>(), vertices);
+  }
+  EXPECT_EQ(gripper_outline(begun().parts).corners.size(), 8U);
+  EXPECT_EQ(gripper_outline(begun().parts).area(), 90 * 75 - 50 * 45);
+}
+
+TEST(Reconfiguration, SaysWhatIsExceededAndWhatWouldFit) {
+  const Study& study = begun();
+  const double height = study.layout.storage_height[0];
+  const auto tried = [&](double angle, double radius) {
+    return try_place(study.layout, study.plan, angle, radius, height);
+  };
+  EXPECT_EQ(tried(1, 487.8).outcome, Outcome::FromSide);
+  EXPECT_EQ(tried(1, 487.8).failure, "");
+  EXPECT_EQ(tried(-33, 621.6).outcome, Outcome::FromAbove);
+  EXPECT_EQ(tried(1, 200).outcome, Outcome::OnRobot);
+  EXPECT_EQ(
+      tried(1, 200).failure,
+      "the storage begins 120.0 mm from the base's axis, the robot's body needs 134.6; a radius of 214.6 would fit");
+  EXPECT_EQ(tried(1, 214).outcome, Outcome::OnRobot);
+  EXPECT_TRUE(completes(tried(1, 215).outcome));
+  EXPECT_EQ(tried(1, 720).outcome, Outcome::OutOfReach);
+  EXPECT_EQ(tried(67, 620).outcome, Outcome::OnMachine);
+  EXPECT_EQ(tried(-150, 487.8).outcome, Outcome::JointLimit);
+  EXPECT_EQ(tried(150, 487.8).outcome, Outcome::InTheWay);
+}
+
+TEST(Reconfiguration, FindsTheLongestRun) {
+  const auto places = [](const std::string& marks) {
+    std::vector<Place> all;
+    for (const char mark : marks) all.push_back({0, 0, 0, mark == '+' ? Outcome::FromSide : Outcome::OutOfReach, ""});
+    return all;
+  };
+  EXPECT_TRUE(longest_stretch({}).empty());
+  EXPECT_TRUE(longest_stretch(places("---")).empty());
+  const Stretch run = longest_stretch(places("+-++-++"));
+  EXPECT_EQ(run.first, 2U);
+  EXPECT_EQ(run.last, 3U);
+  EXPECT_EQ(longest_stretch(places("--+++")).last, 4U);
+}
+
+TEST(ThesisCommand, RefusesWhatMakesNoSense) {
+  const auto err = [](std::vector<std::string> arguments) {
+    return run_tests::run_captured(commands::add_thesis, "thesis", std::move(arguments)).err;
+  };
+  EXPECT_NE(err({"--samples", "-1"}).find("--samples"), std::string::npos);
+  EXPECT_NE(err({"--samples", "0"}).find("--samples"), std::string::npos);
+  EXPECT_NE(err({"--threads", "0"}).find("--threads"), std::string::npos);
+  EXPECT_NE(err({"--output", "/dev/null/x"}).find("/dev/null/x"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace touchstone::thesis_tests

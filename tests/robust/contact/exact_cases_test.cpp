@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact answers derived by hand: every key, ties, touching, lifts in fractions, the ends of the range of doubles.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "robust/exact/dropped_axis.h"
+#include "robust/exact/exact.h"
+#include "tests/robust/support/hand_cases.h"
+#include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
+
+namespace touchstone::contact_tests {
+namespace {
+
+using Kind = Feature::Kind;
+constexpr double kMax = std::numeric_limits<double>::max();
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void expect_exact(const HandCase& c) {
+  EXPECT_EQ(exact::answer(c.given.ball, c.given.polygon), c.expected) << c.given.id;
+}
+
+TEST(ExactCases, EveryKeyIsThatDerivedByHandInEachCoordinatePlane) {
+  for (const HandCase& c : hand_cases())
+    for (int times = 0; times < 3; ++times) expect_exact(turned(c, times));
+}
+
+// As multiples of the least double (every number subnormal), and where the next power of two would overflow.
+TEST(ExactCases, EveryKeyIsThatDerivedByHandAtBothEndsOfTheDoubles) {
+  for (const HandCase& c : hand_cases())
+    for (const int exponent : {-1074, -1023, 1020})
+      expect_exact({scaled(c.given, exponent), scaled(c.expected, exponent)});
+}
+
+/// Vertices 1/3 off the plane through their mean: N = (1, -1, 3), plane z = 1/3 - x/3 + y/3.
+const Polygon kThirds({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 1, 1}});
+
+// Lifted to (0, 0, 1/3), (2, 0, -1/3), (1, 1, 1/3), (0, 1, 2/3): thirds are no doubles, yet edge 0 passes through
+// (1, 0, 0).
+TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
+  const Answer on_edge = exact::answer({{1, 0, 0}, 0}, kThirds);
+  EXPECT_EQ(on_edge, (Answer{PlaneSide::Intersects,
+                             true,
+                             FootPlace::Boundary,
+                             {0},
+                             Relation::Touching,
+                             {Kind::Edge, 0},
+                             {1, 0, 0},
+                             0,
+                             1.0 / 3}));
+  const Answer above = exact::answer({{2, -1, 3}, 3}, kThirds);  // (1, 0, 0) + N, at distance sqrt(11)
+  EXPECT_EQ(above, (Answer{PlaneSide::InFront,
+                           false,
+                           FootPlace::Boundary,
+                           {},
+                           Relation::Separate,
+                           {Kind::Edge, 0},
+                           {1, 0, 0},
+                           std::sqrt(11.0),
+                           1.0 / 3}));
+  const Answer beyond = exact::answer({{5, 0, -1.0 / 3}, 3}, kThirds);
+  EXPECT_EQ(beyond.nearest, (Feature{Kind::Vertex, 1}));
+  EXPECT_EQ(beyond.point, Eigen::Vector3d(2, 0, -1.0 / 3));
+  EXPECT_EQ(beyond.distance, 3);
+  EXPECT_EQ(beyond.relation, Relation::Separate);  // the double nearest to -1/3 is not -1/3
+}
+
+// A hole is lifted onto the plane of the outer loop, and is no part of the mean.
+TEST(ExactLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
+  const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
+  const Answer answer = exact::answer({{3, 2, 1}, 1}, polygon);
+  EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
+                            true,
+                            FootPlace::Boundary,
+                            {4},
+                            Relation::Touching,
+                            {Kind::Edge, 4},
+                            {3, 2, 0},
+                            1,
+                            5}));
+}
+
+// N = (32, 0, 32), plane x + z = 0: along x vertex 0 comes to (0, 0, 0), along z it would come to (1, 0, -1).
+TEST(ExactLift, DropsTheLowestAxisOnATie) {
+  const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
+  EXPECT_EQ(exact::dropped_axis(polygon), 0);
+  EXPECT_EQ(exact::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
+                                                             false,
+                                                             FootPlace::Outside,
+                                                             {0, 3},
+                                                             Relation::Touching,
+                                                             {Kind::Vertex, 0},
+                                                             {0, 0, 0},
+                                                             3,
+                                                             1}));
+}
+
+TEST(ExactLift, DropsTheAxisOfTheLargestComponentWhateverItsSign) {
+  for (int times = 0; times < 3; ++times) {
+    const auto axis = [&](const Loop& loop) {
+      return exact::dropped_axis(turned({{"", {{0, 0, 0}, 0}, Polygon(loop)}, {}}, times).given.polygon);
+    };
+    EXPECT_EQ(axis({{0, 0, 0}, {4, 0, 1}, {0, 4, 1}}), (2 + times) % 3);
+    EXPECT_EQ(axis({{0, 0, 0}, {0, 4, 1}, {4, 0, 1}}), (2 + times) % 3);
+  }
+}
+
+TEST(ExactLift, IsRefusedWithoutANormal) {
+  const Polygon line({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}});
+  EXPECT_EQ(exact::dropped_axis(line), std::nullopt);
+  try {
+    const exact::PreparedPolygon prepared(line);
+    FAIL() << "a polygon on a line was accepted";
+  } catch (const Rejected& rejected) {
+    EXPECT_EQ(rejected.rejection().code, RejectionCode::ZeroNormal);
+  }
+}
+
+// Lengths 600 orders of magnitude apart: 1e-300 above the middle of a triangle of 1e300.
+TEST(ExactExtremes, SeesATinyBallOnAHugeTriangle) {
+  const Polygon huge({{-1e300, -1e300, 0}, {1e300, -1e300, 0}, {0, 1e300, 0}});
+  const Eigen::Vector3d center(0, 0, 1e-300);
+  const Answer answer = exact::answer({center, 1e-300}, huge);
+  EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
+                            true,
+                            FootPlace::Inside,
+                            {},
+                            Relation::Touching,
+                            {Kind::Face, 0},
+                            {0, 0, 0},
+                            1e-300,
+                            0}));
+  EXPECT_EQ(exact::relation({center, std::nextafter(1e-300, 0)}, huge), Relation::Separate);
+  EXPECT_EQ(exact::relation({center, std::nextafter(1e-300, 1)}, huge), Relation::Overlapping);
+}
+
+TEST(ExactExtremes, SeesATinyTriangleUnderAHugeBall) {
+  const Polygon tiny({{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}});
+  const Answer answer = exact::answer({{-1e300, 0, 0}, 1e300}, tiny);
+  EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
+                            false,
+                            FootPlace::Outside,
+                            {0, 2},
+                            Relation::Touching,
+                            {Kind::Vertex, 0},
+                            {0, 0, 0},
+                            1e300,
+                            0}));
+}
+
+// From the corner (-max, -max, -max) to a triangle at (max, max, max): 2 sqrt(3) max is beyond the doubles.
+TEST(ExactExtremes, RoundsADistanceBeyondTheDoublesToInfinity) {
+  const double less = std::nextafter(kMax, 0);
+  const Polygon corner({{kMax, kMax, kMax}, {kMax, less, kMax}, {less, kMax, kMax}});
+  const Answer answer = exact::answer({{-kMax, -kMax, -kMax}, kMax}, corner);
+  EXPECT_EQ(answer.distance, kInfinity);
+  EXPECT_EQ(answer.relation, Relation::Separate);
+  EXPECT_EQ(answer.plane, PlaneSide::InFront);  // clockwise from above
+  EXPECT_EQ(answer.foot, FootPlace::Outside);
+  EXPECT_EQ(answer.nearest.kind, Kind::Edge);  // edge 1, between the two lesser corners
+  EXPECT_TRUE(answer.point.allFinite());
+}
+
+// Distances of least / sqrt(2) and least / sqrt(10).
+TEST(ExactExtremes, RoundsATinyDistanceToZeroThoughItIsPositive) {
+  const Polygon triangle({{0, 0, 0}, {kLeast, kLeast, 0}, {0, 8 * kLeast, 0}});
+  const Answer answer = exact::answer({{kLeast, 0, 0}, 0}, triangle);
+  EXPECT_EQ(answer.distance, kLeast);
+  EXPECT_EQ(answer.relation, Relation::Separate);
+  const Polygon steep({{0, 0, 0}, {kLeast, 3 * kLeast, 0}, {-kLeast, 8 * kLeast, 0}});
+  const Answer small = exact::answer({{kLeast, 2 * kLeast, 0}, 0}, steep);
+  EXPECT_EQ(small.distance, 0);
+  EXPECT_EQ(small.relation, Relation::Separate);
+  EXPECT_EQ(small.foot, FootPlace::Outside);
+}
+
+// 2^53 + 1 needs a bit more than a double: computing c - p would lose it.
+TEST(ExactExtremes, LosesNoBitOfADifference) {
+  const Polygon far({{-0x1p53, 0, 0}, {-0x1p53, 4, 0}, {-0x1p53 - 8, 0, 0}});
+  const Answer answer = exact::answer({{1, 1, 0}, 0x1p53}, far);
+  EXPECT_EQ(answer.relation, Relation::Separate);  // the distance is 2^53 + 1
+  EXPECT_EQ(answer.distance, 0x1p53);              // ties to even
+  EXPECT_EQ(exact::relation({{1, 1, 0}, 0x1p53 + 2}, far), Relation::Overlapping);
+}
+
+}  // namespace
+}  // namespace touchstone::contact_tests

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fast answers derived by hand: on small integers `fast` owes every bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/contact/fast.h"
+#include "robust/exact/exact.h"
+#include "tests/robust/support/hand_cases.h"
+#include "tests/robust/support/printing.h"
+#include "tests/robust/support/rearranged.h"
+
+namespace touchstone::contact_tests {
+namespace {
+
+using Kind = Feature::Kind;
+
+void expect_fast(const HandCase& c) {
+  const Ball& ball = c.given.ball;
+  const fast::PreparedPolygon<> polygon(c.given.polygon);
+  EXPECT_EQ(fast::answer(ball, polygon), c.expected) << c.given.id;
+  EXPECT_EQ(fast::contact(ball, polygon), c.expected.contact()) << c.given.id;
+  EXPECT_EQ(fast::relation(ball, polygon), c.expected.relation) << c.given.id;
+  EXPECT_EQ(fast::plane_side(ball, polygon), c.expected.plane) << c.given.id;
+  EXPECT_EQ(fast::foot(ball, polygon), c.expected.foot) << c.given.id;
+  EXPECT_EQ(fast::edges_hit(ball, polygon), c.expected.edges_hit) << c.given.id;
+}
+
+TEST(FastCases, EveryKeyIsThatDerivedByHandInEachCoordinatePlane) {
+  for (const HandCase& c : hand_cases())
+    for (int times = 0; times < 3; ++times) expect_fast(turned(c, times));
+}
+
+TEST(FastCases, EveryKeyIsThatDerivedByHandAtSafeSizes) {
+  for (const HandCase& c : hand_cases())
+    for (const int exponent : {-160, 160}) expect_fast({scaled(c.given, exponent), scaled(c.expected, exponent)});
+}
+
+/// Distances that are no float are rounded to one.
+template <class Scalar>
+void expect_in() {
+  for (const HandCase& c : hand_cases()) {
+    const fast::PreparedPolygon<Scalar> polygon(c.given.polygon);
+    Answer answer = fast::answer(c.given.ball, polygon);
+    EXPECT_NEAR(answer.distance, c.expected.distance, 1e-6) << c.given.id;
+    answer.distance = c.expected.distance;
+    EXPECT_EQ(answer, c.expected) << c.given.id;
+  }
+}
+
+TEST(FastCases, EveryDecisionIsThatDerivedByHandInFloat) { expect_in<float>(); }
+TEST(FastCases, EveryDecisionIsThatDerivedByHandInLongDouble) { expect_in<long double>(); }
+
+// N = (16, -16, 32), plane z = 1 - x/2 + y/2: lifted to heights 1, -1, 1, 3.
+TEST(FastLift, MovesEveryVertexOntoThePlane) {
+  const fast::PreparedPolygon<> polygon(Polygon({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 4}}));
+  EXPECT_EQ(polygon.dropped_axis(), 2);
+  EXPECT_EQ(polygon.off_plane(), 1);
+  const double heights[] = {1, -1, 1, 3};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(polygon.edges()[i].start.z(), heights[i]);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(polygon.edges()[i].direction.z(), heights[(i + 1) % 4] - heights[i]);
+
+  const Answer answer = fast::answer({{3, 1, 3}, 3}, polygon);  // (2, 2, 1) + N / 16
+  EXPECT_EQ(answer.plane, PlaneSide::Intersects);
+  EXPECT_EQ(answer.nearest, (Feature{Kind::Face, 0}));
+  EXPECT_EQ(answer.point, Eigen::Vector3d(2, 2, 1));
+  EXPECT_DOUBLE_EQ(answer.distance, std::sqrt(6.0));
+}
+
+// N = (-1/2, -1/2, 2) and the mean height is 1/8: vertex 2 sinks from 1/2 to 3/8.
+TEST(FastLift, MovesVerticesAsExactDoes) {
+  const Polygon quad({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}});
+  for (const Answer& answer : {fast::answer({{3, 3, 0}, 1}, quad), exact::answer({{3, 3, 0}, 1}, quad)}) {
+    EXPECT_EQ(answer.point, Eigen::Vector3d(1, 1, 0.375));
+    EXPECT_EQ(answer.off_plane, 0.125);
+  }
+}
+
+// The mean is that of the outer loop; a hole is lifted like any vertex.
+TEST(FastLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
+  const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
+  EXPECT_EQ(fast::answer({{3, 2, 1}, 1}, polygon), (Answer{PlaneSide::Intersects,
+                                                           true,
+                                                           FootPlace::Boundary,
+                                                           {4},
+                                                           Relation::Touching,
+                                                           {Kind::Edge, 4},
+                                                           {3, 2, 0},
+                                                           1,
+                                                           5}));
+}
+
+// As in ExactLift: along x, not along z.
+TEST(FastLift, DropsTheLowestAxisOnATie) {
+  const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
+  EXPECT_EQ(fast::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
+                                                            false,
+                                                            FootPlace::Outside,
+                                                            {0, 3},
+                                                            Relation::Touching,
+                                                            {Kind::Vertex, 0},
+                                                            {0, 0, 0},
+                                                            3,
+                                                            1}));
+}
+
+}  // namespace
+}  // namespace touchstone::contact_tests

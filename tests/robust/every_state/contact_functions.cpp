@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "tests/robust/every_state/public_function.h"
+
+namespace touchstone::every_state_tests {
+namespace {
+
+/// What `ask` says about the input's ball and polygon, which was prepared in the default state.
+template <class Prepared, class Ask>
+auto prepared(const Ask& ask) {
+  return [ask](const Input& in) {
+    static thread_local std::uint64_t of = ~std::uint64_t{0};
+    static thread_local std::unique_ptr<const Prepared> polygon;
+    if (of != in.index) {
+      const contact_tests::Environment usual(FE_TONEAREST, contact_tests::Environment::kKeep);
+      polygon = std::make_unique<const Prepared>(in.polygon);
+      of = in.index;
+    }
+    return ask(in.ball, *polygon);
+  };
+}
+
+/// The preparation is asked about in the default state, however it was made.
+template <class Prepared>
+auto preparation() {
+  return [](const Input& in) {
+    return [polygon = std::make_shared<Prepared>(in.polygon), ball = in.ball] { return answer(ball, *polygon); };
+  };
+}
+
+/// The same with counts of stages, which may depend on the state.
+template <class Ask>
+auto counted(const Ask& ask) {
+  return prepared<filtered::PreparedPolygon>([ask](const Ball& ball, const filtered::PreparedPolygon& polygon) {
+    filtered::StageCounts counts;
+    return ask(ball, polygon, counts);
+  });
+}
+
+/// What `ask` says about the input's ball and polygon, as they are.
+template <class Ask>
+auto unprepared(const Ask& ask) {
+  return [ask](const Input& in) { return ask(in.ball, in.polygon); };
+}
+
+using Exact = exact::PreparedPolygon;
+using Filtered = filtered::PreparedPolygon;
+
+std::vector<PublicFunction> exact_functions() {
+  return {
+      gives("exact::PreparedPolygon::PreparedPolygon", preparation<Exact>()),
+      gives("exact::contact", prepared<Exact>([](auto& b, auto& p) { return exact::contact(b, p); })),
+      gives("exact::relation", prepared<Exact>([](auto& b, auto& p) { return exact::relation(b, p); })),
+      gives("exact::plane_side", prepared<Exact>([](auto& b, auto& p) { return exact::plane_side(b, p); })),
+      gives("exact::foot", prepared<Exact>([](auto& b, auto& p) { return exact::foot(b, p); })),
+      gives("exact::edges_hit", prepared<Exact>([](auto& b, auto& p) { return exact::edges_hit(b, p); })),
+      gives("exact::answer", prepared<Exact>([](auto& b, auto& p) { return exact::answer(b, p); })),
+      gives("exact::contact", unprepared([](auto& b, auto& p) { return exact::contact(b, p); })),
+      gives("exact::relation", unprepared([](auto& b, auto& p) { return exact::relation(b, p); })),
+      gives("exact::plane_side", unprepared([](auto& b, auto& p) { return exact::plane_side(b, p); })),
+      gives("exact::foot", unprepared([](auto& b, auto& p) { return exact::foot(b, p); })),
+      gives("exact::edges_hit", unprepared([](auto& b, auto& p) { return exact::edges_hit(b, p); })),
+      gives("exact::answer", unprepared([](auto& b, auto& p) { return exact::answer(b, p); })),
+      gives("exact::compare_distances", prepared<Exact>([](const Ball& ball, const Exact& polygon) {
+              return exact::compare_distances(ball, polygon, polygon);
+            })),
+  };
+}
+
+std::vector<PublicFunction> filtered_functions() {
+  return {
+      gives("filtered::PreparedPolygon::PreparedPolygon", preparation<Filtered>()),
+      gives("filtered::contact", prepared<Filtered>([](auto& b, auto& p) { return filtered::contact(b, p); })),
+      gives("filtered::relation", prepared<Filtered>([](auto& b, auto& p) { return filtered::relation(b, p); })),
+      gives("filtered::plane_side", prepared<Filtered>([](auto& b, auto& p) { return filtered::plane_side(b, p); })),
+      gives("filtered::foot", prepared<Filtered>([](auto& b, auto& p) { return filtered::foot(b, p); })),
+      gives("filtered::edges_hit", prepared<Filtered>([](auto& b, auto& p) { return filtered::edges_hit(b, p); })),
+      gives("filtered::answer", prepared<Filtered>([](auto& b, auto& p) { return filtered::answer(b, p); })),
+      gives("filtered::contact", counted([](auto& b, auto& p, auto& n) { return filtered::contact(b, p, n); })),
+      gives("filtered::relation", counted([](auto& b, auto& p, auto& n) { return filtered::relation(b, p, n); })),
+      gives("filtered::plane_side", counted([](auto& b, auto& p, auto& n) { return filtered::plane_side(b, p, n); })),
+      gives("filtered::foot", counted([](auto& b, auto& p, auto& n) { return filtered::foot(b, p, n); })),
+      gives("filtered::edges_hit", counted([](auto& b, auto& p, auto& n) { return filtered::edges_hit(b, p, n); })),
+      gives("filtered::answer", counted([](auto& b, auto& p, auto& n) { return filtered::answer(b, p, n); })),
+      gives("filtered::contact", unprepared([](auto& b, auto& p) { return filtered::contact(b, p); })),
+      gives("filtered::relation", unprepared([](auto& b, auto& p) { return filtered::relation(b, p); })),
+      gives("filtered::plane_side", unprepared([](auto& b, auto& p) { return filtered::plane_side(b, p); })),
+      gives("filtered::foot", unprepared([](auto& b, auto& p) { return filtered::foot(b, p); })),
+      gives("filtered::edges_hit", unprepared([](auto& b, auto& p) { return filtered::edges_hit(b, p); })),
+      gives("filtered::answer", unprepared([](auto& b, auto& p) { return filtered::answer(b, p); })),
+      gives("filtered::contact", [](const Input& in) { return filtered::contact(in.ball, in.triangle); }),
+      gives("filtered::contact",
+            [](const Input& in) {
+              filtered::StageCounts counts;
+              return filtered::contact(in.ball, in.triangle, counts);
+            }),
+      gives("filtered::closest", [](const Input& in) { return filtered::closest(in.point, in.triangle); }),
+      gives("filtered::closest",
+            [](const Input& in) {
+              filtered::StageCounts counts;
+              return filtered::closest(in.point, in.triangle, counts);
+            }),
+      gives("filtered::contact",  // many balls
+            prepared<Filtered>([](const Ball& ball, const Filtered& polygon) {
+              const Ball balls[] = {ball, {ball.center, 0}, {ball.center, -0.0}};
+              std::array<bool, 3> touches{};
+              filtered::contact(balls, polygon, touches);
+              return touches;
+            })),
+      gives("filtered::contact",  // many triangles
+            [](const Input& in) {
+              const Triangle& t = in.triangle;
+              const Triangle triangles[] = {t, {t.b, t.c, t.a}, {t.c, t.b, t.a}};
+              std::array<bool, 3> touches{};
+              filtered::contact(in.ball, triangles, touches);
+              return touches;
+            }),
+  };
+}
+
+}  // namespace
+
+std::vector<PublicFunction> contact_functions() {
+  std::vector<PublicFunction> all = exact_functions(), more = filtered_functions();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace touchstone::every_state_tests

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "tests/robust/every_state/public_function.h"
+
+namespace touchstone::every_state_tests {
+namespace {
+
+using scene::Scene;
+
+scene::Faces faces_of(const Input& in) { return {{in.triangle}, {in.polygon}}; }
+
+std::vector<Ball> balls_of(const Input& in) {
+  return {in.ball, {in.ball.center, -0.0}, {in.point, 0}, {in.triangle.b, 0}, {in.polygon.vertex(2), -0.0}};
+}
+
+/// Whatever a scene says about the input's balls.
+auto described(std::shared_ptr<const Scene> scene, const Input& in) {
+  return [scene = std::move(scene), balls = balls_of(in)] {
+    return std::pair(scene->touched(balls), scene->nearest(balls));
+  };
+}
+
+/// What `ask` says of a scene that was made in the default state.
+template <class Ask>
+auto of_scene(const Ask& ask) {
+  return [ask](const Input& in) {
+    Scene scene;
+    {
+      const contact_tests::Environment usual(FE_TONEAREST, contact_tests::Environment::kKeep);
+      scene.add("as it is", faces_of(in));
+      try {
+        scene.add("posed", faces_of(in), in.pose);
+      } catch (const Rejected&) {  // then there is one object
+      }
+    }
+    return ask(scene, in);
+  };
+}
+
+}  // namespace
+
+std::vector<PublicFunction> scene_functions() {
+  return {
+      gives("scene::Scene::add",
+            [](const Input& in) {
+              const auto scene = std::make_shared<Scene>();
+              scene->add("object", {{in.any_triangle}, {in.polygon}}, in.any_pose);
+              return described(scene, in);
+            }),
+      gives("scene::Scene::set_pose",
+            [](const Input& in) {
+              const auto scene = std::make_shared<Scene>();
+              scene->add("object", faces_of(in));
+              try {
+                scene->set_pose(0, in.any_pose);
+              } catch (const Rejected&) {  // then it stays where it was
+              }
+              return described(scene, in);
+            }),
+      hands_on("scene::Scene::pose", of_scene([](const Scene& scene, const Input&) {
+                 return scene.pose(static_cast<std::uint32_t>(scene.object_count() - 1));
+               })),
+      gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<bool> touches;
+              for (const Ball& ball : balls_of(in)) touches.push_back(scene.touches(ball));
+              return touches;
+            })),
+      gives("scene::Scene::touched", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<std::vector<scene::FaceId>> touched;
+              for (const Ball& ball : balls_of(in)) touched.push_back(scene.touched(ball));
+              return touched;
+            })),
+      gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<std::optional<scene::NearestFace>> nearest;
+              for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest(ball));
+              return nearest;
+            })),
+      gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<bool> touches;
+              scene::FaceCounts counts;
+              for (const Ball& ball : balls_of(in)) touches.push_back(scene.touches(ball, counts));
+              return touches;
+            })),
+      gives("scene::Scene::touched", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<std::vector<scene::FaceId>> touched;
+              scene::FaceCounts counts;
+              for (const Ball& ball : balls_of(in)) touched.push_back(scene.touched(ball, counts));
+              return touched;
+            })),
+      gives("scene::Scene::nearest", of_scene([](const Scene& scene, const Input& in) {
+              std::vector<std::optional<scene::NearestFace>> nearest;
+              scene::FaceCounts counts;
+              for (const Ball& ball : balls_of(in)) nearest.push_back(scene.nearest(ball, counts));
+              return nearest;
+            })),
+      gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
+              const std::vector<Ball> balls = balls_of(in);
+              std::array<bool, 5> touches{};
+              scene.touches(balls, touches);
+              return touches;
+            })),
+      gives("scene::Scene::touched",
+            of_scene([](const Scene& scene, const Input& in) { return scene.touched(balls_of(in)); })),
+      gives("scene::Scene::nearest",
+            of_scene([](const Scene& scene, const Input& in) { return scene.nearest(balls_of(in)); })),
+  };
+}
+
+}  // namespace touchstone::every_state_tests

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The closest point of a triangle that is not prepared: the answers of exact, by every engine, seldom by big integers.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "robust/exact/exact.h"
+#include "robust/exact/validate.h"
+#include "robust/filtered/engine.h"
+#include "tests/robust/support/printing.h"
+#include "tests/robust/filtered/hard_cases.h"
+
+namespace touchstone::filtered_tests {
+namespace {
+
+using filtered::ClosestPoint;
+
+ClosestPoint exact_closest(const Eigen::Vector3d& center, const Triangle& t) {
+  const Answer answer = exact::answer({center, 0}, Polygon({t.a, t.b, t.c}));
+  return {answer.nearest, answer.point, answer.distance};
+}
+
+void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
+  const ClosestPoint truth = exact_closest(center, triangle);
+  filtered::StageCounts counts;
+  filtered::NoCounts none;
+  RC_ASSERT(filtered::closest(center, triangle) == truth);
+  RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
+  RC_ASSERT(filtered::closest(filtered::baseline_engine().plain, center, triangle, none) == truth);
+}
+
+RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
+  const Case c = *hard_triangles();
+  const Triangle t = triangle_of(c.polygon);
+  for (const Triangle& order : {Triangle{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.b, t.a}})
+    expect_exact(c.ball.center, order);
+}
+
+/// Of any size from the beginning: small lattices hold few triangles.
+int in_range(int lowest, int highest) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(lowest, highest + 1));
+}
+
+/// A point of a small lattice: what lies on lines, planes and vertices is not rare, nor are right angles.
+Eigen::Vector3d lattice_point(int size) {
+  const auto coordinate = [size] { return static_cast<double>(in_range(-size, size)); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+RC_GTEST_PROP(FilteredClosest, IsExactOnSmallLatticesOfEveryScale, ()) {
+  const int size = in_range(1, 5), exponent = in_range(-1074, 1019);
+  const auto scaled = [exponent](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+    return v.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  };
+  const Triangle t{scaled(lattice_point(size)), scaled(lattice_point(size)), scaled(lattice_point(size))};
+  const Eigen::Vector3d ab = t.b - t.a;
+  RC_PRE(ab != Eigen::Vector3d::Zero() && t.a != t.c && t.b != t.c);
+  RC_PRE(!exact::validate(Polygon({t.a, t.b, t.c})));
+  expect_exact(scaled(lattice_point(size)), t);
+}
+
+/// Needles: the third vertex is some doubles off the line of the others, so that most bits of the normal are lost; and
+/// differences of coordinates are no doubles, so that none of its bits comes by itself.
+RC_GTEST_PROP(FilteredClosest, IsExactForNeedles, ()) {
+  const auto real = [] {
+    return std::ldexp(static_cast<double>(*rc::gen::arbitrary<std::int64_t>()), -in_range(62, 91));
+  };
+  const auto point = [&real] {
+    const double x = real(), y = real(), z = real();
+    return Eigen::Vector3d(x, y, z);
+  };
+  const Eigen::Vector3d a = point(), b = point(), center = point();
+  Eigen::Vector3d c = a + (b - a) * (in_range(1, 999) / 1e3);
+  const int axis = in_range(0, 2);
+  c[axis] += c[axis] * std::ldexp(1.0, -in_range(20, 52));
+  RC_PRE(a != b && b != c && a != c);
+  RC_PRE(!exact::validate(Polygon({a, b, c})));
+  for (const Triangle& t : {Triangle{a, b, c}, {b, c, a}, {c, a, b}}) {
+    expect_exact(center, t);
+    expect_exact((a + b + c) / 3 + center * 1e-9, t);
+  }
+}
+
+// One double off a line, so that the normal has lost 50 bits: double-doubles must not be sure of a point of the face.
+TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
+  const Eigen::Vector3d a(0.1, 0.2, 0.3), b(1.1, 0.7, 2.3);
+  Eigen::Vector3d c = (a + b) / 2;
+  c.y() = std::nextafter(c.y(), 1);
+  const Triangle needle{a, b, c};
+  const Ball center{(a + b + c) / 3, 0};
+  const auto question = filtered::question(center, needle);
+  filtered::StageCounts counts;
+  double point[3];
+  filtered::baseline_engine().counted.triangle_point(question, {Feature::Kind::Face, 0}, point, counts);
+  EXPECT_GT(counts.decided_by(filtered::Stage::Unlimited), 0U);
+}
+
+// The double-doubles would be of no use if they were seldom sure.
+RC_GTEST_PROP(FilteredClosest, NeedsNoBigIntegersForOrdinaryTriangles, ()) {
+  const auto real = [] { return static_cast<double>(in_range(-1'000'000, 1'000'000)) / 7e5; };
+  const int exponent = *rc::gen::element(0, -900, 900);
+  const auto point = [&] {
+    const double x = real(), y = real(), z = real();
+    return Eigen::Vector3d(std::ldexp(x, exponent), std::ldexp(y, exponent), std::ldexp(z, exponent));
+  };
+  const Triangle t{point(), point(), point()};
+  const Eigen::Vector3d unit = (t.b - t.a) * std::ldexp(1.0, -exponent),
+                        other = (t.c - t.a) * std::ldexp(1.0, -exponent);
+  RC_PRE(unit.squaredNorm() * other.squaredNorm() - std::pow(unit.dot(other), 2) > 1e-6);
+  filtered::StageCounts counts;
+  (void)filtered::closest(point(), t, counts);
+  RC_ASSERT(counts.decided_by(filtered::Stage::Unlimited) == 0U);
+  RC_ASSERT(counts.decided_by(filtered::Stage::DoubleDouble) > 0U);
+}
+
+}  // namespace
+}  // namespace touchstone::filtered_tests

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outlines that wind through the plane: groups of edges in the hierarchy have many ends, some level with the foot.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "experiments/workloads/outline.h"
+#include "robust/exact/exact.h"
+#include "robust/filtered/filtered.h"
+#include "tests/robust/support/printing.h"
+
+namespace touchstone::filtered_tests {
+namespace {
+
+using workloads::Family;
+using workloads::Random;
+
+Loop in_plane(const workloads::LatticeLoop& loop) {
+  Loop result;
+  for (const auto& p : loop) result.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y), 0);
+  return result;
+}
+
+Polygon in_plane(const workloads::Outline& outline) {
+  std::vector<Loop> holes;
+  for (const auto& hole : outline.holes) holes.push_back(in_plane(hole));
+  return Polygon(in_plane(outline.outer), holes);
+}
+
+/// Feet at the height of a vertex, or anywhere about the outline, beside it and on it; small radii and large ones.
+Ball draw_ball(Random& random, const Polygon& polygon) {
+  const auto vertex = [&] {
+    const auto last = static_cast<std::int64_t>(polygon.vertex_count()) - 1;
+    return Eigen::Vector3d(polygon.vertex(static_cast<std::size_t>(random.integer(0, last))));
+  };
+  const Eigen::Vector3d a = vertex(), b = vertex();
+  const double share = random.coin() ? 1 : random.unit(), height = random.coin() ? 0 : random.unit() * 1000;
+  const Eigen::Vector3d center(share * a.x() + (1 - share) * b.x(), random.coin() ? a.y() : b.y(), height);
+  return {center, random.coin() ? height : random.unit() * 0x1p-6 * (a - b).norm()};
+}
+
+TEST(FilteredManyEdges, AreAnsweredAsByExact) {
+  for (const Family family : {Family::Spiral, Family::RandomSimple, Family::Koch, Family::Star, Family::Comb})
+    for (const std::size_t vertices : {48U, 192U, 700U})
+      for (const std::uint64_t index : {0U, 1U, 2U}) {
+        workloads::Workload workload;
+        workload.family = family, workload.vertices = vertices, workload.holes = index;
+        const Polygon polygon = in_plane(workloads::draw_outline(workload, 2026, index));
+        const filtered::PreparedPolygon prepared(polygon);
+        const exact::PreparedPolygon truth(polygon);
+        for (std::uint64_t i = 0; i < 20 + TOUCHSTONE_SAMPLES / 5; ++i) {
+          Random random(2026, 1000 * index + i, 99);
+          const Ball ball = draw_ball(random, polygon);
+          const std::string what = std::string(word(family)) + " of " + std::to_string(vertices) +
+                                   " vertices, sample " + std::to_string(index) + ", ball " + std::to_string(i);
+          EXPECT_EQ(filtered::foot(ball, prepared), exact::foot(ball, truth)) << what;
+          EXPECT_EQ(filtered::relation(ball, prepared), exact::relation(ball, truth)) << what;
+          EXPECT_EQ(filtered::edges_hit(ball, prepared), exact::edges_hit(ball, truth)) << what;
+          if (i >= 10) continue;  // exact takes its time
+          EXPECT_EQ(filtered::answer(ball, prepared), exact::answer(ball, truth)) << what;
+        }
+      }
+}
+
+}  // namespace
+}  // namespace touchstone::filtered_tests

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bounds.h says of the input of the filters, made real: what is prepared of a polygon is displaced. Within the
+// model nothing may become wrong; far beyond it something must, or the test could not tell.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "robust/exact/exact.h"
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/engine.h"
+#include "robust/filtered/prepared.h"
+#include "tests/robust/lattice/lattice_case.h"
+
+namespace touchstone::lattice_tests {
+namespace {
+
+using filtered::DoubleDouble;
+using filtered::EdgeTree;
+using filtered::Frame;
+using Parts = filtered::PreparedPolygon::Parts;
+
+/// Random signs, the same in every run.
+class Signs {
+ public:
+  explicit Signs(std::uint64_t seed) : seed_(seed) {}
+  double next() { return (mixed(seed_, count_++) >> 17 & 1) != 0 ? 1 : -1; }
+
+ private:
+  std::uint64_t seed_, count_ = 0;
+};
+
+std::vector<EdgeTree::Edge> edges_of(const EdgeTree& tree, std::size_t count) {
+  std::vector<EdgeTree::Edge> edges(count);
+  for (const EdgeTree::Leaf& leaf : tree.leaves())
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
+      edges[leaf.edge[lane]] = {leaf.start_x[lane],     leaf.start_y[lane],     leaf.end_x[lane], leaf.end_y[lane],
+                                leaf.direction_x[lane], leaf.direction_y[lane], leaf.length[lane]};
+  return edges;
+}
+
+/// The frame with every number displaced by `units` of bounds::kUnit: those that move the foot, the vertices and the
+/// height in the worst way for this centre together, all others at random.
+Frame displaced(const Frame& frame, const Polygon& polygon, const Eigen::Vector3d& center, double units, Signs& signs) {
+  const double off = units * filtered::bounds::kUnit;
+  const double from[] = {std::ldexp(center[0], -frame.exponent) - frame.origin.x,
+                         std::ldexp(center[1], -frame.exponent) - frame.origin.y,
+                         std::ldexp(center[2], -frame.exponent) - frame.origin.z};
+  Frame result = frame;
+  const auto displace = [&](filtered::Vector3<double>& axis, double by) {
+    axis.x += std::copysign(by, by * from[0]);
+    axis.y += std::copysign(by, by * from[1]);
+    axis.z += std::copysign(by, by * from[2]);
+  };
+  const double by_x = off * signs.next(), by_y = off * signs.next(), by_height = off * signs.next();
+  displace(result.x, by_x);
+  displace(result.y, by_y);
+  displace(result.normal, by_height);
+  result.plane_height -= by_height;
+
+  std::vector<EdgeTree::Edge> edges = edges_of(frame.edges, polygon.vertex_count());
+  for (EdgeTree::Edge& edge : edges) {
+    edge.start_x -= by_x, edge.start_y -= by_y, edge.end_x -= by_x, edge.end_y -= by_y;
+    edge.direction_x += off * signs.next();
+    edge.direction_y += off * signs.next();
+    edge.length += off * signs.next();
+  }
+  std::vector<std::size_t> loop_ends;
+  for (std::size_t loop = 0; loop < polygon.loop_count(); ++loop) loop_ends.push_back(polygon.loop_end(loop));
+  result.edges = EdgeTree(edges, loop_ends);
+  return result;
+}
+
+/// The double-doubles, each component of the normal displaced by `units` of bounds::kDoubleDoubleUnit of itself, each
+/// lift by `units` of bounds::kLift.
+filtered::LiftedPolygon displaced(const filtered::LiftedPolygon& lifted, double units, Signs& signs) {
+  filtered::LiftedPolygon result = lifted;
+  const auto displace = [&](DoubleDouble& x, double size) {
+    x = filtered::quick_two_sum(x.high, x.low + units * size * signs.next());
+  };
+  for (DoubleDouble* x : {&result.normal.x, &result.normal.y, &result.normal.z})
+    displace(*x, filtered::bounds::kDoubleDoubleUnit * std::abs(x->high));
+  for (DoubleDouble& lift : result.lifts) displace(lift, filtered::bounds::kLift);
+  result.exact_normal = false;
+  return result;
+}
+
+struct Asked {
+  std::uint64_t questions = 0, wrong = 0;
+
+  void count(bool right) { ++questions, wrong += !right; }
+};
+std::ostream& operator<<(std::ostream& out, const Asked& asked) {
+  return out << asked.wrong << " of " << asked.questions << " answers wrong";
+}
+
+/// Calls ask(parts, questions, signs) for polygons in integer planes, where ties are common.
+template <class Ask>
+void for_each_polygon(std::uint64_t feet, const Ask& ask) {
+  const auto loops = simple_loops(4, 3, 8);
+  std::uint64_t drawn = 0;
+  for (std::uint64_t number = 0; drawn < feet; ++number)
+    for (const PlaneKind kind : {PlaneKind::Tilted, PlaneKind::Warped}) {
+      const LatticeCase given({loops[mixed(number, 200) % loops.size()]}, kind, number);
+      Parts parts(given.polygon());
+      std::vector<Questions> questions;
+      for (int y = -1; y < 6; ++y)
+        for (int x = -1; x < 8; ++x, ++drawn)
+          questions.push_back(given.questions({x, y}, static_cast<int>(mixed(drawn, 201) % 3)));
+      Signs signs(number);
+      ask(parts, questions, signs);
+    }
+}
+
+Asked of_displaced_frames(double units) {
+  Asked asked;
+  const auto& ask = filtered::engine().plain;
+  filtered::NoCounts none;
+  for_each_polygon(25'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
+    const Frame frame = parts.frame.value();
+    for (const auto& [center, foot, radii] : about) {
+      parts.frame = displaced(frame, parts.polygon, center, units, signs);
+      asked.count(ask.foot({center, 0}, parts, none) == foot);
+      for (const auto& [radius, relation] : radii) asked.count(ask.relation({center, radius}, parts, none) == relation);
+    }
+  });
+  return asked;
+}
+
+Asked of_displaced_double_doubles(double units) {
+  Asked asked;
+  const auto& ask = filtered::engine().plain;
+  filtered::NoCounts none;
+  for_each_polygon(20'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
+    const filtered::LiftedPolygon lifted = parts.lifted;
+    for (const auto& [center, foot, radii] : about) {
+      parts.lifted = displaced(lifted, units, signs);
+      asked.count(ask.foot({center, 0}, parts, none) == foot);
+      for (const auto& [radius, relation] : radii) asked.count(ask.relation({center, radius}, parts, none) == relation);
+      const Ball ball{center, radii.front().value};
+      asked.count(ask.answer(ball, parts, none) == exact::answer(ball, parts.exact()));
+    }
+  });
+  return asked;
+}
+
+// What is stored is itself off by up to half a unit.
+TEST(Perturbed, FramesWithinTheModelAreNeverWrong) {
+  const Asked asked = of_displaced_frames(0.5);
+  std::cout << asked << '\n';
+  EXPECT_EQ(asked.wrong, 0U);
+  EXPECT_GE(asked.questions, 90'000U);
+}
+
+TEST(Perturbed, FramesFarBeyondTheModelAreOftenWrong) {
+  const Asked asked = of_displaced_frames(64);
+  std::cout << asked << '\n';
+  EXPECT_GE(asked.wrong, asked.questions / 100);
+}
+
+TEST(Perturbed, DoubleDoublesWithinTheModelAreNeverWrong) {
+  const Asked asked = of_displaced_double_doubles(0.8);
+  std::cout << asked << '\n';
+  EXPECT_EQ(asked.wrong, 0U);
+  EXPECT_GE(asked.questions, 90'000U);
+}
+
+TEST(Perturbed, DoubleDoublesFarBeyondTheModelAreOftenWrong) {
+  const Asked asked = of_displaced_double_doubles(128);
+  std::cout << asked << '\n';
+  EXPECT_GE(asked.wrong, asked.questions / 1000);
+}
+
+}  // namespace
+}  // namespace touchstone::lattice_tests

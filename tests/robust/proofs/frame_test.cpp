@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What bounds.h says of heights, distances and boxes in the isometric frame, in rationals over the operations that are
+// compiled.
+//
+// Lengths are in the frame's unit, with W = 1 and S = 2. That is the worst case: every error here is a sum of lengths
+// times coefficients that are not negative, W and the frame's unit are at most S / 2, and the bounds grow with S.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include "robust/filtered/bounds.h"
+#include "robust/filtered/edge_frame.h"
+#include "robust/proofs/error_bound.h"
+#include "tests/robust/proofs/rationals.h"
+
+namespace touchstone::filtered::proofs {
+namespace {
+
+const mpq_class kUnit = bounds::kUnit, kSize = 2;
+const ErrorModel kAnyRounding{kUnit, mpq_class(1, mpz_class(1) << 1021), true};
+
+ErrorBound known(const mpq_class& magnitude, const mpq_class& error, const ErrorModel& model = kAnyRounding) {
+  return known_within(model, magnitude, error);
+}
+const ErrorBound kZero{&kAnyRounding, 0, 0, 0};
+
+/// What a subnormal number that was flushed to zero may have been worth, scaled by 2^900 (Frame::kSubnormal).
+const mpq_class kFlushed = mpq_class(0x1p-122);
+
+/// The most by which a computed `constant unit size` may be short: the product is rounded once.
+mpq_class bound_of(double constant) { return mpq_class(constant) * kUnit * kSize * (1 - kUnit); }
+
+// Vertices are within 1/4 of vertex 0 in each coordinate, and no component of the normal is larger than the one along
+// which they are lifted: the plane through the mean is at most 3/4 above vertex 0, measured along that axis, and rises
+// by at most the other two coordinates.
+TEST(FrameBounds, ExtentIsThatOfALiftedPolygon) {
+  const mpq_class other(1, 4), lifted = 3 * other + 2 * other;
+  EXPECT_LE(root_above(2 * power(other, 2) + power(lifted, 2)), bounds::kExtent);
+  EXPECT_LE(root_above(2 * power(2 * other, 2) + power(4 * other, 2)), bounds::kExtent) << "of edges";
+  EXPECT_LE(3 * other, bounds::kExtent) << "of the plane";
+}
+
+// A comparison of height +- error with a radius, or their sum or difference that goes into a product, is rounded once.
+TEST(FrameBounds, OfHeightsCoverTheirComparison) {
+  const ErrorBound axis = known(1, kUnit), from = known(1, kUnit + kFlushed);
+  const ErrorBound height = frame::height(Vector3<ErrorBound>{axis, axis, axis}, Vector3<ErrorBound>{from, from, from},
+                                          known(bounds::kExtent, kUnit));
+  const mpq_class of_radius = kFlushed;
+  const mpq_class needed = height.error + of_radius + kUnit * (height.magnitude() + bound_of(bounds::kHeight));
+  EXPECT_LE(needed, bound_of(bounds::kHeight));
+  EXPECT_GT(needed, bound_of(bounds::kHeight) * 15 / 16) << "it is loose";
+}
+
+/// How far the root of the computed square of the length of (x, y) may be from that of the exact numbers, if it is at
+/// most `longest`: as much as (x, y) moves, and the square's own rounding, two operations in a row whose effect the
+/// root halves.
+mpq_class error_of_length(const ErrorBound& x, const ErrorBound& y, const mpq_class& longest) {
+  return root_above(power(x.error, 2) + power(y.error, 2)) + kUnit * longest + root_above(3 * kAnyRounding.underflow);
+}
+mpq_class length(const ErrorBound& x, const ErrorBound& y) {
+  return root_above(power(x.magnitude(), 2) + power(y.magnitude(), 2));
+}
+
+/// A foot as seen from an edge, all numbers as stored.
+struct Edge {
+  ErrorBound along, overshoot, across;
+
+  Edge(const ErrorBound& foot, const ErrorBound& start) {
+    const ErrorBound direction = known(1, 0);
+    along = frame::along(foot, foot, start, start, direction, direction);
+    across = frame::across(foot, foot, start, start, direction, direction);
+    overshoot = frame::overshoot(along, known(bounds::kExtent, 0), kZero);
+  }
+  [[nodiscard]] mpq_class longest() const { return length(across, overshoot); }
+  [[nodiscard]] mpq_class error(const mpq_class& distance) const {
+    return error_of_length(across, overshoot, distance);
+  }
+};
+
+TEST(FrameBounds, OfDistancesCoverRoots) {
+  Edge edge(known(kSize, 0), known(bounds::kExtent, 0));
+  edge.along.error = edge.across.error = bounds::kEdgeFrame * kUnit * kSize;  // proved by Gappa
+  edge.overshoot = frame::overshoot(edge.along, known(bounds::kExtent, kUnit), kZero);
+  // A flushed coordinate of the centre moves the foot, a flushed radius the bound that the distance is held to.
+  const mpq_class needed = edge.error(edge.longest()) + 8 * kFlushed;
+  EXPECT_LE(needed, bound_of(bounds::kDistance));
+  EXPECT_GT(needed, bound_of(bounds::kDistance) * 15 / 16) << "it is loose";
+}
+
+// FrameQuery's `outer`: two sums and a product, halved by the root; the root, the product with kWide, the sum. Then a
+// square and one more product. Five roundings in a row at most; `inner` likewise.
+TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
+  EXPECT_GE(bounds::kWide * power(1 - kUnit, 14), 1);
+  EXPECT_LE(bounds::kNarrow * power(1 + kUnit, 14), 1);
+  EXPECT_LT(bounds::kWide * power(1 - kUnit, 17), 1) << "it is loose";
+  EXPECT_GT(bounds::kNarrow * power(1 + kUnit, 17), 1) << "it is loose";
+}
+
+/// The least distance that may be taken for one beyond `near`.
+mpq_class near_distance() { return bounds::kNear * bound_of(bounds::kDistance) * power(1 - kUnit, 3); }
+
+/// How far foot and vertices as stored may be from the exact ones, both together.
+mpq_class stored_off() {
+  const mpq_class foot = bounds::kCoordinate * kUnit + 3 * kFlushed, vertex = kUnit;
+  return root_above(2 * power(foot, 2)) + root_above(2 * power(vertex, 2));
+}
+
+/// An edge that starts where it is stored and has the stored direction and length ends near its stored end: both ends,
+/// direction and length are off by a unit in two coordinates.
+mpq_class ends_apart() { return 4 * root_above(2 * power(kUnit * bounds::kExtent, 2)); }
+
+// Off the edge even where both the distance and its bound are off, and by so much more that what is stored of the edge
+// and of the foot may be taken for the exact ones: a point that moves by less than its distance crosses nothing.
+TEST(FrameBounds, NearIsFurtherThanAllThatIsStoredMayBeOff) {
+  EXPECT_GT(near_distance() - bound_of(bounds::kDistance), stored_off());
+  // Within the box that is upright about both stored ends nothing overshoots them: the distance is the one across, of
+  // the sign that tells the sides, unless both ends are apart.
+  const Edge stored(known(2 * bounds::kExtent, 0), kZero);
+  EXPECT_GT(near_distance(), stored.error(stored.longest()) + stored.overshoot.error + 2 * ends_apart());
+}
+
+// exact_foot asks for signs where a vertex is within the margin, the root of `near`, of the foot's height.
+TEST(FrameBounds, NearIsFurtherThanHeightsInThePlaneMayBeOff) {
+  EXPECT_GT(near_distance(), stored_off() + kUnit * (kSize + bounds::kExtent));
+}
+
+/// A foot as seen from a box, all numbers as stored, the one at most `away` from the other's centre in each coordinate.
+struct BoxInView {
+  ErrorBound along, beside;
+
+  explicit BoxInView(const mpq_class& away) {
+    const ErrorBound foot = known(away, 0), axis = known(1, 0);
+    along = frame::along(foot, foot, kZero, kZero, axis, axis);
+    beside = frame::beyond(along, known(bounds::kExtent, 0));
+  }
+  /// Of a distance to it; `across` and `above` are off by as much.
+  [[nodiscard]] mpq_class error(const mpq_class& distance) const { return error_of_length(beside, beside, distance); }
+};
+
+// A foot that is close to an edge or a box is no farther from the one's start, or the other's middle, than vertices are
+// from each other. Farther away `kClose` is much more than any error is; for a foot beyond kFar errors grow as
+// distances do. An axis whose length is off by a few units stretches distances.
+const mpq_class kClose = mpq_class(0x1p-20), kFar = 4;
+
+// A box holds the ends of its edges as stored.
+TEST(FrameBounds, BoxesAreReachedWhereTheirEdgesAre) {
+  // As much as the root of kBoxReach allows for, of a distance from `near` on.
+  const mpq_class wider = root_above(bounds::kBoxReach * (1 - 4 * kUnit)) * (1 - kUnit) - 1;
+  const auto needed = [&](const mpq_class& away, const mpq_class& distance) -> mpq_class {
+    return BoxInView(away).error(distance) + Edge(known(away, 0), kZero).error(distance) + ends_apart() +
+           8 * kUnit * distance;
+  };
+  const mpq_class extent = bounds::kExtent;
+  EXPECT_LE(needed(extent + kClose, 2 * kClose), wider * near_distance());
+  EXPECT_GT(needed(extent + kClose, 2 * kClose), wider * near_distance() * 3 / 4) << "kNear or kBoxReach is loose";
+  EXPECT_LE(needed(kFar + extent, 2 * (kFar + extent)), wider * kClose);
+}
+
+// The exact foot, too, is off a box that is not reached, and on the side that is computed: of the two sides the larger
+// is at least so far off.
+TEST(FrameBounds, BoxesThatAreNotReachedAreOnTheirSide) {
+  const mpq_class off = root_above(bounds::kBoxReach / 2) * (1 - 4 * kUnit), extent = bounds::kExtent;
+  const auto needed = [&](const mpq_class& away, const mpq_class& distance) -> mpq_class {
+    const BoxInView box(away);
+    return box.beside.error + box.along.error + stored_off() + 8 * kUnit * distance;
+  };
+  EXPECT_LE(needed(extent + kClose, 2 * kClose), off * near_distance());
+  EXPECT_LE(needed(kFar + extent, 2 * (kFar + extent)), off * kClose);
+}
+
+// A group's box, built rounding to nearest: a point's coordinates along the box's axis and across it differ from those
+// of the centre by at most half of what they extend, and by what the axis' length and all roundings make of them.
+TEST(FrameBounds, BoxesHoldTheirPoints) {
+  const ErrorModel nearest{kUnit / 2, kAnyRounding.underflow, true};
+  const ErrorBound x = known(bounds::kExtent, 0, nearest), y = known(bounds::kExtent, 0, nearest);
+  const ErrorBound axis_x = known(1, 0, nearest), axis_y = known(1, 0, nearest);
+  const ErrorBound point = frame::turned_along(x, y, axis_x, axis_y);
+  // The middle of the least and the most: their sum is rounded, half of it is not.
+  const mpq_class reach = root_above(2) * mpq_class(bounds::kExtent);
+  const mpq_class middle = nearest.unit * reach;
+  const ErrorBound m = known(reach, 0, nearest);
+  const ErrorBound center = frame::turned_along(m, m, axis_x, axis_y);
+  // Components of the axis: a difference, the length that it is divided by to within two units, a quotient.
+  const mpq_class axis_length_squared = power(1 + nearest.unit, 8) - 1;
+  const mpq_class half = nearest.unit * 2 * reach;
+  const mpq_class needed = point.error + middle + reach * axis_length_squared + root_above(2) * center.error + half;
+  EXPECT_LE(needed, mpq_class(bounds::kBoxRounding) * (1 - nearest.unit));
+  EXPECT_GT(needed, mpq_class(bounds::kBoxRounding) / 2) << "it is loose";
+}
+
+}  // namespace
+}  // namespace touchstone::filtered::proofs

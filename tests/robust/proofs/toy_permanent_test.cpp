@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Evidence beside the proof: permanents in toy arithmetic that rounds to nearest, against exact integers.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "tests/robust/proofs/permanent_inputs.h"
+#include "tests/robust/proofs/toy.h"
+#include "tests/robust/proofs/toy_sample.h"
+
+namespace touchstone::filtered::proofs {
+namespace {
+
+constexpr std::uint64_t kPermanents = std::uint64_t{300} * TOUCHSTONE_SAMPLES;
+constexpr std::uint64_t kPermanentSeed = 2027;
+
+/// (1+u)^roundings - 1, rounded up.
+double relative_bound(const mpq_class& u, int roundings) {
+  mpq_class power = 1;
+  for (int i = 0; i < roundings; ++i) power *= 1 + u;
+  return std::nextafter(mpq_class(power - 1).get_d(), std::numeric_limits<double>::infinity());
+}
+
+template <class From, class To>
+Inputs<To> with_permanents(const Inputs<From>& in, To (*convert)(const From&)) {
+  const auto vector = [&](const Vector3<From>& v) { return Vector3<To>{convert(v.x), convert(v.y), convert(v.z)}; };
+  return {vector(in.from),         vector(in.edge),        convert(in.radius),  vector(in.first_edge),
+          vector(in.second_edge),  vector(in.normal),      vector(in.axis),     vector(in.from_origin),
+          convert(in.foot_x),      convert(in.foot_y),     convert(in.start_x), convert(in.start_y),
+          convert(in.direction_x), convert(in.direction_y)};
+}
+
+WithPermanent<Exact> exact(const Exact& value) { return {value, std::abs(value)}; }
+
+template <int Bits>
+using Nearest = Toy<Bits, Rounding::Nearest>;
+
+template <int Bits>
+WithPermanent<Nearest<Bits>> toy(const Exact& value) {
+  const auto number = Nearest<Bits>::of(value);
+  return {number, {std::abs(number.value)}};
+}
+
+template <int Bits>
+void expect_bounds(double& largest_share) {
+  for (std::uint64_t index = 0; index < kPermanents; ++index) {
+    workloads::Random random(kPermanentSeed, index);
+    const Inputs<Exact> inputs = exact_inputs<Nearest<Bits>>(draw_operands(random));
+    const auto expected = with_permanents(inputs, exact);
+    const auto computed = with_permanents(inputs, toy<Bits>);
+    for_each_claim([&](const Claim& claim, const auto& expression) {
+      static const double bound =
+          relative_bound(std::ldexp(1.0, -Bits), roundings_of<decltype(expression(PermanentInputs{}))>);
+      const auto is = expression(computed);
+      const auto should_be = expression(expected);
+      const double allowed = bound * static_cast<double>(should_be.permanent);
+      const auto error = static_cast<double>(std::abs(is.value.value - should_be.value));
+      ASSERT_LE(error, allowed) << claim.constant << ": " << Bits << " bits, sample " << index;
+      ASSERT_LE(static_cast<double>(std::abs(is.permanent.value - should_be.permanent)), allowed)
+          << claim.constant << ": the permanent, " << Bits << " bits, sample " << index;
+      if (error > 0) largest_share = std::max(largest_share, error / allowed);
+    });
+  }
+}
+
+TEST(ToyPermanent, BoundsErrorsWithoutBeingFarFromThem) {
+  double largest_share = 0;
+  expect_bounds<4>(largest_share);
+  expect_bounds<5>(largest_share);
+  expect_bounds<6>(largest_share);
+  expect_bounds<7>(largest_share);
+  expect_bounds<8>(largest_share);
+  std::printf("%.3f of the bound\n", largest_share);
+  EXPECT_GT(largest_share, 0.3);
+}
+
+}  // namespace
+}  // namespace touchstone::filtered::proofs

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <vector>
+
+#include "experiments/workloads/random.h"
+#include "robust/proofs/expressions.h"
+#include "tests/robust/proofs/toy.h"
+
+namespace touchstone::filtered::proofs {
+
+using Exact = std::int64_t;
+
+/// What a sample is made of: integers of more bits than a toy has, so that they have to be rounded, and so few that
+/// every expression fits into 64 bits.
+using Operands = std::array<Exact, 23>;
+inline constexpr Exact kLargestOperand = 511;
+
+/// Many operands are a little above a power of two, where the steps between toy numbers are relatively largest.
+inline Exact draw_operand(workloads::Random& random) {
+  const Exact magnitude = random.coin() ? random.integer(256, 320) : random.integer(0, kLargestOperand);
+  return random.coin() ? magnitude : -magnitude;
+}
+
+inline Operands draw_operands(workloads::Random& random) {
+  Operands operands;
+  for (Exact& operand : operands) operand = draw_operand(random);
+  return operands;
+}
+
+/// Exact inputs of every expression, their computed counterparts and the maxima of these.
+template <class Number>
+struct ToySample {
+  Inputs<Exact> exact;
+  Inputs<Number> computed;
+  std::array<double, kMaxima> maxima;
+
+  [[nodiscard]] double product(const std::vector<Maximum>& of) const {
+    double result = 1;
+    for (const Maximum maximum : of) result *= maxima[static_cast<std::size_t>(maximum)];
+    return result;
+  }
+};
+
+template <class Number>
+Vector3<Number> computed(const Vector3<Exact>& exact) {
+  return {Number::of(exact.x), Number::of(exact.y), Number::of(exact.z)};
+}
+
+template <class Number>
+double largest_magnitude(std::initializer_list<Number> numbers) {
+  Exact result = 0;
+  for (const Number& number : numbers) result = std::max(result, std::abs(number.value));
+  return static_cast<double>(result);
+}
+template <class Number>
+double largest_magnitude(const Vector3<Number>& vector) {
+  return largest_magnitude({vector.x, vector.y, vector.z});
+}
+
+/// The exact inputs that operands stand for. The radius is known exactly; starts lie within twice the polygon's size,
+/// as far out as feet do.
+template <class Number>
+Inputs<Exact> exact_inputs(const Operands& operands) {
+  std::size_t next = 0;
+  Inputs<Exact> exact{};
+  for (auto vector : {&Inputs<Exact>::from, &Inputs<Exact>::edge, &Inputs<Exact>::first_edge,
+                      &Inputs<Exact>::second_edge, &Inputs<Exact>::axis, &Inputs<Exact>::from_origin}) {
+    exact.*vector = {operands[next], operands[next + 1], operands[next + 2]};
+    next += 3;
+  }
+  exact.radius = Number::of(operands[next++]).value;
+  exact.normal = signs::normal(exact.first_edge, exact.second_edge);
+  const Vector3<Exact> other_axis{exact.axis.y, exact.axis.z, exact.axis.x};
+  exact.foot_x = frame::coordinate(exact.axis, exact.from_origin);
+  exact.foot_y = frame::coordinate(other_axis, exact.from_origin);
+  exact.start_x = operands[next++] * kLargestOperand * 2;
+  exact.start_y = operands[next++] * kLargestOperand * 2;
+  exact.direction_x = operands[next++];
+  exact.direction_y = operands[next++];
+  return exact;
+}
+
+/// Inputs as the filters have them: differences rounded, the normal and the foot computed.
+template <class Number>
+ToySample<Number> sample_of(const Inputs<Exact>& exact) {
+  ToySample<Number> sample{exact, {}, {}};
+  Inputs<Number>& c = sample.computed;
+  c.from = computed<Number>(exact.from);
+  c.edge = computed<Number>(exact.edge);
+  c.radius = Number::of(exact.radius);
+  c.first_edge = computed<Number>(exact.first_edge);
+  c.second_edge = computed<Number>(exact.second_edge);
+  c.normal = signs::normal(c.first_edge, c.second_edge);
+  c.axis = computed<Number>(exact.axis);
+  c.from_origin = computed<Number>(exact.from_origin);
+  c.foot_x = frame::coordinate(c.axis, c.from_origin);
+  c.foot_y = frame::coordinate(Vector3{c.axis.y, c.axis.z, c.axis.x}, c.from_origin);
+  c.start_x = Number::of(exact.start_x);
+  c.start_y = Number::of(exact.start_y);
+  c.direction_x = Number::of(exact.direction_x);
+  c.direction_y = Number::of(exact.direction_y);
+
+  const auto set = [&](Maximum maximum, double value) { sample.maxima[static_cast<std::size_t>(maximum)] = value; };
+  using enum Maximum;
+  const double first = largest_magnitude(c.first_edge), second = largest_magnitude(c.second_edge);
+  const double one = std::max(largest_magnitude(c.axis), largest_magnitude({c.direction_x, c.direction_y}));
+  const double centre = largest_magnitude(c.from_origin);
+  set(Ball, std::max(largest_magnitude(c.from), largest_magnitude({c.radius})));
+  set(Edge, largest_magnitude(c.edge));
+  set(BallOrEdge, std::max(largest_magnitude(c.from), largest_magnitude(c.edge)));
+  set(FirstEdge, first);
+  set(SecondEdge, second);
+  set(Normal, 2 * first * second);
+  set(One, one);
+  set(Centre, centre);
+  set(Foot, std::max(one * centre, largest_magnitude({c.foot_x, c.foot_y, c.start_x, c.start_y})));
+  return sample;
+}
+
+}  // namespace touchstone::filtered::proofs

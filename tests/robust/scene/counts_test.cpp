@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guarantees of robust/scene/counts.h: on faces whose fate is known by hand, and against exact brute force.
+#include "robust/scene/counts.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "robust/exact/exact.h"
+#include "robust/filtered/engine.h"
+#include "robust/filtered/unlimited_sign.h"
+#include "tests/robust/scene/adversarial_scenes.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using filtered::Stage;
+using scene::FaceCounts;
+using scene::Fate;
+using scene::Scene;
+
+constexpr Fate kAll[] = {Fate::Box, Fate::Known, Fate::Slab, Fate::Foot, Fate::Edges, Fate::Touched};
+
+struct Settled {
+  Fate fate;
+  std::uint64_t edges_looked_at;
+  friend bool operator==(const Settled&, const Settled&) = default;
+  friend std::ostream& operator<<(std::ostream& out, const Settled& s) {
+    return out << word(s.fate) << ", " << s.edges_looked_at << " edges looked at";
+  }
+};
+
+/// The fate of the only face of a scene.
+Settled settled(const Scene& scene, const Ball& ball) {
+  FaceCounts counts;
+  (void)scene.touched(ball, counts);
+  EXPECT_EQ(counts.faces(), 1U);
+  for (const Fate fate : kAll)
+    if (counts.faces(fate) == 1) return {fate, counts.edges_looked_at()};
+  ADD_FAILURE() << "no fate";
+  return {};
+}
+
+Settled settled(scene::Faces faces, const Ball& ball) {
+  Scene scene;
+  scene.add("the face", std::move(faces));
+  return settled(scene, ball);
+}
+
+std::uint64_t staged(const FaceCounts& counts) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < filtered::kStages; ++i) sum += counts.tested(static_cast<Stage>(i));
+  return sum;
+}
+
+// An obtuse triangle, so that its box reaches beyond the corner at (1, 1, 0).
+const Triangle kObtuse{{0, 1.5, 0}, {1, 1, 0}, {1.5, 0, 0}};
+
+TEST(FaceCounts, SettleATriangleByTheFirstReasonThatApplies) {
+  const auto fate = [](const Ball& ball) { return settled({{kObtuse}, {}}, ball); };
+  EXPECT_EQ(fate({{3, 0, 0}, 1.25}), (Settled{Fate::Box, 0}));
+  EXPECT_EQ(fate({{0.75, 0.75, 2}, 2}), (Settled{Fate::Touched, 0})) << "touches from above, the foot on an edge";
+  EXPECT_EQ(fate({{0.875, 0.875, 2}, 2}), (Settled{Fate::Touched, 0})) << "touches from above, the foot inside";
+  EXPECT_EQ(fate({{0.25, 0.25, 0}, 0.5}), (Settled{Fate::Foot, 0})) << "beyond the long edge by 0.71";
+  EXPECT_EQ(fate({{1.25, 1.25, 0}, 0.35}), (Settled{Fate::Edges, 3})) << "0.3536 from the corner, 0.335 from the lines";
+  EXPECT_EQ(fate({{1.25, 1.25, 0}, 0.36}), (Settled{Fate::Touched, 3}));
+}
+
+// A plane that is not parallel to an axis, so that the box is thick: the ball is in it, and 0.29 from the plane.
+TEST(FaceCounts, SettleATriangleByItsSlabExactly) {
+  const Triangle tilted{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  const auto fate = [&](const Ball& ball) { return settled({{tilted}, {}}, ball); };
+  EXPECT_EQ(fate({{1, 1, 1.5}, 0.25}), (Settled{Fate::Slab, 0}));
+  EXPECT_EQ(fate({{1, 1, 1.5}, 0.3}), (Settled{Fate::Touched, 0}));
+  // sqrt(1/12) is 0.28867513459481287 rounded down, and the ball of that radius does not reach the plane.
+  EXPECT_EQ(fate({{1, 1, 1.5}, 0.28867513459481287}).fate, Fate::Slab);
+  EXPECT_EQ(fate({{1, 1, 1.5}, 0.28867513459481292}).fate, Fate::Touched);
+}
+
+// An L with arms of 16 steps, so that a ball between the arms is in the box of the whole and of no few edges.
+TEST(FaceCounts, SettleAPolygon) {
+  Loop loop;
+  for (int i = 0; i < 16; ++i) loop.emplace_back(i, 0, 0);
+  loop.emplace_back(16, 0, 0);
+  for (int i = 16; i > 1; --i) loop.emplace_back(i, 1, 0);
+  for (int i = 1; i < 16; ++i) loop.emplace_back(1, i, 0);
+  for (int i = 16; i > 0; --i) loop.emplace_back(0, i, 0);
+  const Polygon ell(loop);
+  const auto fate = [&](const Ball& ball) { return settled({{}, {ell}}, ball); };
+  EXPECT_EQ(fate({{20, 20, 0}, 1}), (Settled{Fate::Box, 0}));
+  EXPECT_EQ(fate({{12, 12, 0}, 1}), (Settled{Fate::Foot, 0}));
+  EXPECT_EQ(fate({{8.5, 1.5, 0}, 0.49}).fate, Fate::Edges);
+  EXPECT_GT(fate({{8.5, 1.5, 0}, 0.49}).edges_looked_at, 0U);
+  EXPECT_LT(fate({{8.5, 1.5, 0}, 0.49}).edges_looked_at, loop.size() / 2);
+  EXPECT_EQ(fate({{8.5, 1.5, 0}, 0.5}).fate, Fate::Touched);
+  const Polygon tilted({{4, 0, 0}, {0, 4, 0}, {0, 0, 4}});
+  EXPECT_EQ(settled({{}, {tilted}}, {{1, 1, 1.5}, 0.25}), (Settled{Fate::Slab, 0}));
+}
+
+// A comb of 400 edges: a small disc is near few of them, and inside none.
+TEST(FaceCounts, SeeThatMostEdgesOfALargePolygonAreNeverLookedAt) {
+  Loop comb;
+  for (int tooth = 0; tooth < 100; ++tooth)
+    for (const auto& [x, y] : {std::pair(0.0, 1.0), {0.0, 5.0}, {0.5, 5.0}, {0.5, 1.0}})
+      comb.emplace_back(tooth + x, y, 0);
+  comb.emplace_back(99.5, 0, 0);
+  comb.emplace_back(0, 0, 0);
+  Scene scene;
+  scene.add("comb", {{}, {Polygon(comb)}});
+  FaceCounts counts;
+  EXPECT_EQ(scene.touched({{50.75, 3, 0}, 0.25}, counts).size(), 1U);
+  EXPECT_EQ(counts.edges(), comb.size());
+  EXPECT_GE(counts.edges_looked_at(), 1U);
+  EXPECT_LE(counts.edges_looked_at(), 24U);
+}
+
+// Tangent from above at a height that is no square root: in doubles the slab cannot tell.
+TEST(FaceCounts, TellWhichStageWasTheSlowest) {
+  Scene scene;
+  scene.add("floor", {{{{-1, -1, 0.1}, {1, -1, 0.1}, {0, 2, 0.1}}}, {}});
+  const auto ask = [&](const Ball& ball) {
+    FaceCounts counts;
+    (void)scene.touches(ball, counts);
+    return counts;
+  };
+  const FaceCounts easy = ask({{0, 0, 0.5}, 0.5}), tangent = ask({{0, 0, 0.35}, 0.25});
+  EXPECT_EQ(easy.tested(Stage::Double), 1U);
+  EXPECT_EQ(tangent.tested(Stage::Double), 0U);
+  EXPECT_EQ(staged(tangent), 1U);
+}
+
+TEST(FaceCounts, NamesWhatComesAfterTheAnswer) {
+  Scene scene;
+  const Triangle near{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, far{{9, 9, 9}, {9, 8, 9}, {8, 9, 9}};
+  scene.add("a", {{near, near}, {Polygon({near.a, near.b, near.c})}});
+  scene.add("b", {{near}, {}});
+  scene.add("c", {{far}, {}});
+  FaceCounts counts;
+  EXPECT_TRUE(scene.touches({{0, 0, 0}, 1}, counts));
+  EXPECT_EQ(counts.faces(), 5U);
+  EXPECT_EQ(counts.faces(Fate::Touched), 1U);
+  EXPECT_EQ(counts.faces(Fate::Known), 3U);
+  EXPECT_EQ(counts.faces(Fate::Box), 1U);
+}
+
+TEST(FaceCounts, AreAboutTheChosenObjectsOnly) {
+  Scene scene;
+  scene.add("a", {{kObtuse}, {}});
+  scene.add("b", {{kObtuse, kObtuse}, {}});
+  FaceCounts counts;
+  (void)scene.touched({{1, 1, 0}, 1}, counts, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(counts.faces(), 2U);
+  EXPECT_EQ(counts.edges(), 6U);
+}
+
+/// Calls f(objects, scene, ball, words) for scenes of each kind.
+template <class F>
+void for_each_scene_and_ball(std::uint64_t balls, const F& f) {
+  for (const Kind kind : all_kinds()) {
+    const auto objects = draw_objects(kind, 2027, 0);
+    Scene scene;
+    for (std::size_t i = 0; i < objects.size(); ++i) scene.add(std::to_string(i), objects[i]);
+    for (std::uint64_t i = 0; i < balls; ++i)
+      f(objects, scene, draw_ball(objects, 2027, i), name(kind) + ", ball " + std::to_string(i));
+  }
+}
+
+// Guarantees (1) to (3): everything adds up, and counting changes no answer.
+TEST(FaceCounts, AddUpAndLeaveTheAnswersAlone) {
+  for_each_scene_and_ball(TOUCHSTONE_SAMPLES / 5,
+                          [](const auto& objects, const Scene& scene, const Ball& ball, const auto& what) {
+                            std::uint64_t faces = 0, edges = 0;
+                            for (const scene::Faces& object : objects) {
+                              faces += object.triangles.size() + object.polygons.size();
+                              edges += 3 * object.triangles.size();
+                              for (const Polygon& polygon : object.polygons) edges += polygon.vertex_count();
+                            }
+                            FaceCounts any, all, nearest;
+                            const auto touched = scene.touched(ball, all);
+                            EXPECT_EQ(touched, scene.touched(ball)) << what;
+                            EXPECT_EQ(scene.touches(ball, any), scene.touches(ball)) << what;
+                            const auto found = scene.nearest(ball, nearest);
+                            ASSERT_TRUE(found) << what;
+                            EXPECT_EQ(found->face, scene.nearest(ball)->face) << what;
+                            for (const FaceCounts* counts : {&any, &all, &nearest}) {
+                              EXPECT_EQ(counts->faces(), faces) << what;
+                              EXPECT_EQ(counts->edges(), edges) << what;
+                              EXPECT_LE(counts->edges_looked_at(), edges) << what;
+                              EXPECT_EQ(staged(*counts), counts->tested()) << what;
+                              EXPECT_EQ(counts->tested(), counts->faces(Fate::Slab) + counts->faces(Fate::Foot) +
+                                                              counts->faces(Fate::Edges) + counts->faces(Fate::Touched))
+                                  << what;
+                            }
+                            EXPECT_EQ(all.faces(Fate::Touched), touched.size()) << what;
+                            EXPECT_EQ(all.faces(Fate::Known), 0U) << what;
+                            EXPECT_EQ(any.faces(Fate::Touched), touched.empty() ? 0U : 1U) << what;
+                            EXPECT_EQ(any.faces(Fate::Box), all.faces(Fate::Box)) << what;
+                            EXPECT_EQ(nearest.faces(Fate::Known), 0U) << what;
+                            EXPECT_GE(nearest.faces(Fate::Touched), 1U) << what;
+
+                            FaceCounts sum = any, both;
+                            sum += all;
+                            (void)scene.touches(ball, both);
+                            (void)scene.touched(ball, both);
+                            EXPECT_EQ(sum, both) << what;
+                          });
+}
+
+/// Is the foot beyond the line of an edge that the ball does not reach?
+bool parted_by_a_line(const Ball& ball, const Triangle& triangle) {
+  const auto question = filtered::question(ball, triangle);
+  for (int i = 0; i < 3; ++i)
+    if (unlimited_sign(filtered::SignKind::Side, question, i) < 0 &&
+        unlimited_sign(filtered::SignKind::Line, question, i) > 0)
+      return true;
+  return false;
+}
+
+/// Does the reason hold, and is it the first? By exact arithmetic alone.
+void expect_true(Fate fate, const Ball& ball, const Polygon& face, const std::string& what) {
+  const exact::PreparedPolygon prepared(face);
+  EXPECT_EQ(fate == Fate::Touched, exact::contact(ball, prepared)) << what;
+  if (fate == Fate::Box || fate == Fate::Touched) return;
+  EXPECT_EQ(fate == Fate::Slab, exact::plane_side(ball, prepared) != PlaneSide::Intersects) << what;
+  if (fate != Fate::Slab) {
+    EXPECT_EQ(exact::foot(ball, prepared), FootPlace::Outside) << what;
+  }
+}
+
+// Each face by itself, so that its fate can be seen.
+TEST(FaceCounts, GiveReasonsThatHold) {
+  for (const Kind kind : all_kinds()) {
+    const auto objects = draw_objects(kind, 2028, 0);
+    std::vector<Ball> balls;
+    for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES / 5; ++i) balls.push_back(draw_ball(objects, 2028, i));
+    const auto expect_reasons = [&](const scene::Faces& one, const Polygon& face) {
+      Scene scene;
+      scene.add("the face", one);
+      for (std::size_t i = 0; i < balls.size(); ++i) {
+        const Fate fate = settled(scene, balls[i]).fate;
+        const std::string what = name(kind) + ", ball " + std::to_string(i) + ": " + std::string(word(fate));
+        expect_true(fate, balls[i], face, what);
+        if (!one.triangles.empty() && (fate == Fate::Foot || fate == Fate::Edges)) {
+          EXPECT_EQ(fate == Fate::Foot, parted_by_a_line(balls[i], one.triangles.front())) << what;
+        }
+      }
+    };
+    const scene::Faces& faces = objects.front();
+    for (std::size_t i = 0; i < faces.triangles.size(); i += 7) {
+      const Triangle& t = faces.triangles[i];
+      expect_reasons({{t}, {}}, Polygon({t.a, t.b, t.c}));
+    }
+    for (const Polygon& polygon : faces.polygons) expect_reasons({{}, {polygon}}, polygon);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests

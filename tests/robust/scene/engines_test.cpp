@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every engine that this machine can run finds the same faces, counting or not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/floating_point_state.h"
+#include "robust/scene/engine.h"
+#include "tests/robust/support/printing.h"
+#include "tests/robust/scene/adversarial_scenes.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using scene::FaceId;
+
+struct Found {
+  bool any;
+  std::vector<FaceId> all;
+  std::optional<scene::NearestFace> nearest;
+};
+
+template <class T>
+Found ask(const scene::Walks<T>& walks, const Ball& ball, const scene::TriangleSet& triangles,
+          const scene::PolygonSet& polygons, T tally) {
+  const FloatingPointState nearest_mode;
+  Found found;
+  found.any = walks.touches_triangle(ball, triangles, tally) || walks.touches_polygon(ball, polygons, tally) ||
+              tally.answered();
+  walks.touched_triangles(ball, triangles, {0, 0}, found.all, tally);
+  walks.touched_polygons(ball, polygons, {1, 0}, found.all, tally);
+  std::sort(found.all.begin(), found.all.end());
+  scene::NearestSearch search(ball.center);
+  search.enter({0, 0});
+  walks.nearest_triangle(triangles, search, tally);
+  search.enter({1, 0});
+  walks.nearest_polygon(polygons, search, tally);
+  found.nearest = search.nearest();
+  return found;
+}
+
+void expect_equal(const Found& found, const Found& expected, const std::string& what) {
+  EXPECT_EQ(found.any, expected.any) << what;
+  EXPECT_EQ(found.all, expected.all) << what;
+  ASSERT_EQ(found.nearest.has_value(), expected.nearest.has_value()) << what;
+  if (!found.nearest) return;
+  EXPECT_EQ(found.nearest->face, expected.nearest->face) << what;
+  EXPECT_EQ(found.nearest->point, expected.nearest->point) << what;
+  EXPECT_EQ(found.nearest->distance, expected.nearest->distance) << what;
+}
+
+TEST(SceneEngines, FindTheSameFaces) {
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 10; ++index) {
+      const auto objects = draw_objects(kind, 2027, index);
+      const scene::TriangleSet triangles(objects.front().triangles);
+      const scene::PolygonSet polygons(objects.front().polygons);
+      for (std::uint64_t i = 0; i < 10; ++i) {
+        const Ball ball = draw_ball(objects, 2027, 1000 * index + i);
+        const std::string what = name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i);
+        scene::FaceCounts counts;
+        const Found expected = ask(scene::baseline_engine(), ball, triangles, polygons, scene::NoTally());
+        EXPECT_EQ(expected.any, !expected.all.empty()) << what;
+        expect_equal(ask(scene::engine(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected, what);
+        expect_equal(ask(scene::baseline_counted_engine(), ball, triangles, polygons, scene::Tally(counts)), expected,
+                     what + ", counted");
+      }
+    }
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guarantees of robust/scene/scene.h, against brute force over all faces by the exact path.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <memory>
+
+#include "robust/exact/exact.h"
+#include "tests/robust/support/environment.h"
+#include "tests/robust/support/printing.h"
+#include "tests/robust/scene/adversarial_scenes.h"
+
+namespace touchstone::scene_tests {
+namespace {
+
+using scene::FaceId;
+using scene::Scene;
+
+/// A scene and its faces, prepared for the exact path.
+struct Subject {
+  Subject(Kind kind, std::uint64_t index) : objects(draw_objects(kind, 2026, index)) {
+    for (std::uint32_t object = 0; object < objects.size(); ++object) {
+      built.add("object " + std::to_string(object), objects[object]);
+      std::uint32_t face = 0;
+      for (const Triangle& t : objects[object].triangles)
+        all.emplace_back(FaceId{object, face++}, exact::PreparedPolygon(Polygon({t.a, t.b, t.c})));
+      for (const Polygon& polygon : objects[object].polygons)
+        all.emplace_back(FaceId{object, face++}, exact::PreparedPolygon(polygon));
+    }
+  }
+
+  [[nodiscard]] std::vector<FaceId> touched(const Ball& ball) const {
+    std::vector<FaceId> result;
+    for (const auto& [id, face] : all)
+      if (exact::contact(ball, face)) result.push_back(id);
+    return result;
+  }
+  [[nodiscard]] FaceId nearest(const Ball& ball) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      if (exact::compare_distances(ball, all[i].second, all[best].second) < 0) best = i;
+    return all[best].first;
+  }
+
+  std::vector<scene::Faces> objects;
+  Scene built;
+  std::vector<std::pair<FaceId, exact::PreparedPolygon>> all;
+};
+
+/// Calls f(subject, ball, words) for scenes of each kind.
+template <class F>
+void for_each_query(std::uint64_t balls, const F& f) {
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < 2; ++index) {
+      const Subject subject(kind, index);
+      for (std::uint64_t i = 0; i < balls; ++i)
+        f(subject, draw_ball(subject.objects, 2026, 1000 * index + i),
+          name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
+    }
+}
+
+TEST(Scene, FindsExactlyTheFacesThatAreTouched) {
+  for_each_query(TOUCHSTONE_SAMPLES, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    const auto expected = subject.touched(ball);
+    EXPECT_EQ(subject.built.touched(ball), expected) << what;
+    EXPECT_EQ(subject.built.touches(ball), !expected.empty()) << what;
+  });
+}
+
+TEST(Scene, FindsTheNearestFaceAndTheLowestOfEquals) {
+  for_each_query(TOUCHSTONE_SAMPLES / 5, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    const auto found = subject.built.nearest(ball);
+    ASSERT_TRUE(found) << what;
+    const FaceId expected = subject.nearest(ball);
+    EXPECT_EQ(found->face, expected) << what;
+    for (const auto& [id, face] : subject.all) {
+      if (id != expected) continue;
+      const Answer answer = exact::answer(ball, face);
+      EXPECT_EQ(found->feature, answer.nearest) << what;
+      EXPECT_EQ(found->point, answer.point) << what;
+      EXPECT_EQ(found->distance, answer.distance) << what;
+    }
+  });
+}
+
+TEST(Scene, AnswersAboutChosenObjectsOnly) {
+  for_each_query(TOUCHSTONE_SAMPLES / 10, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    const Scene::Objects chosen(std::vector<std::uint32_t>{2, 0, 2});  // a set
+    std::vector<FaceId> expected;
+    for (const FaceId& id : subject.touched(ball))
+      if (id.object != 1) expected.push_back(id);
+    EXPECT_EQ(subject.built.touched(ball, chosen), expected) << what;
+    EXPECT_EQ(subject.built.touches(ball, chosen), !expected.empty()) << what;
+    EXPECT_NE(subject.built.nearest(ball, chosen)->face.object, 1U) << what;
+    EXPECT_FALSE(subject.built.touches(ball, Scene::Objects(std::vector<std::uint32_t>{}))) << what;
+  });
+}
+
+TEST(Scene, AnswersBatchesAsSingleQuestions) {
+  for (const Kind kind : all_kinds()) {
+    const Subject subject(kind, 7);
+    std::vector<Ball> balls;
+    for (std::uint64_t i = 0; i < 300; ++i) balls.push_back(draw_ball(subject.objects, 2026, i));
+    const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+    subject.built.touches(balls, {touches.get(), balls.size()});
+    const auto touched = subject.built.touched(balls);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      EXPECT_EQ(touches[i], subject.built.touches(balls[i])) << name(kind) << ", ball " << i;
+      EXPECT_EQ(touched[i], subject.built.touched(balls[i])) << name(kind) << ", ball " << i;
+    }
+  }
+}
+
+TEST(Scene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
+  using contact_tests::Environment;
+  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Ball& ball, const std::string& what) {
+    const auto expected = subject.built.touched(ball);
+    const auto nearest = subject.built.nearest(ball)->face;
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : contact_tests::kFlushes) {
+        const Environment changed(mode, flush);
+        const unsigned before = Environment::modes();
+        std::feclearexcept(FE_ALL_EXCEPT);
+        const auto touched = subject.built.touched(ball);
+        const auto face = subject.built.nearest(ball)->face;
+        const bool raised = std::fetestexcept(contact_tests::kFlags) != 0;
+        const bool left = Environment::modes() == before;
+        EXPECT_EQ(touched, expected) << what << ", rounding mode " << mode << ", flush bits " << flush;
+        EXPECT_EQ(face, nearest) << what << ", rounding mode " << mode << ", flush bits " << flush;
+        EXPECT_TRUE(left && !raised) << what << ", rounding mode " << mode << ", flush bits " << flush;
+      }
+  });
+}
+
+// The corner at (1, 0, 0) is lifted to (1, 0, -1/4), out of the box of the vertices.
+TEST(Scene, LooksForPolygonsWhereTheyAreLiftedTo) {
+  Scene scene;
+  scene.add("saddle", {{}, {Polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}})}});
+  EXPECT_TRUE(scene.touches({{1, 0, -0.25}, 0}));
+  EXPECT_FALSE(scene.touches({{1, 0, 0}, 0}));
+}
+
+// Either side of a ridge is off its plane by so little that both distances are one double; the ridge, which they share
+// as it was given, is lifted away from the centre on one side and towards it on the other.
+TEST(Scene, TellsLiftedEdgesApartThatWereGivenInOnePlace) {
+  const double off = 0x1p-60;
+  const Polygon left({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, off}});
+  const Polygon right({{1, 0, 0}, {2, 0, -1 + off}, {2, 1, -1}, {1, 1, 0}});
+  const Ball center{{1.125, 0.25, 1}, 0};
+  const exact::PreparedPolygon exact_left(left), exact_right(right);
+  ASSERT_EQ(exact::answer(center, left).nearest, (Feature{Feature::Kind::Edge, 1}));
+  ASSERT_EQ(exact::answer(center, right).nearest, (Feature{Feature::Kind::Edge, 3}));
+  ASSERT_EQ(exact::answer(center, left).distance, exact::answer(center, right).distance);
+  const int order = exact::compare_distances(center, exact_left, exact_right);
+  ASSERT_NE(order, 0);
+  const std::vector<Polygon> nearer_last = order > 0 ? std::vector{left, right} : std::vector{right, left};
+  Scene scene;
+  scene.add("ridge", {{}, nearer_last});
+  EXPECT_EQ(scene.nearest(center)->face, (FaceId{0, 1}));
+}
+
+// The balls of no scene reach so far: the largest double is less than the distance.
+TEST(Scene, FindsTheNearestFaceBeyondTheLargestDouble) {
+  Scene scene;
+  const double far = 0x1.8p1023;
+  scene.add("far",
+            {{{{far, 0, 0}, {far, 1, 0}, {far, 0, 1}}, {{far / 2, 0, 0}, {far / 2, 1, 0}, {far / 2, 0, 1}}}, {}});
+  const auto found = scene.nearest({{-far, 0, 0}, 0});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->face, (FaceId{0, 1}));
+}
+
+TEST(Scene, IsEmptyAtFirst) {
+  const Scene scene;
+  EXPECT_FALSE(scene.touches({{0, 0, 0}, 1}));
+  EXPECT_TRUE(scene.touched({{0, 0, 0}, 1}).empty());
+  EXPECT_FALSE(scene.nearest({{0, 0, 0}, 1}));
+}
+
+TEST(Scene, NamesItsObjectsOnce) {
+  Scene scene;
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_EQ(scene.add("a", {{triangle}, {}}), 0U);
+  EXPECT_EQ(scene.add("b", {{triangle, triangle}, {}}), 1U);
+  EXPECT_THROW(scene.add("a", {}), std::invalid_argument);
+  EXPECT_EQ(scene.object_count(), 2U);
+  EXPECT_EQ(scene.find("b"), 1U);
+  EXPECT_EQ(scene.face_count(1), 2U);
+  EXPECT_THROW((void)scene.find("c"), std::invalid_argument);
+  EXPECT_THROW((void)scene.touches({{0, 0, 0}, 1}, std::vector<std::uint32_t>{2}), std::out_of_range);
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests

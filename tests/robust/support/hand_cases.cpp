@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/robust/support/hand_cases.h"
+
+#include <cmath>
+
+#include "tests/robust/support/rearranged.h"
+
+namespace touchstone::contact_tests {
+namespace {
+
+constexpr auto InFront = PlaneSide::InFront, Behind = PlaneSide::Behind, Intersects = PlaneSide::Intersects;
+constexpr auto Inside = FootPlace::Inside, Boundary = FootPlace::Boundary, Outside = FootPlace::Outside;
+constexpr auto Separate = Relation::Separate, Touching = Relation::Touching, Overlapping = Relation::Overlapping;
+constexpr bool kTangent = true, kNotTangent = false;
+
+constexpr Feature kFace{Feature::Kind::Face, 0};
+constexpr Feature edge(std::size_t i) { return {Feature::Kind::Edge, i}; }
+constexpr Feature vertex(std::size_t i) { return {Feature::Kind::Vertex, i}; }
+
+Loop square(double low, double high) { return {{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}; }
+
+const Polygon& triangle() {
+  static const Polygon polygon({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}});
+  return polygon;
+}
+const Polygon& letter_l() {
+  static const Polygon polygon({{0, 0, 0}, {6, 0, 0}, {6, 2, 0}, {2, 2, 0}, {2, 6, 0}, {0, 6, 0}});
+  return polygon;
+}
+const Polygon& letter_u() {
+  static const Polygon polygon(
+      {{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {4, 6, 0}, {4, 2, 0}, {2, 2, 0}, {2, 6, 0}, {0, 6, 0}});
+  return polygon;
+}
+/// Edges 0 to 3, 4 to 7 and 8 to 11: a square, its hole, an island in the hole.
+const Polygon& island() {
+  static const Polygon polygon(square(0, 12), {square(2, 10), square(4, 8)});
+  return polygon;
+}
+/// Vertex 4 of the hole points into it.
+const Polygon& notched_hole() {
+  static const Polygon polygon(square(-2, 10), {{{4, 5, 0}, {1, 7, 0}, {1, 1, 0}, {7, 1, 0}, {7, 7, 0}}});
+  return polygon;
+}
+
+std::vector<HandCase> triangle_cases() {
+  const Polygon& t = triangle();
+  return {
+      {{"touches the face", {{1, 1, 2}, 2}, t},
+       {Intersects, kTangent, Inside, {}, Touching, kFace, {1, 1, 0}, 2, 0}},
+      {{"in front", {{1, 1, 2}, 1}, t}, {InFront, kNotTangent, Inside, {}, Separate, kFace, {1, 1, 0}, 2, 0}},
+      {{"behind", {{1, 1, -2}, 1}, t}, {Behind, kNotTangent, Inside, {}, Separate, kFace, {1, 1, 0}, 2, 0}},
+      {{"overlaps face and edges", {{1, 1, -2}, 3}, t},
+       {Intersects, kNotTangent, Inside, {0, 1, 2}, Overlapping, kFace, {1, 1, 0}, 2, 0}},
+      {{"touches an edge (3-4-5)", {{2, -3, 4}, 5}, t},
+       {Intersects, kNotTangent, Outside, {0}, Touching, edge(0), {2, 0, 0}, 5, 0}},
+      {{"touches a vertex (1-2-2-3)", {{-2, -1, 2}, 3}, t},
+       {Intersects, kNotTangent, Outside, {0, 2}, Touching, vertex(0), {0, 0, 0}, 3, 0}},
+      {{"touches the plane, far from the triangle", {{8, 8, 3}, 3}, t},
+       {Intersects, kTangent, Outside, {}, Separate, edge(1), {2, 2, 0}, 9, 0}},
+      {{"straight above an edge", {{2, 0, 3}, 3}, t},
+       {Intersects, kTangent, Boundary, {0}, Touching, edge(0), {2, 0, 0}, 3, 0}},
+      {{"straight above the first end of an edge", {{0, -3, 0}, 3}, t},
+       {Intersects, kNotTangent, Outside, {0, 2}, Touching, vertex(0), {0, 0, 0}, 3, 0}},
+      {{"straight above the last end of an edge", {{4, -3, 0}, 3}, t},
+       {Intersects, kNotTangent, Outside, {0, 1}, Touching, vertex(1), {4, 0, 0}, 3, 0}},
+      {{"a point on a vertex", {{4, 0, 0}, 0}, t},
+       {Intersects, kTangent, Boundary, {0, 1}, Touching, vertex(1), {4, 0, 0}, 0, 0}},
+      {{"a point at minus zero", {{-0.0, -0.0, -0.0}, -0.0}, t},
+       {Intersects, kTangent, Boundary, {0, 2}, Touching, vertex(0), {0, 0, 0}, 0, 0}},
+      {{"a point on an edge", {{2, 2, 0}, 0}, t},
+       {Intersects, kTangent, Boundary, {1}, Touching, edge(1), {2, 2, 0}, 0, 0}},
+      {{"a point on the face", {{1, 1, 0}, 0}, t},
+       {Intersects, kTangent, Inside, {}, Touching, kFace, {1, 1, 0}, 0, 0}},
+      {{"a point beside it", {{5, 5, 0}, 0}, t},
+       {Intersects, kTangent, Outside, {}, Separate, edge(1), {2, 2, 0}, std::sqrt(18.0), 0}},
+      {{"a point on the line of an edge, beyond it", {{-3, 0, 0}, 1}, t},
+       {Intersects, kNotTangent, Outside, {}, Separate, vertex(0), {0, 0, 0}, 3, 0}},
+      {{"an irrational distance to an edge, in contact", {{3, 3, 0}, 2}, t},
+       {Intersects, kNotTangent, Outside, {1}, Overlapping, edge(1), {2, 2, 0}, std::sqrt(2.0), 0}},
+  };
+}
+
+std::vector<HandCase> letter_cases() {
+  const Polygon &l = letter_l(), &u = letter_u();
+  return {
+      {{"a tie of edges in the notch of an L, missed", {{4, 4, 1}, 2}, l},
+       {Intersects, kNotTangent, Outside, {}, Separate, edge(2), {4, 2, 0}, std::sqrt(5.0), 0}},
+      {{"hits edges in the notch of an L, two of them at their ends", {{4, 4, 1}, 3}, l},
+       {Intersects, kNotTangent, Outside, {1, 2, 3, 4}, Overlapping, edge(2), {4, 2, 0}, std::sqrt(5.0), 0}},
+      {{"level with the vertices of an L", {{1, 2, 0}, 1}, l},
+       {Intersects, kNotTangent, Inside, {2, 3, 5}, Overlapping, kFace, {1, 2, 0}, 0, 0}},
+      {{"level with an edge of an L, beside it", {{-2, 2, 0}, 1}, l},
+       {Intersects, kNotTangent, Outside, {}, Separate, edge(5), {0, 2, 0}, 2, 0}},
+      {{"reflex vertex straight below", {{2, 2, 1}, 1}, l},
+       {Intersects, kTangent, Boundary, {2, 3}, Touching, vertex(3), {2, 2, 0}, 1, 0}},
+      {{"a tie of edges in a U: the lowest", {{3, 4, 0}, 1}, u},
+       {Intersects, kNotTangent, Outside, {3, 5}, Touching, edge(3), {4, 4, 0}, 1, 0}},
+      {{"a tie of vertices of a U: the lowest", {{3, 9, 0}, 1}, u},
+       {Intersects, kNotTangent, Outside, {}, Separate, vertex(3), {4, 6, 0}, std::sqrt(10.0), 0}},
+      {{"inside a leg of a U", {{5, 4, 2}, 2}, u},
+       {Intersects, kTangent, Inside, {}, Touching, kFace, {5, 4, 0}, 2, 0}},
+  };
+}
+
+std::vector<HandCase> hole_cases() {
+  const Polygon &p = island(), &n = notched_hole();
+  return {
+      {{"foot in a hole, a tie of hole and island", {{3, 6, 0}, 1}, p},
+       {Intersects, kNotTangent, Outside, {7, 11}, Touching, edge(7), {2, 6, 0}, 1, 0}},
+      {{"foot on an island", {{6, 6, 3}, 3}, p},
+       {Intersects, kTangent, Inside, {}, Touching, kFace, {6, 6, 0}, 3, 0}},
+      {{"foot on the rim, edges of two loops touched", {{1, 6, 0}, 1}, p},
+       {Intersects, kNotTangent, Inside, {3, 7}, Overlapping, kFace, {1, 6, 0}, 0, 0}},
+      {{"foot on the edge of a hole", {{2, 6, 2}, 1}, p},
+       {InFront, kNotTangent, Boundary, {}, Separate, edge(7), {2, 6, 0}, 2, 0}},
+      {{"foot on a vertex of an island", {{8, 8, -2}, 2}, p},
+       {Intersects, kTangent, Boundary, {9, 10}, Touching, vertex(10), {8, 8, 0}, 2, 0}},
+      {{"a ball that falls through a hole", {{3, 3, 1}, 1}, p},
+       {Intersects, kTangent, Outside, {}, Separate, edge(4), {3, 2, 0}, std::sqrt(2.0), 0}},
+      {{"a tie of a vertex and a later edge: the edge", {{4, 3, 0}, 2}, n},
+       {Intersects, kNotTangent, Outside, {4, 6, 8}, Touching, edge(6), {4, 1, 0}, 2, 0}},
+  };
+}
+
+}  // namespace
+
+const std::vector<HandCase>& hand_cases() {
+  static const std::vector<HandCase> all = [] {
+    std::vector<HandCase> cases = triangle_cases();
+    for (const auto& more : {letter_cases(), hole_cases()}) cases.insert(cases.end(), more.begin(), more.end());
+    return cases;
+  }();
+  return all;
+}
+
+HandCase turned(HandCase original, int times) {
+  const Motion turn = [times](const Eigen::Vector3d& v) {
+    Eigen::Vector3d image;
+    for (int k = 0; k < 3; ++k) image[(k + times) % 3] = v[k];
+    return image;
+  };
+  original.given = moved(original.given, turn);
+  original.expected.point = turn(original.expected.point);
+  return original;
+}
+
+}  // namespace touchstone::contact_tests

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A line is no JSON, a rejection of the contract, or shapes that read_case gives again from what is written of them.
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+
+#include "experiments/cases/case.h"
+#include "experiments/cases/verdict.h"
+
+using namespace touchstone;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const judge::Case read = judge::read_case({reinterpret_cast<const char*>(data), size});
+    if (const auto* shapes = std::get_if<judge::Shapes>(&read.content)) {
+      const std::string line = judge::to_line(judge::case_of("again", shapes->ball, shapes->polygon, {}, nullptr));
+      const judge::Case again = judge::read_case(line);
+      const auto& same = std::get<judge::Shapes>(again.content);
+      if (!(same.polygon == shapes->polygon) || same.ball.center != shapes->ball.center ||
+          same.ball.radius != shapes->ball.radius)
+        throw std::logic_error("not read again as it was written: " + line);
+    }
+  } catch (const judge::NotJson&) {
+  }
+  return 0;
+}

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The answers of `exact` and `filtered` hash to the same value whatever compiles them, and however many threads ask.
+
+Usage: matrix.py SOURCE SCRATCH [QUESTIONS]
+
+Builds what answers.cpp needs with g++ and clang++, at -O0, -O2 and -O3 -march=native, each with and without
+contraction to fused multiply-add, and with g++'s ThreadSanitizer, where four threads ask the same prepared polygons. The
+programs must print the same.
+"""
+
+import concurrent.futures
+import glob
+import os
+import shutil
+import subprocess
+import sys
+
+FUSED = ["-mfma"] if os.uname().machine == "x86_64" else []  # else there is nothing to contract to
+FLAGS = [
+    ["-O0", "-ffp-contract=off"],
+    ["-O0", *FUSED, "-ffp-contract=fast"],
+    ["-O2", "-ffp-contract=off"],
+    ["-O2", *FUSED, "-ffp-contract=fast"],
+    ["-O3", "-march=native", "-ffp-contract=off"],
+    ["-O3", "-march=native", "-ffp-contract=fast"],
+]
+THREADS = ["-O1", "-g", "-fsanitize=thread", "-ffp-contract=off"]
+BUILDS = [(compiler, flags) for compiler in ("g++", "clang++") for flags in FLAGS] + [("g++", THREADS)]
+FOLDERS = ["geometry/shapes", "geometry/contact", "robust/exact", "robust/filtered"]
+COMMON = ["-std=c++20", "-w", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", "-isystem", "/usr/include/eigen3"]
+
+
+def compile_file(compiler, flags, source, file, target):
+    options = COMMON + flags + (["-frounding-math"] if compiler == "g++" else [])
+    if os.path.basename(file) == "answers.cpp":
+        options.append("-ffp-contract=off")  # the questions are the same
+    if os.path.basename(file) == "engine_avx2.cpp":
+        options += ["-mavx2", "-mfma"]
+    if os.uname().machine == "x86_64":
+        options += ["-DTOUCHSTONE_HAS_AVX2"]
+    subprocess.run([compiler, *options, "-I", source, "-c", file, "-o", target], check=True)
+    return target
+
+
+def main():
+    source, scratch = sys.argv[1:3]
+    questions = sys.argv[3] if len(sys.argv) > 3 else "2000"
+    files = [file for folder in FOLDERS for file in sorted(glob.glob(f"{source}/{folder}/*.cpp"))]
+    files.append(f"{source}/tests/system/matrix/answers.cpp")
+    answers = {}
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for number, (compiler, flags) in enumerate(BUILDS):
+            if not shutil.which(compiler):
+                sys.exit(f"matrix: {compiler} is not installed")
+            folder = f"{scratch}/{number}-{compiler}"
+            os.makedirs(folder, exist_ok=True)
+            targets = [f"{folder}/{i}.o" for i in range(len(files))]
+            objects = list(pool.map(lambda f, t: compile_file(compiler, flags, source, f, t), files, targets))
+            program = f"{folder}/answers"
+            sanitizer = [flag for flag in flags if flag.startswith("-fsanitize")]
+            subprocess.run([compiler, *sanitizer, *objects, "-lmpfr", "-lgmp", "-lpthread", "-o", program], check=True)
+            run = subprocess.run([program, questions, "4" if flags == THREADS else "1"], capture_output=True, text=True)
+            print(compiler, *flags, "->", run.stdout.strip(), flush=True)
+            if run.returncode != 0:
+                sys.exit(f"matrix: exact and filtered differ, or threads: {run.stdout}{run.stderr}")
+            answers[run.stdout] = (compiler, flags)
+    if len(answers) != 1:
+        sys.exit(f"matrix: {len(answers)} different answers")
+    print("one answer")
+
+
+main()
