@@ -15,6 +15,7 @@ void add_mesh_contact(CLI::App& app, int& status);
 void add_merge(CLI::App& app, int& status);
 void add_cases(CLI::App& app);
 void add_bench(CLI::App& app, int& status);
+void add_bench_scenes(CLI::App& app, int& status);
 void add_soak(CLI::App& app, int& status);
 void add_tradeoff(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);

@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   touchstone::commands::add_merge(app, status);
   touchstone::commands::add_cases(app);
   touchstone::commands::add_bench(app, status);
+  touchstone::commands::add_bench_scenes(app, status);
   touchstone::commands::add_soak(app, status);
   touchstone::commands::add_tradeoff(app, status);
   touchstone::commands::add_stability(app, status);
@@ -79,8 +80,8 @@ int run(int argc, char** argv) {
 /// What an exception that ended a command says, legible and without a library's tags.
 std::string complaint(const std::exception& error) {
   if (const auto* json = dynamic_cast<const nlohmann::json::exception*>(&error))
-    return touchstone::judge::json_fault(*json);
-  return touchstone::io::all_legible(touchstone::run::message_of(error));
+    return touchstone::harness::json_fault(*json);
+  return touchstone::io::all_legible(touchstone::harness::message_of(error));
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     const int status = run(argc, argv);
-    touchstone::run::flush_standard_output();
+    touchstone::harness::flush_standard_output();
     return status;
   } catch (const std::bad_alloc&) {
     std::fputs(kOutOfMemory.data(), stderr);

@@ -9,7 +9,7 @@
 #include "geometry/io/legible.h"
 #include "robust/exact/validate.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 namespace {
 
 using nlohmann::json;
@@ -17,11 +17,11 @@ using nlohmann::json;
 /// Reads the parts of a case; what is wrong in form ends it with `malformed-case`.
 class Reader {
  public:
-  explicit Reader(const StrictJson& text) : text_(text) {}
+  explicit Reader(const harness::StrictJson& text) : text_(text) {}
 
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
-    if (text_.too_deep) malformed("nested deeper than " + std::to_string(kMostLevels) + " levels");
+    if (text_.too_deep) malformed("nested deeper than " + std::to_string(harness::kMostLevels) + " levels");
     if (text_.duplicate_key) malformed("key \"" + *text_.duplicate_key + "\" stands twice in one object");
     if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
     (void)expected();
@@ -118,10 +118,10 @@ class Reader {
       malformed("tags is not an array of strings");
   }
 
-  const StrictJson& text_;
+  const harness::StrictJson& text_;
 };
 
-Shapes read_shapes(const StrictJson& text) {
+Shapes read_shapes(const harness::StrictJson& text) {
   const Reader reader(text);
   reader.check_form();
   const Ball ball = reader.ball();
@@ -145,7 +145,7 @@ Shapes read_shapes(const StrictJson& text) {
 }  // namespace
 
 Case read_case(std::string_view line) {
-  const StrictJson text = read_strict_json(line);
+  const harness::StrictJson text = harness::read_strict_json(line);
   Case result{.id = {}, .expected = {}, .content = Rejection{}};
   if (text.value.is_object()) {
     if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())
@@ -164,4 +164,4 @@ Case read_case(std::string_view line) {
   return result;
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

@@ -12,7 +12,7 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 
 /// A ball and a polygon that every method may be asked about.
 struct Shapes {
@@ -35,4 +35,4 @@ struct Case {
 /// Throws NotJson. Cost: that of exact::validate, and linear in the length of the line.
 [[nodiscard]] Case read_case(std::string_view line);
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

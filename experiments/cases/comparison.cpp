@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 namespace {
 
 using Edges = std::vector<std::size_t>;
@@ -46,18 +46,18 @@ std::string_view word(Test test) {
   return "";
 }
 
-methods::Question question(Test test) {
+cases::Question question(Test test) {
   switch (test) {
-    case Test::Plane: return methods::Question::PlaneSide;
-    case Test::Foot: return methods::Question::Foot;
-    case Test::Edges: return methods::Question::EdgesHit;
-    case Test::Relation: return methods::Question::Relation;
+    case Test::Plane: return cases::Question::PlaneSide;
+    case Test::Foot: return cases::Question::Foot;
+    case Test::Edges: return cases::Question::EdgesHit;
+    case Test::Relation: return cases::Question::Relation;
     case Test::Contact: break;
   }
-  return methods::Question::Contact;
+  return cases::Question::Contact;
 }
 
-std::optional<Outcome> compare(Test test, const methods::PartialAnswer& answer, const methods::PartialAnswer& truth,
+std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, const cases::PartialAnswer& truth,
                                bool knows_boundary) {
   switch (test) {
     case Test::Plane:
@@ -79,9 +79,9 @@ std::optional<Outcome> compare(Test test, const methods::PartialAnswer& answer, 
   return std::nullopt;
 }
 
-bool knows_boundary(const methods::Method& method) {
+bool knows_boundary(const cases::Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  return method.prepare(square)->ask({{1, 0, 0}, 1}, methods::Question::Foot).foot == FootPlace::Boundary;
+  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::Question::Foot).foot == FootPlace::Boundary;
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

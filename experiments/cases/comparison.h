@@ -7,7 +7,7 @@
 
 #include "experiments/cases/method.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 
 /// What is compared: the contract's three tests, each by itself, and the final answer, with or without touching.
 enum class Test { Plane, Foot, Edges, Contact, Relation };
@@ -15,7 +15,7 @@ enum class Test { Plane, Foot, Edges, Contact, Relation };
 inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact};
 
 [[nodiscard]] std::string_view word(Test test);
-[[nodiscard]] methods::Question question(Test test);
+[[nodiscard]] cases::Question question(Test test);
 
 /// An answer beside the truth. `In` is the larger answer: the plane intersected, the foot not outside, an edge hit, a
 /// contact.
@@ -34,10 +34,10 @@ enum class Outcome {
 ///  - Edges: the whole list. WronglyIn where an edge is listed that is not hit, else WronglyOut.
 ///  - Contact: yes or no.
 ///  - Relation: all three words.
-[[nodiscard]] std::optional<Outcome> compare(Test test, const methods::PartialAnswer& answer,
-                                             const methods::PartialAnswer& truth, bool knows_boundary);
+[[nodiscard]] std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer,
+                                             const cases::PartialAnswer& truth, bool knows_boundary);
 
 /// Does the method say boundary in the plainest case: in the plane of a square, at the middle of an edge?
-[[nodiscard]] bool knows_boundary(const methods::Method& method);
+[[nodiscard]] bool knows_boundary(const cases::Method& method);
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <new>
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 namespace {
 
 using Take = std::function<bool(Line&&)>;
@@ -20,7 +20,7 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
     Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
     try {
       line.read = read_case(text);
-    } catch (const NotJson& error) {
+    } catch (const harness::NotJson& error) {
       line.complaint = fmt::format("{}: not JSON: {}", line.place, error.what());
     } catch (const std::bad_alloc&) {
       line.complaint = fmt::format("{}: there is not enough memory to read the case", line.place);
@@ -46,4 +46,4 @@ void read_lines(const std::vector<std::string>& files, const Take& take) {
   }
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

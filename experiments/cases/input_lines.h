@@ -8,7 +8,7 @@
 
 #include "experiments/cases/case.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 
 /// A line of input: a case, or why there is none.
 struct Line {
@@ -21,4 +21,4 @@ struct Line {
 /// Calls `take` with every line of the files (none: standard input) that is not white space, until it returns false.
 void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

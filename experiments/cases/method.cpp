@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cases/method.h"
 
-#include <stdexcept>
-
-#include "experiments/methods/all.h"
-#include "experiments/methods/engines/engines.h"
-
-namespace touchstone::methods {
+namespace touchstone::cases {
 
 PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
   return {.plane = answer.plane,
@@ -23,42 +18,4 @@ PartialAnswer PartialAnswer::of(const Answer& answer, std::string_view stage) {
           .stage = stage};
 }
 
-const std::vector<std::unique_ptr<Method>>& all_methods() {
-  static const std::vector<std::unique_ptr<Method>> methods = [] {
-    std::vector<std::unique_ptr<Method>> list;
-    add_exact(list);
-    add_filtered(list);
-    add_fast(list);
-    add_fast_double_double(list);
-    add_fast_mpfr(list);
-    add_interval(list);
-    add_rational(list);
-    add_cgal_inexact(list);
-    add_cgal_epeck(list);
-    add_thesis(list);
-    add_engines(list);
-    return list;
-  }();
-  return methods;
-}
-
-const Method* find_method(std::string_view name) {
-  for (const auto& method : all_methods())
-    if (method->name() == name) return method.get();
-  return nullptr;
-}
-
-std::vector<const Method*> find_methods(const std::vector<std::string>& names) {
-  std::vector<const Method*> found;
-  for (const std::string& name : names) {
-    if (name == "all")
-      for (const auto& method : all_methods()) found.push_back(method.get());
-    else if (const Method* method = find_method(name))
-      found.push_back(method);
-    else
-      throw std::invalid_argument("there is no method \"" + name + "\"; `touchstone methods` lists them");
-  }
-  return found;
-}
-
-}  // namespace touchstone::methods
+}  // namespace touchstone::cases

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::methods {
+namespace touchstone::cases {
 
 /// What can be asked of a method: one of the contract's tests alone, or all of its keys.
 enum class Question { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
@@ -56,14 +55,4 @@ class Method {
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const = 0;
 };
 
-/// Every method of this build, in the order in which `touchstone methods` lists them.
-[[nodiscard]] const std::vector<std::unique_ptr<Method>>& all_methods();
-
-/// The method of that name, or nullptr.
-[[nodiscard]] const Method* find_method(std::string_view name);
-
-/// The methods of these names, in this order; `all` stands for every one.
-/// Throws std::invalid_argument, which names the one that is unknown.
-[[nodiscard]] std::vector<const Method*> find_methods(const std::vector<std::string>& names);
-
-}  // namespace touchstone::methods
+}  // namespace touchstone::cases

@@ -12,12 +12,12 @@
 #include "experiments/workloads/ulp.h"
 #include "experiments/workloads/placement.h"
 
-namespace touchstone::near_edge {
+namespace touchstone::cases {
 namespace {
 
-using methods::PartialAnswer;
-using methods::PreparedMethod;
-using methods::Question;
+using cases::PartialAnswer;
+using cases::PreparedMethod;
+using cases::Question;
 using workloads::BallPlace;
 using workloads::Placement;
 
@@ -214,7 +214,7 @@ std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, Question 
   return growing(balls.size(), [&](std::size_t i) { return oracle.ask(balls[i], question); });
 }
 
-std::optional<Crossing> draw_crossing(const SamplePlace& place, const methods::Method& truth) {
+std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Method& truth) {
   const auto& [family, placement, threshold] = all_strata()[place.stratum];
   workloads::Workload workload;
   workload.family = family;
@@ -241,4 +241,4 @@ std::optional<Crossing> draw_crossing(const SamplePlace& place, const methods::M
   }
 }
 
-}  // namespace touchstone::near_edge
+}  // namespace touchstone::cases

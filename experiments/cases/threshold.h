@@ -13,7 +13,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::near_edge {
+namespace touchstone::cases {
 
 /// What a ball is moved across, double by double.
 enum class Threshold {
@@ -70,12 +70,12 @@ struct SamplePlace {
 struct Crossing {
   Polygon polygon;
   std::vector<Ball> balls;
-  std::vector<methods::PartialAnswer> truths;  ///< of each ball: plane, foot, edges_hit, contact
+  std::vector<cases::PartialAnswer> truths;  ///< of each ball: plane, foot, edges_hit, contact
 };
 
 /// The sample of that place, with the truth by a method that is right (`exact` or `filtered`: the same bits). Nothing
 /// where none was found.
-[[nodiscard]] std::optional<Crossing> draw_crossing(const SamplePlace& place, const methods::Method& truth);
+[[nodiscard]] std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Method& truth);
 
 /// Where a foot leaves the polygon: not outside at `last`, outside one double further.
 struct FootCrossing {
@@ -90,8 +90,8 @@ struct FootCrossing {
 
 /// What one question has for answers about the balls of a crossing whose radius is moved, by a method that is right:
 /// answers do not change between two radii with the same one.
-[[nodiscard]] std::vector<methods::PartialAnswer> ask_growing(const std::vector<Ball>& balls,
-                                                              methods::Question question,
-                                                              const methods::PreparedMethod& oracle);
+[[nodiscard]] std::vector<cases::PartialAnswer> ask_growing(const std::vector<Ball>& balls,
+                                                              cases::Question question,
+                                                              const cases::PreparedMethod& oracle);
 
-}  // namespace touchstone::near_edge
+}  // namespace touchstone::cases

@@ -9,7 +9,7 @@
 
 #include "experiments/workloads/ulp.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 namespace {
 
 Verdict number(double value) {
@@ -116,7 +116,7 @@ bool is_answer_key(std::string_view key) {
   return std::find(kAnswerKeys.begin(), kAnswerKeys.end(), key) != kAnswerKeys.end();
 }
 
-Verdict object_of(const methods::PartialAnswer& answer) {
+Verdict object_of(const cases::PartialAnswer& answer) {
   Verdict verdict = Verdict::object();
   if (answer.plane) verdict["plane"] = word(*answer.plane);
   if (answer.plane_tangent) verdict["plane_tangent"] = *answer.plane_tangent;
@@ -143,7 +143,7 @@ Verdict answer_in(const nlohmann::json& reply) {
   return answer;
 }
 
-Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer) {
+Verdict verdict_of(const std::string& id, std::string_view method, const cases::PartialAnswer& answer) {
   Verdict verdict = Verdict::object();
   verdict["id"] = id;
   verdict["method"] = method;
@@ -160,7 +160,7 @@ Verdict verdict_of(const std::optional<std::string>& id, std::string_view method
   return verdict;
 }
 
-void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radius) {
+void explain(Verdict& verdict, const cases::PartialAnswer& answer, double radius) {
   if (!answer.stage.empty()) verdict["stage"] = answer.stage;
   if (answer.distance && !std::isnan(*answer.distance))
     verdict["margin"] = workloads::doubles_between(*answer.distance, radius);
@@ -201,4 +201,4 @@ std::string to_line(const Verdict& verdict) {
   return line + '\n';
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

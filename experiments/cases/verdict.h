@@ -11,7 +11,7 @@
 #include "experiments/cases/method.h"
 #include "geometry/shapes/rejection.h"
 
-namespace touchstone::judge {
+namespace touchstone::cases {
 
 /// A verdict of the contract as an object whose keys keep their order.
 using Verdict = nlohmann::ordered_json;
@@ -21,13 +21,13 @@ using Verdict = nlohmann::ordered_json;
 
 /// The keys that a method computed, as they stand in a verdict or in `expected`. Numbers beyond the finite doubles
 /// become null, -0 becomes 0.
-[[nodiscard]] Verdict object_of(const methods::PartialAnswer& answer);
+[[nodiscard]] Verdict object_of(const cases::PartialAnswer& answer);
 
 /// The keys of an answer or a rejection that a reply in JSON has; its numbers as object_of writes them.
 [[nodiscard]] Verdict answer_in(const nlohmann::json& reply);
 
 /// `id` and `method`, then the keys that the method computed.
-[[nodiscard]] Verdict verdict_of(const std::string& id, std::string_view method, const methods::PartialAnswer& answer);
+[[nodiscard]] Verdict verdict_of(const std::string& id, std::string_view method, const cases::PartialAnswer& answer);
 
 /// `id` (null if there is none), `method`, `error` and `message`.
 [[nodiscard]] Verdict verdict_of(const std::optional<std::string>& id, std::string_view method,
@@ -35,7 +35,7 @@ using Verdict = nlohmann::ordered_json;
 
 /// For --explain: adds `stage` (if the method tells) and `margin`, how many doubles the radius lies above the distance
 /// of the answer (null where the method computes none).
-void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radius);
+void explain(Verdict& verdict, const cases::PartialAnswer& answer, double radius);
 
 /// What of `expected` the verdict does not meet, a sentence for each key: `relation: expected "touching", found
 /// "separate"`. Compared by value, nested objects whole: numbers of `point`, `distance` and `off_plane` as the doubles
@@ -49,4 +49,4 @@ void explain(Verdict& verdict, const methods::PartialAnswer& answer, double radi
 /// One line of JSON, numbers in the shortest form that reads back as the same double (std::to_chars).
 [[nodiscard]] std::string to_line(const Verdict& verdict);
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::cases

@@ -32,17 +32,17 @@ struct AreaOptions {
   std::string file, meshes, output = "results/cell-area";
   std::vector<std::string> changes;
   double angle_step = 5, length_step = 25, overhang = 8;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   bool force = false, no_pictures = false;
 };
 
 std::string command_line(const AreaOptions& options) {
-  std::string line = "touchstone cell area " + run::shell_quoted(options.file);
-  for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
-  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
+  std::string line = "touchstone cell area " + harness::shell_quoted(options.file);
+  for (const std::string& change : options.changes) line += " --set " + harness::shell_quoted(change);
+  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
   return line + fmt::format(" --angle-step {:g} --length-step {:g} --overhang {:g} --threads {} --output {}{}",
                             options.angle_step, options.length_step, options.overhang, options.threads,
-                            run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+                            harness::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
 }
 
 /// The multiples of a step from `low` to `high`, both at most half a step away.
@@ -57,7 +57,7 @@ std::string text_of(const std::vector<Tried>& tried) {
   std::string text = "angle_deg,radius,height,outcome,reason\n";
   for (const Tried& each : tried)
     text += fmt::format("{},{},{},{},{}\n", each.angle, each.radius, each.height,
-                        each.cause ? word(*each.cause) : "completed", run::csv_field(each.reason));
+                        each.cause ? word(*each.cause) : "completed", harness::csv_field(each.reason));
   return text;
 }
 
@@ -73,7 +73,7 @@ std::string table_of(const std::vector<Tried>& tried) {
 int run(const AreaOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const auto parts = build_model(cell);
@@ -90,10 +90,10 @@ int run(const AreaOptions& options) {
   const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
   const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};
 
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
-    run::ProgressLine line("places of the storage", plan.size() + heights.size());
+    harness::ProgressLine line("places of the storage", plan.size() + heights.size());
     in_plan = try_places(cell, parts, covered, plan, options.threads, interrupt.requested(), std::ref(line));
     if (in_plan)
       in_height = try_places(cell, parts, covered, heights, options.threads, interrupt.requested(),
@@ -101,16 +101,16 @@ int run(const AreaOptions& options) {
   }
   if (!in_height) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
-  run::write_file(folder / "plan.csv", text_of(*in_plan));
-  run::write_file(folder / "heights.csv", text_of(*in_height));
+  harness::write_file(folder / "plan.csv", text_of(*in_plan));
+  harness::write_file(folder / "heights.csv", text_of(*in_height));
   const auto station = [&](const char* name, const Station& s) {
     return fmt::format("{},{},{},{},{}\n", name, s.home, s.angle, s.radius, s.height);
   };
-  run::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
+  harness::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
                                                station("storage", cell.storage) + station("machine", cell.machine));
-  run::write_run_record(folder,
+  harness::write_run_record(folder,
                         {.command = command_line(options),
                          .samples_asked = plan.size() + heights.size(),
                          .samples_done = plan.size() + heights.size(),
@@ -118,8 +118,8 @@ int run(const AreaOptions& options) {
                          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
-  run::flush_standard_output();
-  if (!options.no_pictures) run::draw_pictures("cell_area", held);
+  harness::flush_standard_output();
+  if (!options.no_pictures) harness::draw_pictures("cell_area", held);
   return 0;
 }
 
@@ -147,12 +147,12 @@ void add_area(CLI::App& cell, int& status) {
   command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  run::add_threads(*command, options->threads);
+  harness::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

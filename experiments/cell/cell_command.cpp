@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 
 #include "experiments/cell/cell_commands.h"
-#include "experiments/commands.h"
 
 namespace touchstone::commands {
 
@@ -17,6 +16,7 @@ void add_cell(CLI::App& app, int& status) {
   cell::add_area(*command, status);
   cell::add_serve(*command, status);
   cell::add_export(*command, status);
+  cell::add_cases(*command);
 }
 
 }  // namespace touchstone::commands

@@ -16,5 +16,6 @@ void add_run(CLI::App& cell, int& status);
 void add_area(CLI::App& cell, int& status);
 void add_serve(CLI::App& cell, int& status);
 void add_export(CLI::App& cell, int& status);
+void add_cases(CLI::App& cell);
 
 }  // namespace touchstone::cell

@@ -32,7 +32,7 @@ std::string row(const char* what, const ModelCounts& counts) {
 
 int run(const ConvertOptions& options) {
   constexpr int kDiffers = 1;
-  run::refuse_overwrite(options.to, options.force);
+  harness::refuse_overwrite(options.to, options.force);
   LinkModel model = read_model(options.from);
   if (!options.name.empty()) {
     // A mesh is one part of the link's name.
@@ -50,7 +50,7 @@ int run(const ConvertOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw BadConversion(fmt::format("{}: {}; --name gives another", options.from, error.what()));
   }
-  run::write_file(options.to, text, options.force);
+  harness::write_file(options.to, text, options.force);
   const LinkModel read = read_model(options.to);
 
   fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "triangles",
@@ -74,7 +74,7 @@ void add_convert(CLI::App& cell, int& status) {
   command->add_flag("--merge", options->merge, "Make polygons with holes of coplanar faces")->excludes(weld);
   command->add_option("--name", options->name, "Of the link, one word; else that of the file or model");
   command->add_flag("--force", options->force, "Write over a file that is there");
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

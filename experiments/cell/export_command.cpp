@@ -32,14 +32,14 @@ int run(const ExportOptions& options) {
   if (extension != ".html" && extension != ".gltf" && extension != ".glb")
     throw std::invalid_argument(
         fmt::format("{}: the extension '{}' is none of .html, .gltf and .glb", options.file, extension));
-  run::refuse_overwrite(options.file, options.force);
+  harness::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
   const browser::Recording recording = simulator.run(browser::setting_of(simulator.cell()));
   const std::string text = extension == ".html"
                                ? browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording))
                            : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
                                                   : browser::gltf_binary(recording, options.rate);
-  run::write_file(options.file, text, options.force);
+  harness::write_file(options.file, text, options.force);
   fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.looks.size(), text.size(),
              io::all_legible(options.file));
   if (recording.process.failure.empty()) return 0;
@@ -64,7 +64,7 @@ void add_export(CLI::App& cell, int& status) {
       ->capture_default_str();
   command->add_flag("--force", options->force, "Write over a file that is there");
   add_run_options(*command, options->run);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

@@ -17,7 +17,7 @@
 #include "robust/exact/validate.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::corpus {
+namespace touchstone::cell {
 namespace {
 
 constexpr double kOverhang = 8;  // of the arm's cover, which does not matter here
@@ -45,14 +45,14 @@ std::optional<std::size_t> nearest_stop(const cell::Process& process, const Poly
 }
 
 std::string lines_about(const std::string& id, const std::string& origin, const Ball& sphere, const Polygon& polygon) {
-  const judge::Verdict truth = exact_answer(sphere, polygon);
-  std::string lines = line_of({id, sphere, polygon, {"sphere"}, origin}, truth);
+  const cases::Verdict truth = corpus::exact_answer(sphere, polygon);
+  std::string lines = corpus::line_of({id, sphere, polygon, {"sphere"}, origin}, truth);
   for (const int doubles : {-1, 0, 1}) {
     const Ball ball{sphere.center, workloads::move_by_doubles(truth["distance"].get<double>(), doubles)};
     if (ball.radius < 0) continue;
-    const judge::Verdict there = exact_answer(ball, polygon);
-    if (failing_witnesses(ball, polygon, there).empty()) continue;
-    lines += line_of({fmt::format("{}-k{}", id, doubles),
+    const cases::Verdict there = corpus::exact_answer(ball, polygon);
+    if (corpus::failing_witnesses(ball, polygon, there).empty()) continue;
+    lines += corpus::line_of({fmt::format("{}-k{}", id, doubles),
                       ball,
                       polygon,
                       {"near"},
@@ -89,4 +89,4 @@ std::string gripper_cases(const std::string& cell_file) {
   return text;
 }
 
-}  // namespace touchstone::corpus
+}  // namespace touchstone::cell

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace touchstone::corpus {
+namespace touchstone::cell {
 
 /// Cases of a cell's run, a line each, as experiments/judge/corpus/given/gripper.jsonl holds them: of every face of its
 /// obstacles and of the material that the gripper's sphere comes near to, the stop at which it comes nearest, with the
@@ -12,4 +12,4 @@ namespace touchstone::corpus {
 /// and building its model throw.
 [[nodiscard]] std::string gripper_cases(const std::string& cell_file);
 
-}  // namespace touchstone::corpus
+}  // namespace touchstone::cell

@@ -15,6 +15,7 @@
 #include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
@@ -30,12 +31,12 @@ struct RunCommandOptions : RunOptions {
 };
 
 std::string command_line(const RunCommandOptions& options) {
-  std::string line = "touchstone cell run " + run::shell_quoted(options.file);
-  for (const std::string& change : options.changes) line += " --set " + run::shell_quoted(change);
-  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
-  line += fmt::format(" --method {} --overhang {:g}", run::joined(options.methods), options.overhang);
+  std::string line = "touchstone cell run " + harness::shell_quoted(options.file);
+  for (const std::string& change : options.changes) line += " --set " + harness::shell_quoted(change);
+  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
+  line += fmt::format(" --method {} --overhang {:g}", harness::joined(options.methods), options.overhang);
   if (options.every_face) line += " --every-face";
-  return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
+  return line + (options.output.empty() ? "" : " --output " + harness::shell_quoted(options.output));
 }
 
 /// Seconds since it was made, or last asked.
@@ -55,9 +56,9 @@ class Stopwatch {
 int run(const RunCommandOptions& options) {
   Stopwatch watch;
   const auto methods = methods::find_methods(options.methods);
-  std::optional<run::OutputFolder> folder;
+  std::optional<harness::OutputFolder> folder;
   if (!options.output.empty())
-    folder.emplace(options.output, command_line(options), run::Existing{.force = options.force});
+    folder.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const Workcell workcell(cell, build_model(cell), options.overhang);
@@ -70,7 +71,7 @@ int run(const RunCommandOptions& options) {
              cell.name, summary(workcell, process, contest), before, cycle, held);
   if (!options.output.empty()) {
     write_run(options.output, workcell, process, contest);
-    run::write_run_record(options.output, {.command = command_line(options),
+    harness::write_run_record(options.output, {.command = command_line(options),
                                            .samples_asked = process.stops.size(),
                                            .samples_done = process.stops.size(),
                                            .seconds = before + cycle + held});
@@ -91,8 +92,8 @@ void add_run(CLI::App& cell, int& status) {
   command->add_flag("--every-face", options->every_face,
                     "Ask about faces out of reach too, as without boxes (slow methods excepted)");
   command->add_option("--output", options->output, "A folder for moves, trajectory, methods and disagreements");
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/cell/run_options.h"
 
 #include <CLI/CLI.hpp>

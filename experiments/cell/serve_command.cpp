@@ -27,9 +27,9 @@ struct ServeOptions {
 };
 
 int run(const ServeOptions& options) {
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   RunOptions chosen = options.run;
-  if (chosen.file.empty()) chosen.file = (run::source_folder() / "experiments/cell/cells/aristo.json").string();
+  if (chosen.file.empty()) chosen.file = (harness::source_folder() / "experiments/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
   std::optional<browser::Routes> routes;
   browser::HttpServer server(options.host, options.port,
@@ -38,7 +38,7 @@ int run(const ServeOptions& options) {
   if (!server.loopback())
     fmt::print(stderr, "touchstone: --host {}: other machines can reach this server, too\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
-  run::flush_standard_output();
+  harness::flush_standard_output();
   server.run(interrupt.requested());
   return 0;
 }
@@ -53,7 +53,7 @@ void add_serve(CLI::App& cell, int& status) {
   command->add_option("--host", options->host, "The address to listen at; the default can be reached from here alone")
       ->capture_default_str();
   add_run_options(*command, options->run);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

@@ -30,23 +30,23 @@ struct ShowOptions {
 };
 
 std::string command_line(const ShowOptions& options) {
-  std::string line = "touchstone cell show " + run::shell_quoted(options.file);
-  if (!options.meshes.empty()) line += " --meshes " + run::shell_quoted(options.meshes);
-  return line + " --output " + run::shell_quoted(options.output);
+  std::string line = "touchstone cell show " + harness::shell_quoted(options.file);
+  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
+  return line + " --output " + harness::shell_quoted(options.output);
 }
 
 int run(const ShowOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  std::optional<run::OutputFolder> held;
+  std::optional<harness::OutputFolder> held;
   if (!options.output.empty()) {
-    held.emplace(folder, command_line(options), run::Existing{.force = options.force});
-    run::make_folder(folder / "models");
+    held.emplace(folder, command_line(options), harness::Existing{.force = options.force});
+    harness::make_folder(folder / "models");
   }
   const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
   std::vector<ModelPart> parts;
   {
-    std::optional<run::ProgressLine> line;
+    std::optional<harness::ProgressLine> line;
     parts = build_model(cell, [&](std::size_t done, std::size_t total) {
       if (!line) line.emplace("cell: parts", total);
       (*line)(done);
@@ -57,7 +57,7 @@ int run(const ShowOptions& options) {
   write_faces(folder, parts);
   const std::size_t models = write_models(folder / "models", parts);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = command_line(options),
                                  .samples_asked = parts.size(),
                                  .samples_done = parts.size(),
                                  .seconds = seconds});
@@ -75,8 +75,8 @@ void add_show(CLI::App& cell, int& status) {
   command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
   command->add_option("--output", options->output,
                       "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::cell

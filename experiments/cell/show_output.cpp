@@ -116,12 +116,12 @@ void write_faces(const std::filesystem::path& folder, const std::vector<ModelPar
       text += fmt::format("{},{},{},{},{},{}\n", part.name, word(part.carrier), i, face.polygon.vertex_count(),
                           face.polygon.loop_count() - 1, face.off_plane);
     }
-  run::write_file(folder / "faces.csv", text);
+  harness::write_file(folder / "faces.csv", text);
 }
 
 std::size_t write_models(const std::filesystem::path& folder, const std::vector<ModelPart>& parts) {
   const auto models = models_of(parts);
-  for (const auto& [name, model] : models) run::write_file(folder / (name + ".txt"), link_model_text(model));
+  for (const auto& [name, model] : models) harness::write_file(folder / (name + ".txt"), link_model_text(model));
   return models.size();
 }
 

@@ -5,7 +5,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atomic<bool>& stop,
                          const Progress& progress,
@@ -38,4 +38,4 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
   return done;
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

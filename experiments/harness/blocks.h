@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// Told, by one thread at a time, how many blocks are done.
 using Progress = std::function<void(std::uint64_t done)>;
@@ -19,4 +19,4 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
                          const Progress& progress,
                          const std::function<void(unsigned thread, std::uint64_t block)>& work);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

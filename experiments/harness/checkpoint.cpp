@@ -11,7 +11,7 @@
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/write_file.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 /// As on the command line: ` --seed 3 --method fast,thesis`.
@@ -61,7 +61,7 @@ void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
 
 void Checkpoint::refuse(const nlohmann::json::exception& error, std::string_view text) const {
-  refuse("is no checkpoint of this program: " + judge::json_fault(error, text));
+  refuse("is no checkpoint of this program: " + harness::json_fault(error, text));
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

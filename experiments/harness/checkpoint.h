@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// What has been done of a long run, in a file that always holds one whole state.
 class Checkpoint {
@@ -57,4 +57,4 @@ class Checkpoint {
   nlohmann::ordered_json settings_;
 };
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

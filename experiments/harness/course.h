@@ -11,7 +11,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/sweep.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// How a study is run: none of this changes what comes out.
 template <class State>
@@ -52,4 +52,4 @@ State begin(const Checkpoint& checkpoint, const Processes& processes, bool resum
   return state;
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

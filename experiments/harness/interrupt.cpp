@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 std::atomic<bool> requested_once = false;
@@ -29,4 +29,4 @@ Interrupt::~Interrupt() {
 
 const std::atomic<bool>& Interrupt::requested() const { return requested_once; }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// While one exists, the first SIGINT or SIGTERM (with which `mpirun` ends its processes) only sets `requested`; a
 /// second one ends the process as ever. One at a time.
@@ -20,4 +20,4 @@ class Interrupt {
 /// The exit status of an interrupted run.
 inline constexpr int kInterrupted = 130;
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

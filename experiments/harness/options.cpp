@@ -9,7 +9,7 @@
 #include "experiments/harness/whole_number.h"
 #include "geometry/io/legible.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 std::string check_utf8(const std::string& name) {
@@ -57,4 +57,4 @@ void add_force(CLI::App& command, bool& force) {
   if (auto* resume = command.get_option_no_throw("--resume")) added->excludes(resume);
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

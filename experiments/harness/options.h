@@ -10,7 +10,7 @@ class App;
 }
 
 /// Options that several studies have. Help shows what a variable holds when its option is added.
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// Names, separated by commas: one argument, so that what stands behind it is another's.
 void add_names(CLI::App& command, const std::string& option, std::vector<std::string>& names, const std::string& about);
@@ -37,4 +37,4 @@ void add_resume(CLI::App& command, bool& resume);
 /// --force, beside --resume if the command has that already, but not with it.
 void add_force(CLI::App& command, bool& force);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -20,7 +20,7 @@
 #include "experiments/harness/write_file.h"
 #include "geometry/io/legible.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 constexpr const char* kLock = ".lock";
@@ -128,4 +128,4 @@ void OutputFolder::release() {
 
 void OutputFolder::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

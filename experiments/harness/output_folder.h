@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// What a run may do in a folder that is not empty: nothing, unless one of these is set.
 struct Existing {
@@ -46,4 +46,4 @@ class OutputFolder {
   int descriptor_ = -1;
 };
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -8,7 +8,7 @@
 
 #include "experiments/harness/run_record.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 bool draw_pictures(const std::string& name, const OutputFolder& folder) {
   folder.share();
@@ -26,4 +26,4 @@ bool draw_pictures(const std::string& name, const OutputFolder& folder) {
   return false;
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

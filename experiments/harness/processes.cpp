@@ -15,7 +15,7 @@
 
 #include "geometry/io/legible.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 constexpr int kTexts = 1;  // the only kind of message
@@ -109,11 +109,11 @@ int run_together(const std::function<int(const Processes&)>& work) {
   }
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness
 
 #else
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 std::uint64_t Processes::largest(std::uint64_t value) const { return value; }
 std::uint64_t Processes::of_first(std::uint64_t value) const { return value; }
@@ -121,11 +121,11 @@ std::string Processes::of_first(std::string text) const { return text; }
 std::vector<std::string> Processes::gathered(const std::string&) const { return {}; }
 int run_together(const std::function<int(const Processes&)>& work) { return work(Processes()); }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness
 
 #endif
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 int run_alone(const std::function<int()>& work) {
   return run_together([&work](const Processes& processes) {
@@ -134,4 +134,4 @@ int run_alone(const std::function<int()>& work) {
   });
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// The processes that work together: those that `mpirun` started, or this one alone.
 ///
@@ -47,4 +47,4 @@ int run_together(const std::function<int(const Processes&)>& work);
 /// error, told as above: each would do all of the work and write the same files.
 int run_alone(const std::function<int()>& work);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

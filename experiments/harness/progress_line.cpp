@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/percent.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 /// `40 s`, `12 min`, `3.5 h`.
@@ -53,4 +53,4 @@ void ProgressLine::operator()(std::uint64_t done) {
   std::fflush(stderr);
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// What the line says after `seconds` of work that led from `before` to `done` of `total` things: the share of the
 /// whole that is done, and the time left at this pace. What was done before does not count for the pace.
@@ -32,4 +32,4 @@ class ProgressLine {
   Clock::time_point begin_, last_;
 };
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

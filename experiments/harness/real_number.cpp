@@ -7,7 +7,7 @@
 
 #include "geometry/io/text_number.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 std::function<std::string(const std::string&)> real_number(double lowest, double highest) {
   return [lowest, highest](const std::string& text) -> std::string {
@@ -21,4 +21,4 @@ std::function<std::string(const std::string&)> real_number(double lowest, double
   };
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -24,7 +24,7 @@
 #define TOUCHSTONE_ENGINES ""
 #endif
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 #ifdef __clang__
@@ -101,4 +101,4 @@ void write_run_record(const std::filesystem::path& folder, const Run& run) {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ",")); }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// What a sidecar says of a run besides the compiler, the flags, the commit, the machine and the date.
 struct Run {
@@ -32,4 +32,4 @@ void write_run_record(const std::filesystem::path& folder, const Run& run);
 /// As the value of an option: words separated by commas.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 std::string cannot_be_written(int error) {
@@ -29,4 +29,4 @@ std::string message_of(const std::exception& error) {
   return failure != nullptr && std::ferror(stdout) != 0 ? cannot_be_written(failure->code().value()) : error.what();
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

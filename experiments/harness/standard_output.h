@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// Writes what standard output still holds back: at the end of every command, and before others write there or to
 /// standard error.
@@ -16,4 +16,4 @@ void flush_standard_output();
 /// What an exception that ended a command says. `fmt::print` names no file; this names standard output.
 [[nodiscard]] std::string message_of(const std::exception& error);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 void LegLength::adapt(double seconds) {
   if (seconds < seconds_ / 2) blocks_ *= 2;
@@ -43,4 +43,4 @@ std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, LegLength& length
   return item(furthest);
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -11,7 +11,7 @@
 #include "experiments/harness/blocks.h"
 #include "experiments/harness/processes.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// Many items, each asked about by itself, and what is known of who asks.
 struct Sweep {
@@ -74,4 +74,4 @@ std::uint64_t run_sweep(const Sweep& sweep, const Work& work, const Save& save, 
   return done;
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <system_error>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 std::function<std::string(const std::string&)> whole_number(std::uint64_t lowest, std::uint64_t highest) {
   return [lowest, highest](const std::string& text) -> std::string {
@@ -19,4 +19,4 @@ std::function<std::string(const std::string&)> whole_number(std::uint64_t lowest
   };
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 /// A file that vanishes unless it takes its final name.
@@ -111,4 +111,4 @@ void make_folder(const std::filesystem::path& folder) {
     throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
 }
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

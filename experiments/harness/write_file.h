@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 
 /// Writes the text, byte for byte: to a new file beside, which then takes the name. Readers thus find the earlier file
 /// or the whole new one, and a symbolic link of that name is replaced, not followed.
@@ -30,4 +30,4 @@ void refuse_overwrite(const std::filesystem::path& file, bool force);
 /// Throws std::runtime_error, which names the folder.
 void make_folder(const std::filesystem::path& folder);
 
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -8,7 +8,7 @@
 #include <map>
 #include <system_error>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/whole_number.h"
@@ -17,8 +17,8 @@
 namespace touchstone::commands {
 namespace {
 
-using judge::Verdict;
-using methods::Question;
+using cases::Verdict;
+using cases::Question;
 
 // A method that never fails must not make the search for failures run for ever.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
@@ -47,12 +47,12 @@ void add_word(CLI::App& command, const std::string& name, Enumerator& target, co
       ->default_str(std::string(workloads::word(target)));
 }
 
-Verdict ask(const methods::Method& method, const workloads::Sample& sample) {
-  return judge::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+Verdict ask(const cases::Method& method, const workloads::Sample& sample) {
+  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
 }
 
 /// Does one of the methods give a key whose value is not that of the truth, the roundings of point and distance aside?
-bool fails(const std::vector<const methods::Method*>& methods, const workloads::Sample& sample, const Verdict& truth) {
+bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample, const Verdict& truth) {
   for (const auto* method : methods) {
     const Verdict given = ask(*method, sample);
     for (const char* key : {"foot", "edges_hit", "relation", "contact", "nearest"})
@@ -67,7 +67,7 @@ bool fails(const std::vector<const methods::Method*>& methods, const workloads::
 
 void print(const CasesOptions& options) {
   const auto failing = methods::find_methods(options.failing);
-  const methods::Method& exact = *methods::find_method("exact");
+  const cases::Method& exact = *methods::find_method("exact");
   std::uint64_t printed = 0;
   for (std::uint64_t index = options.first; printed < options.count; ++index) {
     const workloads::Sample sample = workloads::sample(options.workload, options.seed, index);
@@ -78,7 +78,7 @@ void print(const CasesOptions& options) {
       continue;
     }
     ++printed;
-    const std::string line = judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, sample.tags,
+    const std::string line = cases::to_line(cases::case_of(sample.id, sample.ball, sample.polygon, sample.tags,
                                                            options.expected ? expected : Verdict(nullptr)));
     if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
   }
@@ -100,17 +100,17 @@ void add_cases(CLI::App& app) {
            {workloads::Placement::LatticeFrame, workloads::Placement::Rotated}, "How the outline comes into space");
   add_word(*command, "--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")
-      ->check(run::whole_number(3, 1U << 17))
+      ->check(harness::whole_number(3, 1U << 17))
       ->capture_default_str();
-  command->add_option("--holes", workload.holes, "Holes")->check(run::whole_number(0))->capture_default_str();
+  command->add_option("--holes", workload.holes, "Holes")->check(harness::whole_number(0))->capture_default_str();
   command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
   command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  run::add_seed(*command, options->seed);
-  command->add_option("--first", options->first, "Number of the first sample")->check(run::whole_number(0));
-  command->add_option("--count", options->count, "Cases to print")->check(run::whole_number(0))->capture_default_str();
+  harness::add_seed(*command, options->seed);
+  command->add_option("--first", options->first, "Number of the first sample")->check(harness::whole_number(0));
+  command->add_option("--count", options->count, "Cases to print")->check(harness::whole_number(0))->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
-  run::add_names(*command, "--failing", options->failing, "Only cases on which one of these methods errs");
+  harness::add_names(*command, "--failing", options->failing, "Only cases on which one of these methods errs");
   command->callback([options] { print(*options); });
 }
 

@@ -22,10 +22,10 @@ constexpr std::size_t kMostUnasked = std::size_t{1} << 20;
 constexpr int kMostForeign = 16;
 
 /// The sender's side: cases go to the engine, and wait for their replies.
-void send_lines(const Order& order, Engine& engine, Waiting& waiting) {
+void send_lines(const Order& order, methods::Engine& engine, Waiting& waiting) {
   bool reads = true;
-  read_lines(order.files, [&](Line&& line) {
-    const bool asked = reads && line.read && std::holds_alternative<Shapes>(line.read->content);
+  cases::read_lines(order.files, [&](cases::Line&& line) {
+    const bool asked = reads && line.read && std::holds_alternative<cases::Shapes>(line.read->content);
     const std::string text = asked ? std::move(line.text) + '\n' : std::string();
     line.text.clear();
     // Before it is sent: then output of the engine while nothing waits is output that nobody asked for.
@@ -41,7 +41,7 @@ void send_lines(const Order& order, Engine& engine, Waiting& waiting) {
 /// The receiver's side.
 class Replies {
  public:
-  Replies(Engine& engine, Waiting& waiting, Proceedings& proceedings)
+  Replies(methods::Engine& engine, Waiting& waiting, Proceedings& proceedings)
       : engine_(engine), waiting_(waiting), proceedings_(proceedings) {}
 
   /// Waits for a line. The engine's output is read meanwhile: it might read no more before it is rid of it.
@@ -55,7 +55,7 @@ class Replies {
   /// The engine's verdict on a case that was sent, or that it gave none: its next verdict is on a case that was sent
   /// later, or it has ended. A line that is a verdict on neither is told with this case; a second one that names no
   /// case is left for the next.
-  void settle(const Line& line) {
+  void settle(const cases::Line& line) {
     const bool had_ended = ended_;
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
@@ -74,7 +74,7 @@ class Replies {
       next_.reset();
     }
     if (engine_.too_long() && !had_ended) {
-      proceedings_.blame_engine(line, Engine::kTooLong);
+      proceedings_.blame_engine(line, methods::Engine::kTooLong);
       told = true;
     }
     if (told)
@@ -84,7 +84,7 @@ class Replies {
   }
 
   /// The same for one that was not sent, since the engine read no more.
-  void settle_without(const Line& line) {
+  void settle_without(const cases::Line& line) {
     ++missing_;
     proceedings_.blame_engine(line, "no verdict");
     proceedings_.give_no_reply(line);
@@ -118,7 +118,7 @@ class Replies {
     surplus_ = true;
   }
 
-  Engine& engine_;
+  methods::Engine& engine_;
   Waiting& waiting_;
   Proceedings& proceedings_;
   std::optional<Reply> next_;
@@ -129,7 +129,7 @@ class Replies {
 /// Lets the sender come to its end, however the receiver came to its own.
 struct Release {
   Waiting& waiting;
-  Engine& engine;
+  methods::Engine& engine;
   ~Release() {
     waiting.abandon();
     engine.end_input();
@@ -141,11 +141,11 @@ struct Release {
 
 Status judge_with_engine(const Order& order) {
   Proceedings proceedings(order);
-  Engine engine(order.engine);
+  methods::Engine engine(order.engine);
   Waiting waiting;
   std::exception_ptr failure;
   std::jthread sender([&] {
-    leave_interruptions_to_others();
+    methods::leave_interruptions_to_others();
     try {
       send_lines(order, engine, waiting);
     } catch (...) {
@@ -158,7 +158,7 @@ Status judge_with_engine(const Order& order) {
 
   Replies replies(engine, waiting, proceedings);
   while (const auto entry = replies.next_line()) {
-    const Line& line = entry->line;
+    const cases::Line& line = entry->line;
     if (!line.read) {
       proceedings.complain(line.complaint);
       proceedings.worsen(InputRejected);

@@ -10,7 +10,7 @@ namespace touchstone::judge {
 Status judge(const Order& order) {
   if (!order.engine.empty()) return order.time_limit ? judge_one_by_one(order) : judge_with_engine(order);
   Proceedings proceedings(order);
-  read_lines(order.files, [&](Line&& line) {
+  cases::read_lines(order.files, [&](cases::Line&& line) {
     if (line.read) {
       proceedings.give_own(line);
     } else {

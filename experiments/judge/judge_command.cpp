@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/methods/process/interruption.h"
 #include "experiments/judge/judge.h"
 #include "experiments/harness/options.h"
@@ -45,7 +45,7 @@ void add_judge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
-  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all (default: exact)");
+  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all (default: exact)");
   command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
       ->check(check_command, "COMMAND");
   command
@@ -64,7 +64,7 @@ void add_judge(CLI::App& app, int& status) {
     if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
-    const judge::Interruption interruption;
+    const methods::Interruption interruption;
     status = judge::judge(order);
   });
 }

@@ -38,7 +38,7 @@ class Restarted {
         return std::nullopt;
       }
       if (engine_->too_long()) {
-        reason = Engine::kTooLong;
+        reason = methods::Engine::kTooLong;
         stop();
         return std::nullopt;
       }
@@ -86,10 +86,10 @@ class Restarted {
  private:
   static constexpr const char* kWell = "ended";
 
-  [[nodiscard]] Engine::Deadline in_time() const { return std::chrono::steady_clock::now() + *order_.time_limit; }
+  [[nodiscard]] methods::Engine::Deadline in_time() const { return std::chrono::steady_clock::now() + *order_.time_limit; }
 
   /// Of one that has closed its output, or will be read no more: it has the time limit to end.
-  [[nodiscard]] std::string ending_of(Engine& engine) const {
+  [[nodiscard]] std::string ending_of(methods::Engine& engine) const {
     engine.stop_reading();
     const auto ending = engine.wait_within(*order_.time_limit);
     if (!ending) {
@@ -100,7 +100,7 @@ class Restarted {
   }
 
   const Order& order_;
-  std::optional<Engine> engine_;
+  std::optional<methods::Engine> engine_;
 };
 
 }  // namespace
@@ -108,11 +108,11 @@ class Restarted {
 Status judge_one_by_one(const Order& order) {
   Proceedings proceedings(order);
   Restarted engine(order);
-  std::optional<Line> last;  // that the engine was asked about
+  std::optional<cases::Line> last;  // that the engine was asked about
   const auto complain_of_surplus = [&] {
     if (engine.has_surplus()) proceedings.blame_engine(*last, "printed more than a line");
   };
-  read_lines(order.files, [&](Line&& line) {
+  cases::read_lines(order.files, [&](cases::Line&& line) {
     complain_of_surplus();
     if (!line.read) {
       proceedings.complain(line.complaint);

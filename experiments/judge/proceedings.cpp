@@ -15,7 +15,7 @@ namespace touchstone::judge {
 namespace {
 
 /// The case, as complaints name it.
-std::string name(const Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
+std::string name(const cases::Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
 
 }  // namespace
 
@@ -25,14 +25,14 @@ void Proceedings::complain(const std::string& sentence) {
 
 void Proceedings::worsen(Status status) { status_ = std::max(status_, status); }
 
-void Proceedings::give_rejection(const Line& line) {
-  const Case& question = *line.read;
+void Proceedings::give_rejection(const cases::Line& line) {
+  const cases::Case& question = *line.read;
   Rejection rejection = std::get<Rejection>(question.content);
   const std::string reason = rejection.message;
   if (!question.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
   const bool expected = question.expected && question.expected->contains("error");
   const auto give = [&](std::string_view method) {
-    const Verdict verdict = verdict_of(question.id, method, rejection);
+    const cases::Verdict verdict = cases::verdict_of(question.id, method, rejection);
     print(verdict);
     if (expected) compare(line, verdict);
   };
@@ -44,49 +44,49 @@ void Proceedings::give_rejection(const Line& line) {
   worsen(InputRejected);
 }
 
-void Proceedings::give_own(const Line& line) {
-  const Case& question = *line.read;
+void Proceedings::give_own(const cases::Line& line) {
+  const cases::Case& question = *line.read;
   if (std::holds_alternative<Rejection>(question.content)) {
     give_rejection(line);
     return;
   }
-  const auto& [ball, polygon] = std::get<Shapes>(question.content);
+  const auto& [ball, polygon] = std::get<cases::Shapes>(question.content);
   for (const auto* method : order_.methods) {
-    methods::PartialAnswer answer;
+    cases::PartialAnswer answer;
     try {
-      answer = method->prepare(polygon)->ask(ball, methods::Question::Answer);
+      answer = method->prepare(polygon)->ask(ball, cases::Question::Answer);
     } catch (const std::exception& error) {  // of another's engine, which others' verdicts shall not suffer from
       complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
-    Verdict verdict = verdict_of(*question.id, method->name(), answer);
+    cases::Verdict verdict = cases::verdict_of(*question.id, method->name(), answer);
     if (order_.explain) explain(verdict, answer, ball.radius);
     print(verdict);
     compare(line, verdict);
   }
 }
 
-bool Proceedings::give_reply(const Line& line, const Reply& reply) {
+bool Proceedings::give_reply(const cases::Line& line, const Reply& reply) {
   const bool is_verdict = reply.id == line.read->id && reply.answer;
   if (!is_verdict) blame_engine(line, reply);
-  give_answer(line, is_verdict ? *reply.answer : Verdict::object());
+  give_answer(line, is_verdict ? *reply.answer : cases::Verdict::object());
   return is_verdict;
 }
 
-void Proceedings::give_no_reply(const Line& line) { give_answer(line, Verdict::object()); }
+void Proceedings::give_no_reply(const cases::Line& line) { give_answer(line, cases::Verdict::object()); }
 
-void Proceedings::blame_engine(const Line& line, const Reply& reply) {
+void Proceedings::blame_engine(const cases::Line& line, const Reply& reply) {
   blame_engine(line, "not a verdict on this case: " + reply.echo);
 }
 
-void Proceedings::blame_engine(const Line& line, const std::string& reason) {
+void Proceedings::blame_engine(const cases::Line& line, const std::string& reason) {
   complain(fmt::format("{}: method {}: {}", name(line), order_.engine, reason));
   worsen(ExpectationNotMet);
 }
 
 /// What the engine answers; nothing where it gives no verdict.
-void Proceedings::give_answer(const Line& line, const Verdict& answer) {
-  Verdict verdict = Verdict::object();
+void Proceedings::give_answer(const cases::Line& line, const cases::Verdict& answer) {
+  cases::Verdict verdict = cases::Verdict::object();
   verdict["id"] = *line.read->id;
   verdict["method"] = order_.engine;
   verdict.update(answer);
@@ -94,18 +94,18 @@ void Proceedings::give_answer(const Line& line, const Verdict& answer) {
   compare(line, verdict);
 }
 
-void Proceedings::print(const Verdict& verdict) {
-  const std::string line = to_line(verdict);
-  const Writing whole;
+void Proceedings::print(const cases::Verdict& verdict) {
+  const std::string line = cases::to_line(verdict);
+  const methods::Writing whole;
   const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();
   if (!written || std::fflush(order_.verdicts) != 0)
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
 }
 
 /// Holds a verdict against what the case expects.
-void Proceedings::compare(const Line& line, const Verdict& verdict) {
+void Proceedings::compare(const cases::Line& line, const cases::Verdict& verdict) {
   if (!line.read->expected) return;
-  for (const std::string& difference : differences(*line.read->expected, verdict)) {
+  for (const std::string& difference : cases::differences(*line.read->expected, verdict)) {
     complain(fmt::format("{}: method {}: {}", name(line), verdict["method"].get<std::string>(), difference));
     worsen(ExpectationNotMet);
   }

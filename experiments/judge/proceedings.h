@@ -20,22 +20,22 @@ class Proceedings {
   void complain(const std::string& sentence);
   void worsen(Status status);
   /// The verdicts of the order's own methods, or of a rejection.
-  void give_own(const Line& line);
+  void give_own(const cases::Line& line);
   /// The verdict of the engine on a case that is not rejected. False, having blamed it, if the reply is none.
-  bool give_reply(const Line& line, const Reply& reply);
+  bool give_reply(const cases::Line& line, const Reply& reply);
   /// The same where the engine gave no verdict: a line without an answer. What it did wrong is to be said besides.
-  void give_no_reply(const Line& line);
+  void give_no_reply(const cases::Line& line);
   /// Says what the engine did wrong with a case that is not rejected.
-  void blame_engine(const Line& line, const std::string& reason);
+  void blame_engine(const cases::Line& line, const std::string& reason);
   /// The same of a line that is not its verdict on the case.
-  void blame_engine(const Line& line, const Reply& reply);
+  void blame_engine(const cases::Line& line, const Reply& reply);
   [[nodiscard]] Status status() const { return status_; }
 
  private:
-  void give_rejection(const Line& line);
-  void give_answer(const Line& line, const Verdict& answer);
-  void print(const Verdict& verdict);
-  void compare(const Line& line, const Verdict& verdict);
+  void give_rejection(const cases::Line& line);
+  void give_answer(const cases::Line& line, const cases::Verdict& answer);
+  void print(const cases::Verdict& verdict);
+  void compare(const cases::Line& line, const cases::Verdict& verdict);
 
   const Order& order_;
   Status status_ = AllMet;

@@ -9,15 +9,15 @@ namespace touchstone::judge {
 Reply read_reply(const std::string& line) {
   Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
   try {
-    const StrictJson read = read_strict_json(line);
+    const harness::StrictJson read = harness::read_strict_json(line);
     if (!read.value.is_object()) return reply;
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
     if (read.duplicate_key)
       reply.echo = "the key \"" + io::legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
-      reply.answer = answer_in(read.value);
-  } catch (const NotJson&) {
+      reply.answer = cases::answer_in(read.value);
+  } catch (const harness::NotJson&) {
     // It is echoed as it stands.
   }
   return reply;

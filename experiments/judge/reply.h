@@ -11,7 +11,7 @@ namespace touchstone::judge {
 /// A line that an engine printed, read by the rules for cases.
 struct Reply {
   std::optional<std::string> id;  ///< of the case that it is about; nothing where it names none, or names it twice
-  std::optional<Verdict> answer;  ///< nothing where it is no verdict
+  std::optional<cases::Verdict> answer;  ///< nothing where it is no verdict
   std::string echo;               ///< the legible beginning of the line, and what is wrong with it if that can be told
 };
 

@@ -21,7 +21,7 @@ class Waiting {
   static constexpr std::size_t kMost = 256;
 
   struct Entry {
-    Line line;
+    cases::Line line;
     bool sent;  ///< the engine is asked about it
   };
 

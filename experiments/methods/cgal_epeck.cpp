@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/kernel_method.h"
 #include "robust/exact/nearest_double.h"
 

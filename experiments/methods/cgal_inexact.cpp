@@ -2,7 +2,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/kernel_method.h"
 
 namespace touchstone::methods {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/ericson.h"
 
-namespace touchstone::bench {
+namespace touchstone::methods {
 namespace {
 
 using Vector = Eigen::Vector3d;
@@ -49,4 +49,4 @@ double ericson_squared_distance(const Eigen::Vector3d& center, const Triangle& t
   return from_closest_point(center, triangle).squaredNorm();
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::methods

@@ -4,7 +4,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::bench {
+namespace touchstone::methods {
 
 /// The usual method in plain doubles, the yardstick of `fast`: the distance of the closest point of the triangle, found
 /// region by region. Source: [ericson2005, 5.1.5].
@@ -12,4 +12,4 @@ namespace touchstone::bench {
 /// The squared distance of that point.
 [[nodiscard]] double ericson_squared_distance(const Eigen::Vector3d& center, const Triangle& triangle);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::methods

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/fast_method.h"
 
 namespace touchstone::methods {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <qd/dd_real.h>
 
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/fast_method.h"
 #include "geometry/contact/fast_definitions.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robust/filtered/filtered.h"
 
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 
 namespace touchstone::methods {
 namespace {

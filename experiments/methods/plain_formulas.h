@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiments/cases/method.h"
+#include "experiments/methods/add_methods.h"
 
 namespace touchstone::methods {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/Gmpq.h>
 
-#include "experiments/methods/all.h"
+#include "experiments/methods/add_methods.h"
 #include "experiments/methods/plain_formulas.h"
 #include "robust/exact/nearest_double.h"
 

@@ -15,7 +15,7 @@
 #include "robust/exact/dropped_axis.h"
 #include "robust/mesh/face_plane.h"
 
-namespace touchstone::triangulation {
+namespace touchstone::methods {
 namespace {
 
 constexpr int kUnseen = -1;
@@ -79,4 +79,4 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
-}  // namespace touchstone::triangulation
+}  // namespace touchstone::methods

@@ -7,7 +7,7 @@
 
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::triangulation {
+namespace touchstone::methods {
 
 /// Triangles of a polygon's own vertices, by number, that cover it once and turn as its outer loop does. Vertices on
 /// straight runs are corners too. Those of a constrained Delaunay triangulation of the polygon with the dropped axis
@@ -16,4 +16,4 @@ namespace touchstone::triangulation {
 /// CGAL's Constrained_Delaunay_triangulation_2 (GPL).
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon);
 
-}  // namespace touchstone::triangulation
+}  // namespace touchstone::methods

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
@@ -22,11 +23,11 @@ struct AskedFace {
   }
 
   [[nodiscard]] bool contact(std::size_t method, const Ball& ball) const {
-    return prepared[method]->ask(ball, methods::Question::Contact).contact.value();
+    return prepared[method]->ask(ball, cases::Question::Contact).contact.value();
   }
 
   filtered::PreparedPolygon truth;
-  std::vector<std::unique_ptr<methods::PreparedMethod>> prepared;
+  std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;
 };
 
 std::vector<AskedFace> asked(const std::vector<Polygon>& faces) {

@@ -30,7 +30,7 @@ Pose inverse(const Pose& pose) {
 }
 
 Pose station_pose(const kinematics::Station& station) {
-  const double c = kinematics::cosine(station.azimuth), s = kinematics::sine(station.azimuth);
+  const double c = workloads::cosine(station.azimuth), s = workloads::sine(station.azimuth);
   Pose pose;
   pose.rotation << c, -s, 0,  //
       s, c, 0,                //
@@ -83,9 +83,9 @@ kinematics::Chain chain_of(const cell::Robot& robot) {
   return {std::move(joints), {}, driver};
 }
 
-Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
+stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
   const Polygon& face = front_face(parts);
-  Outline outline{"gripper", {}};
+  stability::Outline outline{"gripper", {}};
   for (std::size_t i = 0; i < face.vertex_count(); ++i)
     outline.corners.emplace_back(face.vertex(i).x(), face.vertex(i).z());
   return outline;
@@ -112,7 +112,7 @@ ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
     };
     for (const cell::Face& face : part.faces.faces) {
       const Polygon& polygon = face.polygon;
-      for (const auto& corners : triangulation::triangulate(polygon)) {
+      for (const auto& corners : methods::triangulate(polygon)) {
         ordered_json triangle = ordered_json::array();
         for (const std::uint32_t corner : corners) triangle.push_back(number_of(polygon.vertex(corner)));
         triangles.push_back(triangle);

@@ -18,7 +18,7 @@ namespace touchstone::thesis_figures {
 
 /// The largest face of the gripper with most corners, its jaws side by side, as a loop in its own plane that runs
 /// counter-clockwise: x along the cell's, y up.
-[[nodiscard]] Outline gripper_outline(const std::vector<cell::ModelPart>& parts);
+[[nodiscard]] stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts);
 /// The same face where the hand has it after these commands.
 [[nodiscard]] Polygon gripper_face(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
                                    const kinematics::Angles& commanded);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/cell/model/cell.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "experiments/thesis/captions.h"
 
 namespace touchstone::thesis_figures {

@@ -31,7 +31,7 @@ Primitives primitives_of(const cell::Solid& solid) {
     sum.volume = (box->upper - box->lower).prod();
   } else if (const auto* cylinder = std::get_if<cell::Cylinder>(&solid.shape)) {
     sum.cylinders = 1;
-    const double area = cylinder->sides * cylinder->radius * cylinder->radius * sine(360.0 / cylinder->sides) / 2;
+    const double area = cylinder->sides * cylinder->radius * cylinder->radius * workloads::sine(360.0 / cylinder->sides) / 2;
     sum.volume = area * (cylinder->to - cylinder->from).norm();
   } else if (const auto* boolean = std::get_if<cell::Boolean>(&solid.shape)) {
     for (const cell::Solid& part : boolean->parts) {

@@ -6,12 +6,13 @@
 #include <memory>
 
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::thesis_figures {
 namespace {
 
-using methods::PreparedMethod;
-using methods::Question;
+using cases::PreparedMethod;
+using cases::Question;
 
 std::unique_ptr<PreparedMethod> prepare(std::string_view name, const Polygon& polygon) {
   return methods::find_method(name)->prepare(polygon);
@@ -31,9 +32,9 @@ End turned(End end) {
   return end;
 }
 
-bool in_box(const Ball& ball, const Box& box) {
+bool in_box(const Ball& ball, const stability::Box& box) {
   const auto& c = ball.center;
-  const Box reach = box.enlarged(ball.radius, ball.radius);
+  const stability::Box reach = box.enlarged(ball.radius, ball.radius);
   return c.x() >= reach.left && c.x() <= reach.right && c.y() >= reach.bottom && c.y() <= reach.top &&
          std::abs(c.z()) <= ball.radius;
 }
@@ -88,13 +89,13 @@ std::uint64_t Ends::misses() const {
   return sum(*this, [](End method, End exact) { return !is_hit(method) && is_hit(exact); });
 }
 
-Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed,
+Flowchart measure_flowchart(const stability::Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed,
                             std::uint64_t stream) {
   Flowchart flowchart{&outline, radius};
   const Polygon polygon = outline.polygon();
-  const Box bounds = thesis_figures::bounds(outline);
+  const stability::Box bounds = stability::bounds(outline);
   const double r = radius * std::max(bounds.width(), bounds.height());
-  const Box box = bounds.enlarged(3 * r, 3 * r);
+  const stability::Box box = bounds.enlarged(3 * r, 3 * r);
   const auto truth = prepare("filtered", polygon);
   const Ball far{{bounds.left, bounds.bottom, 2 * r}, r};
   std::array<std::unique_ptr<PreparedMethod>, kMethods.size()> prepared;

@@ -47,7 +47,7 @@ inline constexpr std::array kRadii{0.002, 0.01, 0.05, 0.1};
 
 /// What came out for one outline and radius.
 struct Flowchart {
-  const Outline* outline;
+  const stability::Outline* outline;
   double radius;  ///< as a share
   std::array<Ends, kMethods.size()> methods{};
   std::uint64_t culled = 0;  ///< false hits of `thesis` whose ball misses the box around the outline
@@ -59,7 +59,7 @@ struct Flowchart {
 /// Front is what the method calls so: which side that is for each method is asked with one ball far off, and the exact
 /// sides are named alike. Truth is `filtered`. A function of its arguments; streams keep workloads
 /// apart. Cost: about 10 us a ball.
-[[nodiscard]] Flowchart measure_flowchart(const Outline& outline, double radius, std::uint64_t balls,
+[[nodiscard]] Flowchart measure_flowchart(const stability::Outline& outline, double radius, std::uint64_t balls,
                                           std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace touchstone::thesis_figures

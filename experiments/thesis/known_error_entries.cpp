@@ -29,11 +29,11 @@ Number beside_share(Number number, std::uint64_t wrong, std::uint64_t right, dou
 }
 
 void add_areas(const Study& study, EntryList& entries) {
-  const auto area_number = [&](const FalseArea& area, bool chosen) {
+  const auto area_number = [&](const stability::FalseArea& area, bool chosen) {
     return ratio(fmt::format("{}: area wrongly called inside, of its own", area.outline->name), area.wrong, area.right,
                  area.points, chosen);
   };
-  const GripperPoints points = gripper_points(study.gripper());
+  const stability::GripperPoints points = stability::gripper_points(study.gripper());
   const double threshold = 0.99 * 360;
   double least = 720;
   std::uint64_t in_gap = 0, called = 0;
@@ -43,7 +43,7 @@ void add_areas(const Study& study, EntryList& entries) {
                         })->first;
   const double gap_right = 2 * points.gap.x() - gap_left, bottom = bounds(study.gripper()).bottom,
                end = 2 * points.gap.y() - bottom;
-  for (const MapPoint& p : study.map.points) {
+  for (const stability::MapPoint& p : study.map.points) {
     if (p.x < gap_left || p.x > gap_right || p.y < bottom || p.y > end || p.inside) continue;
     ++in_gap;
     called += p.called;
@@ -69,7 +69,7 @@ void add_areas(const Study& study, EntryList& entries) {
   std::vector<Number> areas;
   std::uint64_t missed = 0, right = 0;
   for (std::size_t i = 1; i < study.areas.size(); ++i) {
-    const FalseArea& area = study.areas[i];
+    const stability::FalseArea& area = study.areas[i];
     areas.push_back(beside_share(area_number(area, false), area.wrong, area.right, kStated[i - 1].first,
                                  kStated[i - 1].second, 1'000'000));
     missed += area.missed;

@@ -20,7 +20,7 @@ struct FactorReach {
   double reach;  ///< to 1e-12 of the length
 };
 /// For every edge and the factors 0.99, 0.9999 and 1.
-[[nodiscard]] std::vector<FactorReach> measure_factor_reach(const Outline& outline);
+[[nodiscard]] std::vector<FactorReach> measure_factor_reach(const stability::Outline& outline);
 /// length / (2 tan(90 degrees x factor)): that of an outline that is convex, at an edge seen alone.
 [[nodiscard]] double derived_factor_reach(double length, double factor);
 
@@ -31,7 +31,7 @@ struct NotNumbers {
   std::uint64_t called_outside = 0;             ///< of those in floats, by the method in floats
   std::uint64_t misses = 0;                     ///< of those, balls of radius 1 there that it finds no contact of
 };
-[[nodiscard]] NotNumbers measure_not_numbers(const Outline& outline, std::uint64_t samples, std::uint64_t seed);
+[[nodiscard]] NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed);
 
 /// Balls that touch in one point, exactly.
 struct Touching {
@@ -42,7 +42,7 @@ struct Touching {
 };
 enum class Touched { Face, Edge, Vertex };
 /// Requires an outline whose corners are whole numbers below 2^20, its edges 8 or longer and along the axes.
-[[nodiscard]] Touching measure_touching(const Outline& outline, Touched what, std::uint64_t samples,
+[[nodiscard]] Touching measure_touching(const stability::Outline& outline, Touched what, std::uint64_t samples,
                                         std::uint64_t seed);
 
 /// The outline begun with a further vertex in the middle of its first edge: nothing is changed but N.
@@ -51,7 +51,7 @@ struct Collinear {
   std::uint64_t missed = 0;         ///< by the method as it is
   std::uint64_t missed_newell = 0;  ///< with the Newell normal
 };
-[[nodiscard]] Collinear measure_collinear(const Outline& outline, std::uint64_t samples, std::uint64_t seed);
+[[nodiscard]] Collinear measure_collinear(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed);
 
 /// The outline and balls about it, tilted and moved by `offset` along every axis, all rounded to doubles; truth is
 /// about these.
@@ -62,7 +62,7 @@ struct FarAway {
   /// of `fast`.
   std::array<std::uint64_t, 3> wrong{};
 };
-[[nodiscard]] FarAway measure_far_away(const Outline& outline, double offset, std::uint64_t samples,
+[[nodiscard]] FarAway measure_far_away(const stability::Outline& outline, double offset, std::uint64_t samples,
                                        std::uint64_t seed);
 
 /// Feet Q = C - s N of balls about a polygon anywhere in space, beside those rounded correctly; where the exact foot is
@@ -81,7 +81,7 @@ struct EdgePlaces {
   std::uint64_t before = 0, beside = 0, beyond = 0;  ///< t clamped to the start; within; clamped to the end
   std::array<std::uint64_t, 2> wrong{};              ///< edge tests of `thesis`, `thesis-float` unlike the exact ones
 };
-[[nodiscard]] EdgePlaces measure_edge_places(const Outline& outline, double radius, std::uint64_t balls,
+[[nodiscard]] EdgePlaces measure_edge_places(const stability::Outline& outline, double radius, std::uint64_t balls,
                                              std::uint64_t seed);
 
 }  // namespace touchstone::thesis_figures

@@ -15,7 +15,7 @@ namespace {
 
 using namespace kinematics;
 using nlohmann::ordered_json;
-using run::csv_field;
+using harness::csv_field;
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
@@ -55,18 +55,18 @@ std::string branches_text(const Study& study) {
   return text;
 }
 
-std::string map_text(const AngleMap& map) {
+std::string map_text(const stability::AngleMap& map) {
   std::string text = "x_mm,y_mm,sum_deg,inside,called\n";
-  for (const MapPoint& p : map.points)
+  for (const stability::MapPoint& p : map.points)
     text += fmt::format("{:.4f},{:.4f},{:.4f},{},{}\n", p.x, p.y, p.sum, yes_or_no(p.inside), yes_or_no(p.called));
   return text;
 }
 
 std::string views_text(const Study& study) {
   std::string text = "point,x_mm,y_mm,edge,angle_deg\n";
-  const GripperPoints points = gripper_points(study.gripper());
+  const stability::GripperPoints points = stability::gripper_points(study.gripper());
   for (const auto& [name, at] : {std::pair("palm", points.palm), std::pair("gap", points.gap)}) {
-    const AngleSum sum = angle_sum(study.gripper(), at);
+    const stability::AngleSum sum = stability::angle_sum(study.gripper(), at);
     for (std::size_t i = 0; i < sum.angles.size(); ++i)
       text += fmt::format("{},{},{},{},{}\n", name, at.x(), at.y(), i, sum.angles[i]);
   }
@@ -75,7 +75,7 @@ std::string views_text(const Study& study) {
 
 std::string areas_text(const Study& study) {
   std::string text = "outline,points,right,wrong,missed,share,lower,upper\n";
-  for (const FalseArea& area : study.areas) {
+  for (const stability::FalseArea& area : study.areas) {
     const auto limits = area.limits();
     text += fmt::format("{},{},{},{},{},{},{},{}\n", area.outline->name, area.points, area.right, area.wrong,
                         area.missed, area.share(), limits.lower, limits.upper);
@@ -198,7 +198,7 @@ ordered_json drawing(const Study& study) {
   const Layout& layout = study.layout;
   ordered_json moments = ordered_json::object(), outlines = ordered_json::object();
   for (const CaseStudy& its : study.cases) moments.update(drawn_moments(study.cell, its));
-  for (const Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
+  for (const stability::Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
   ordered_json joints = ordered_json::array(), links = ordered_json::array();
   for (const cell::Joint& joint : study.cell.robot.joints)
     joints.push_back({{"name", joint.name}, {"lower", joint.lower}, {"upper", joint.upper}, {"home", joint.home}});
@@ -229,28 +229,28 @@ ordered_json drawing(const Study& study) {
 }  // namespace
 
 void write_entries(const std::filesystem::path& folder, const std::vector<Entry>& entries) {
-  run::write_file(folder / "entries.csv", entries_text(entries));
-  run::write_file(folder / "numbers.csv", numbers_text(entries));
+  harness::write_file(folder / "entries.csv", entries_text(entries));
+  harness::write_file(folder / "numbers.csv", numbers_text(entries));
 }
 
 void write_data(const std::filesystem::path& folder, const Study& study) {
-  run::write_file(folder / "branches.csv", branches_text(study));
-  run::write_file(folder / "map.csv", map_text(study.map));
-  run::write_file(folder / "views.csv", views_text(study));
-  run::write_file(folder / "areas.csv", areas_text(study));
-  run::write_file(folder / "reach.csv", reach_text(study));
-  run::write_file(folder / "touching.csv", touching_text(study));
-  run::write_file(folder / "far.csv", far_text(study));
+  harness::write_file(folder / "branches.csv", branches_text(study));
+  harness::write_file(folder / "map.csv", map_text(study.map));
+  harness::write_file(folder / "views.csv", views_text(study));
+  harness::write_file(folder / "areas.csv", areas_text(study));
+  harness::write_file(folder / "reach.csv", reach_text(study));
+  harness::write_file(folder / "touching.csv", touching_text(study));
+  harness::write_file(folder / "far.csv", far_text(study));
   write_missed(folder, study.missed);
-  run::write_file(folder / "places.csv", places_text(study));
-  run::write_file(folder / "moves.csv", moves_text(study));
-  run::write_file(folder / "stops.csv", stops_text(study));
-  run::write_file(folder / "sides.csv", sides_text(study));
-  run::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
-  run::make_folder(folder / "models");
+  harness::write_file(folder / "places.csv", places_text(study));
+  harness::write_file(folder / "moves.csv", moves_text(study));
+  harness::write_file(folder / "stops.csv", stops_text(study));
+  harness::write_file(folder / "sides.csv", sides_text(study));
+  harness::write_file(folder / "drawing.json", drawing(study).dump() + "\n");
+  harness::make_folder(folder / "models");
   for (const LinkFile& file : study.link_files)
     if (file.model.name == "Axis1" || file.model.name == "Gripper1" || file.model.name == "machine-bottom")
-      run::write_file(folder / "models" / (file.model.name + ".txt"), file.text);
+      harness::write_file(folder / "models" / (file.model.name + ".txt"), file.text);
 }
 
 std::string table(const std::vector<Entry>& entries) {

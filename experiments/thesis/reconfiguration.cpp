@@ -34,7 +34,7 @@ using Corners = std::array<Eigen::Vector2d, 4>;
 
 /// Of a box in the frame of a station, in the cell.
 Corners corners_of(const Eigen::AlignedBox2d& box, double azimuth, double radius) {
-  const double c = cosine(azimuth), s = sine(azimuth);
+  const double c = workloads::cosine(azimuth), s = workloads::sine(azimuth);
   const auto at = [&](double x, double y) -> Eigen::Vector2d {
     x += radius;
     return {c * x - s * y, s * x + c * y};

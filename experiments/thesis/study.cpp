@@ -44,14 +44,14 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
   }
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("touchstone-thesis-" + std::to_string(::getpid()));
-  run::make_folder(folder);
+  harness::make_folder(folder);
   for (LinkFile& file : files) {
     file.text = cell::link_model_text(file.model);
-    run::write_file(folder / "model.txt", file.text);
+    harness::write_file(folder / "model.txt", file.text);
     file.same = cell::read_link_model(folder / "model.txt") == file.model;
     for (const char* mesh : {"mesh.obj", "mesh.off", "mesh.stl", "mesh.ply"}) {
       const cell::LinkModel written = cell::prepared(file.model, cell::Preparation::None, folder / mesh);
-      run::write_file(folder / mesh, cell::model_text(written, folder / mesh));
+      harness::write_file(folder / mesh, cell::model_text(written, folder / mesh));
       ++file.converted;
       file.converted_same += cell::differences(written, cell::read_model(folder / mesh)).empty();
     }
@@ -78,7 +78,7 @@ Predictions predict(const Layout& layout) {
 std::vector<Task> tasks_of(Study& study) {
   const Settings& settings = study.settings;
   const std::uint64_t samples = settings.samples, seed = settings.seed;
-  const Outline& gripper = study.gripper();
+  const stability::Outline& gripper = study.gripper();
   std::vector<Task> tasks;
 
   study.flowcharts.resize(study.outlines.size() * kRadii.size(), {nullptr, 0});
@@ -90,7 +90,7 @@ std::vector<Task> tasks_of(Study& study) {
         study.flowcharts[number] = measure_flowchart(study.outlines[i], kRadii[k], samples, seed, kFlowcharts + number);
       });
     tasks.emplace_back(
-        [&study, samples, seed, i] { study.areas[i] = measure_false_area(study.outlines[i], 10 * samples, seed); });
+        [&study, samples, seed, i] { study.areas[i] = stability::measure_false_area(study.outlines[i], 10 * samples, seed); });
   }
 
   const Layout& layout = study.layout;
@@ -134,9 +134,9 @@ std::vector<Task> tasks_of(Study& study) {
                                      samples, seed);
     study.edges = measure_edge_places(gripper, kFlowchartRadius, samples, seed);
   });
-  tasks.emplace_back([&study, &gripper] { study.map = map_angle_sums(gripper, kMapPoints); });
+  tasks.emplace_back([&study, &gripper] { study.map = stability::map_angle_sums(gripper, kMapPoints); });
   tasks.emplace_back([&study, &gripper, samples, seed] {
-    study.square_reach = measure_factor_reach(find_outline("square"));
+    study.square_reach = measure_factor_reach(stability::find_outline("square"));
     study.gripper_reach = measure_factor_reach(gripper);
     study.not_numbers = measure_not_numbers(gripper, samples, seed);
     for (std::size_t what = 0; what < study.touching.size(); ++what)
@@ -161,11 +161,11 @@ Study begin_study(const Settings& settings, const Layout& layout) {
   Study study{};
   study.settings = settings;
   study.layout = layout;
-  study.cell = cell::read_cell(run::source_folder() / "experiments/cell/cells/aristo.json");
+  study.cell = cell::read_cell(harness::source_folder() / "experiments/cell/cells/aristo.json");
   study.parts = cell::build_model(study.cell);
   study.link_files = link_files(study.parts);
   study.outlines.push_back(gripper_outline(study.parts));
-  for (const Outline& outline : outlines()) study.outlines.push_back(outline);
+  for (const stability::Outline& outline : stability::outlines()) study.outlines.push_back(outline);
   study.plan = floor_plan(study.parts);
   for (std::size_t i = 0; i < kCases.size(); ++i) study.cases[i] = study_case(layout, i);
   return study;
@@ -176,7 +176,7 @@ std::optional<Study> run_study(const Settings& settings, unsigned threads, const
   Study study = begin_study(settings, chosen_layout());
   const std::vector<Task> tasks = tasks_of(study);
   const std::uint64_t moves = missed_moves(settings), total = tasks.size() + blocks_of(moves);
-  const std::uint64_t done = run::run_blocks(
+  const std::uint64_t done = harness::run_blocks(
       tasks.size(), threads, stop, [&](std::uint64_t so_far) { progress(so_far, total); },
       [&](unsigned, std::uint64_t task) { tasks[task](); });
   if (done < tasks.size()) return std::nullopt;

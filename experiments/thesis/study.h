@@ -54,7 +54,7 @@ struct Study {
   cell::Cell cell;
   std::vector<cell::ModelPart> parts;
   std::vector<LinkFile> link_files;  ///< of every link, and of the machine's bottom part
-  std::vector<Outline> outlines;     ///< the gripper's first, then those of outlines.h
+  std::vector<stability::Outline> outlines;     ///< the gripper's first, then those of outlines.h
 
   // Chapter 4
   std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius
@@ -70,8 +70,8 @@ struct Study {
   std::array<std::vector<Place>, 2> heights;  ///< at each case's angle and radius
 
   // Known errors
-  AngleMap map;                  ///< around the gripper
-  std::vector<FalseArea> areas;  ///< in the order of `outlines`
+  stability::AngleMap map;                  ///< around the gripper
+  std::vector<stability::FalseArea> areas;  ///< in the order of `outlines`
   std::vector<FactorReach> square_reach, gripper_reach;
   NotNumbers not_numbers;
   std::array<Touching, 3> touching;  ///< in the order of Touched
@@ -79,7 +79,7 @@ struct Study {
   std::vector<FarAway> far_away;
   kinematics::MissedStudy missed;
 
-  [[nodiscard]] const Outline& gripper() const { return outlines.front(); }
+  [[nodiscard]] const stability::Outline& gripper() const { return outlines.front(); }
   /// That of an outline, by its place in `outlines`, and radius, by its place in kRadii.
   [[nodiscard]] const Flowchart& flowchart(std::size_t outline, std::size_t radius) const {
     return flowcharts[outline * kRadii.size() + radius];

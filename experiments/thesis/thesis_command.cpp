@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -29,7 +28,7 @@ using namespace thesis_figures;
 struct Options {
   std::optional<std::uint64_t> samples;
   std::uint64_t seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   std::string output = "results/thesis";
   bool quick = false, force = false, no_pictures = false;
 
@@ -46,17 +45,17 @@ std::string command_line(const Options& options) {
   const Settings settings = options.settings();
   return fmt::format("touchstone thesis{} --samples {} --seed {} --threads {} --output {}{}",
                      options.quick ? " --quick" : "", settings.samples, settings.seed, options.threads,
-                     run::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
+                     harness::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
 }
 
 int run_thesis(const Options& options) {
   const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Settings settings = options.settings();
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   const auto study = [&] {
-    std::optional<run::ProgressLine> line;
+    std::optional<harness::ProgressLine> line;
     return run_study(settings, options.threads, interrupt.requested(), [&](std::uint64_t done, std::uint64_t total) {
       if (!line) line.emplace("thesis: parts", total);
       (*line)(done);
@@ -64,22 +63,22 @@ int run_thesis(const Options& options) {
   }();
   if (!study) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
   const std::vector<Entry> entries = entries_of(*study);
   write_entries(folder, entries);
   write_data(folder, *study);
-  run::Run record;
+  harness::Run record;
   record.command = command_line(options);
   record.seed = settings.seed;
   record.samples_asked = record.samples_done = settings.samples;
   record.threads = options.threads;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(folder, record);
+  harness::write_run_record(folder, record);
   fmt::print("{}", table(entries));
-  run::flush_standard_output();
+  harness::flush_standard_output();
   if (!options.no_pictures) {
-    run::draw_pictures("thesis", held);
+    harness::draw_pictures("thesis", held);
     fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
   }
   return 0;
@@ -96,14 +95,14 @@ void add_thesis(CLI::App& app, int& status) {
       "pictures (SVG and PNG) and index.html, which shows all of them.");
   command
       ->add_option("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)")
-      ->check(run::whole_number(100));
+      ->check(harness::whole_number(100));
   command->add_flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
-  run::add_seed(*command, options->seed);
-  run::add_threads(*command, options->threads);
+  harness::add_seed(*command, options->seed);
+  harness::add_threads(*command, options->threads);
   command->add_option("--output", options->output, "Folder for all files")->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = run::run_alone([&] { return run_thesis(*options); }); });
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run_thesis(*options); }); });
 }
 
 }  // namespace touchstone::commands

@@ -3,7 +3,7 @@
 
 #include <mpfr.h>
 
-namespace touchstone::kinematics {
+namespace touchstone::workloads {
 namespace {
 
 constexpr unsigned long kTurn = 360;
@@ -42,4 +42,4 @@ double arc_tangent(double y, double x) {
   });
 }
 
-}  // namespace touchstone::kinematics
+}  // namespace touchstone::workloads

@@ -3,7 +3,7 @@
 
 /// Functions of angles in degrees, rounded once to the nearest double: exact at quarter turns, the same bits on every
 /// machine and in every rounding mode. Cost: about a microsecond.
-namespace touchstone::kinematics {
+namespace touchstone::workloads {
 
 [[nodiscard]] double sine(double degrees);
 [[nodiscard]] double cosine(double degrees);
@@ -14,4 +14,4 @@ namespace touchstone::kinematics {
 /// The angle of (x, y), more than -180 to 180; 0 for the origin.
 [[nodiscard]] double arc_tangent(double y, double x);
 
-}  // namespace touchstone::kinematics
+}  // namespace touchstone::workloads

@@ -46,7 +46,7 @@ Drawing drawing_of(const SolidFaces& solid) {
       if (added) drawing.points.push_back(at);
       own.push_back(number->second);
     }
-    for (const auto& triangle : triangulation::triangulate(polygon))
+    for (const auto& triangle : methods::triangulate(polygon))
       drawing.triangles.push_back({own[triangle[0]], own[triangle[1]], own[triangle[2]]});
     drawing.face_ends.push_back(drawing.triangles.size());
 

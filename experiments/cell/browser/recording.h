@@ -39,7 +39,7 @@ struct Recording {
 /// How runs are made, whatever the setting.
 struct Manner {
   double overhang = 8;                          ///< of the balls that cover the arm, as in BallCover
-  std::vector<const methods::Method*> methods;  ///< asked of every face beside the exact answer
+  std::vector<const cases::Method*> methods;  ///< asked of every face beside the exact answer
 };
 
 /// A cell that can be set anew and run. Running is safe from several threads.

@@ -50,12 +50,12 @@ double longest(const Cell& cell) {
 
 Setting read_setting(std::string_view text, const Cell& cell) {
   try {
-    const judge::StrictJson json = judge::read_strict_json(text);
+    const harness::StrictJson json = harness::read_strict_json(text);
     const CellEntry whole("request", "", json.value);
     if (json.duplicate_key) whole.bad(fmt::format("the key \"{}\" is given twice", *json.duplicate_key));
     if (json.too_deep) whole.bad("is nested too deep");
     return read(whole, cell);
-  } catch (const judge::NotJson& error) {
+  } catch (const harness::NotJson& error) {
     throw BadSetting(fmt::format("request: is not JSON: {}", error.what()));
   } catch (const BadCell& error) {
     throw BadSetting(error.what());

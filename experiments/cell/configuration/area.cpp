@@ -39,10 +39,10 @@ Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
 std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                              const std::shared_ptr<const std::vector<Covered>>& covered,
                                              const Grid& grid, unsigned threads, const std::atomic<bool>& stop,
-                                             const run::Progress& progress) {
+                                             const harness::Progress& progress) {
   std::vector<Tried> tried(grid.size());
   const std::size_t heights = grid.heights.size(), radii = grid.radii.size();
-  const std::uint64_t done = run::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
+  const std::uint64_t done = harness::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
     tried[i] = try_place(cell, parts, covered, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
                          grid.heights[i % heights]);
   });

@@ -37,6 +37,6 @@ struct Tried {
                                                            const std::shared_ptr<const std::vector<Covered>>& covered,
                                                            const Grid& grid, unsigned threads,
                                                            const std::atomic<bool>& stop,
-                                                           const run::Progress& progress);
+                                                           const harness::Progress& progress);
 
 }  // namespace touchstone::cell

@@ -22,7 +22,7 @@ Eigen::Vector3d point_at(const Arc& arc, double degrees) {
   const Eigen::Vector3d unit = arc.axis.stableNormalized(), v = arc.start - arc.point;
   const Eigen::Vector3d along = v.dot(unit) * unit;
   if (degrees == 0) return arc.start;
-  return arc.point + along + cosine(degrees) * (v - along) + sine(degrees) * unit.cross(v);
+  return arc.point + along + workloads::cosine(degrees) * (v - along) + workloads::sine(degrees) * unit.cross(v);
 }
 
 }  // namespace touchstone::kinematics

@@ -12,8 +12,8 @@
 #include "experiments/workloads/degrees.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 #include "experiments/workloads/random.h"
 
 namespace touchstone::kinematics {
@@ -66,8 +66,8 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
   const Eigen::Vector3d way = arc.axis.cross(center - arc.point).normalized();
   const Eigen::Vector3d across = arc.axis.normalized(), out = way.cross(across);
   const double tilt = between(0, 60), turn = between(0, 360);
-  const Eigen::Vector3d aside = cosine(turn) * across + sine(turn) * out;
-  const Eigen::Vector3d u = cosine(tilt) * aside + sine(tilt) * way, v = way.cross(aside);
+  const Eigen::Vector3d aside = workloads::cosine(turn) * across + workloads::sine(turn) * out;
+  const Eigen::Vector3d u = workloads::cosine(tilt) * aside + workloads::sine(tilt) * way, v = way.cross(aside);
   const double half_u = between(30, 80), half_v = between(30, 80);
   const double off_v = between(-half_v, half_v), off_u = between(-half_u, half_u);
   const Eigen::Vector3d middle = center + off_u * u + off_v * v;
@@ -78,10 +78,10 @@ ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
 std::uint64_t blocks_of(std::uint64_t samples) { return (samples + kBlock - 1) / kBlock; }
 
 MissedStudy study_missed(std::uint64_t seed, std::uint64_t samples, unsigned threads, const std::atomic<bool>& stop,
-                         const run::Progress& progress) {
+                         const harness::Progress& progress) {
   std::vector<MissedStudy> parts(threads);
   const std::uint64_t done =
-      run::run_blocks(blocks_of(samples), threads, stop, progress, [&](unsigned thread, std::uint64_t block) {
+      harness::run_blocks(blocks_of(samples), threads, stop, progress, [&](unsigned thread, std::uint64_t block) {
         for (std::uint64_t n = block * kBlock; n < std::min(samples, (block + 1) * kBlock); ++n) {
           const ThroughSheet sample = draw_through_sheet(seed, n);
           for (std::size_t radius = 0; radius < kRadii.size(); ++radius) ask(sample, radius, parts[thread]);
@@ -107,7 +107,7 @@ void write_missed(const std::filesystem::path& folder, const MissedStudy& study)
       text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", kRadii[r], kSteps[s], m.contacts, m.missed, m.early,
                           share, limits.lower, limits.upper);
     }
-  run::write_file(folder / "missed.csv", text);
+  harness::write_file(folder / "missed.csv", text);
 }
 
 std::string missed_table(const MissedStudy& study) {

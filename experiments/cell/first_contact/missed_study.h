@@ -42,7 +42,7 @@ struct MissedStudy {
 
 /// The same for any number of threads. Told how many of the `blocks_of(samples)` blocks are done.
 [[nodiscard]] MissedStudy study_missed(std::uint64_t seed, std::uint64_t samples, unsigned threads,
-                                       const std::atomic<bool>& stop, const run::Progress& progress);
+                                       const std::atomic<bool>& stop, const harness::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(std::uint64_t samples);
 
 /// missed.csv: a line a radius and step. Throws std::runtime_error where it cannot be written.

@@ -43,7 +43,7 @@ Eigen::Vector3d wrist(const Chain& aristo, const Angles& commanded) {
 
 std::vector<Angles> inverse(Coupling coupling, const Eigen::Vector3d& wrist) {
   const double out = std::sqrt(wrist.x() * wrist.x() + wrist.y() * wrist.y());
-  const double base = arc_tangent(wrist.y(), wrist.x());
+  const double base = workloads::arc_tangent(wrist.y(), wrist.x());
   std::vector<Angles> solutions;
   for (const LinkAngles& arm : TwoLinks{kUpperArm, kForearm}.inverse({out, wrist.z() - kShoulderHeight}))
     solutions.push_back(aristo_pose(coupling, base, arm));

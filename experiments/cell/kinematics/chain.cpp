@@ -22,14 +22,14 @@ Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double degrees) {
   cross << 0, -axis.z(), axis.y(),  //
       axis.z(), 0, -axis.x(),       //
       -axis.y(), axis.x(), 0;
-  const double c = cosine(degrees), s = sine(degrees);
+  const double c = workloads::cosine(degrees), s = workloads::sine(degrees);
   return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * (axis * axis.transpose());
 }
 
 }  // namespace
 
 Pose link_of(const DenavitHartenberg& row) {
-  const double c = cosine(row.theta), s = sine(row.theta), ca = cosine(row.alpha), sa = sine(row.alpha);
+  const double c = workloads::cosine(row.theta), s = workloads::sine(row.theta), ca = workloads::cosine(row.alpha), sa = workloads::sine(row.alpha);
   Pose pose;
   pose.rotation << c, -s * ca, s * sa,  //
       s, c * ca, -c * sa,               //

@@ -10,15 +10,15 @@ namespace {
 
 /// From the elbow to the sphere's centre at home: along the forearm, then straight down.
 Reach second_link(const Layout& layout) {
-  return {kForearm * cosine(layout.home.elevation),
-          kForearm * sine(layout.home.elevation) - kHand - layout.sphere_distance};
+  return {kForearm * workloads::cosine(layout.home.elevation),
+          kForearm * workloads::sine(layout.home.elevation) - kHand - layout.sphere_distance};
 }
 
 double length(const Reach& reach) { return std::sqrt(reach.out * reach.out + reach.up * reach.up); }
 
 /// A cube in a station's frame, its corners at x0, y0, 0.
 std::vector<Polygon> cube(const Station& station, double x0, double y0, double side) {
-  const double c = cosine(station.azimuth), s = sine(station.azimuth);
+  const double c = workloads::cosine(station.azimuth), s = workloads::sine(station.azimuth);
   const auto corner = [&](int x, int y, int z) -> Eigen::Vector3d {
     const double along = station.radius + x0 + x * side, across = y0 + y * side;
     return {c * along - s * across, s * along + c * across, station.height + z * side};
@@ -43,7 +43,7 @@ Station Layout::machine() const { return {kMachineAzimuth, machine_radius, machi
 
 SphereArm::SphereArm(const Layout& layout) : coupling_(layout.coupling) {
   const Reach second = second_link(layout);
-  home_ = {layout.home.lean, arc_tangent(second.up, second.out)};
+  home_ = {layout.home.lean, workloads::arc_tangent(second.up, second.out)};
   links_ = {kUpperArm, length(second)};
 }
 

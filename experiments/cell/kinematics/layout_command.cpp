@@ -26,33 +26,33 @@ struct Options {
 };
 
 std::string command_line(const Options& options) {
-  return fmt::format("touchstone cell layout --output {}{}", run::shell_quoted(options.output),
+  return fmt::format("touchstone cell layout --output {}{}", harness::shell_quoted(options.output),
                      options.no_pictures ? " --no-pictures" : "");
 }
 
 int run_layout(const Options& options) {
   const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   std::optional<kinematics::LayoutStudy> study;
   {
-    run::ProgressLine line("layouts", kinematics::layout_work());
+    harness::ProgressLine line("layouts", kinematics::layout_work());
     study = kinematics::study_layout(interrupt.requested(), std::ref(line));
   }
   if (!study) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
   kinematics::write_layout(folder, *study);
-  run::Run record;
+  harness::Run record;
   record.command = command_line(options);
   record.samples_asked = record.samples_done = kinematics::layout_work();
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  run::write_run_record(folder, record);
+  harness::write_run_record(folder, record);
   fmt::print("{}", kinematics::layout_table(*study));
-  run::flush_standard_output();
-  if (!options.no_pictures) run::draw_pictures("cell_layout", held);
+  harness::flush_standard_output();
+  if (!options.no_pictures) harness::draw_pictures("cell_layout", held);
   return 0;
 }
 
@@ -66,9 +66,9 @@ void add_layout(CLI::App& cell, int& status) {
       "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
   command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
       ->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = run::run_alone([&] { return run_layout(*options); }); });
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run_layout(*options); }); });
 }
 
 }  // namespace touchstone::cell

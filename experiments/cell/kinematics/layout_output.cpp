@@ -134,13 +134,13 @@ std::size_t kept(const std::vector<Prediction>& predictions) {
 }  // namespace
 
 void write_layout(const std::filesystem::path& folder, const LayoutStudy& study) {
-  run::write_file(folder / "family.csv", family_text(study.grid));
-  run::write_file(folder / "one_height.csv", family_text(study.one_height));
-  run::write_file(folder / "choice.csv", choice_text(study));
-  run::write_file(folder / "moves.csv", moves_text(study));
-  run::write_file(folder / "angles.csv", predictions_text(study.angles));
-  run::write_file(folder / "heights.csv", predictions_text(study.heights));
-  run::write_file(folder / "poses.csv", poses_text(study));
+  harness::write_file(folder / "family.csv", family_text(study.grid));
+  harness::write_file(folder / "one_height.csv", family_text(study.one_height));
+  harness::write_file(folder / "choice.csv", choice_text(study));
+  harness::write_file(folder / "moves.csv", moves_text(study));
+  harness::write_file(folder / "angles.csv", predictions_text(study.angles));
+  harness::write_file(folder / "heights.csv", predictions_text(study.heights));
+  harness::write_file(folder / "poses.csv", poses_text(study));
 }
 
 std::string layout_table(const LayoutStudy& study) {

@@ -30,10 +30,10 @@ std::optional<Layout> solve_layout(Coupling coupling, const LinkAngles& home, co
   const Reach above = arm.reach({second.shoulder - kHalf, 0.0 + second.elbow});
   const Reach at_machine =
       arm.reach({first.shoulder + first.shoulder_to_machine - kHalf, 0.0 + first.elbow + first.elbow_to_machine});
-  layout.gap = radius - beside.out * sine(kHalf);
+  layout.gap = radius - beside.out * workloads::sine(kHalf);
   if (beside.out <= 0 || above.out <= 0 || at_machine.out <= 0 || layout.gap <= -radius) return std::nullopt;
   const double over_edge = layout.gap > 0 ? std::sqrt(radius * radius - layout.gap * layout.gap) : radius;
-  layout.storage_radius = {beside.out * cosine(kHalf), above.out};
+  layout.storage_radius = {beside.out * workloads::cosine(kHalf), above.out};
   layout.storage_height = {beside.up - side / 2, above.up - side - over_edge};
   layout.machine_radius = at_machine.out;
   layout.machine_height = at_machine.up - side - radius;

@@ -8,8 +8,8 @@
 namespace touchstone::kinematics {
 
 Reach TwoLinks::reach(const LinkAngles& angles) const {
-  return {first * sine(angles.lean) + second * cosine(angles.elevation),
-          first * cosine(angles.lean) + second * sine(angles.elevation)};
+  return {first * workloads::sine(angles.lean) + second * workloads::cosine(angles.elevation),
+          first * workloads::cosine(angles.lean) + second * workloads::sine(angles.elevation)};
 }
 
 std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
@@ -17,11 +17,11 @@ std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
   if (distance == 0) return {};
   const double at_shoulder = (first * first + distance * distance - second * second) / (2 * first * distance);
   if (!(std::abs(at_shoulder) <= 1)) return {};
-  const double to_point = arc_tangent(point.up, point.out), opened = arc_cosine(at_shoulder);
+  const double to_point = workloads::arc_tangent(point.up, point.out), opened = workloads::arc_cosine(at_shoulder);
   std::vector<LinkAngles> solutions;
   for (const double side : {1.0, -1.0}) {
     const double up = to_point + side * opened;  // elevation of the first link
-    const double elevation = arc_tangent(point.up - first * sine(up), point.out - first * cosine(up));
+    const double elevation = workloads::arc_tangent(point.up - first * workloads::sine(up), point.out - first * workloads::cosine(up));
     const double lean = 90 - up;
     solutions.push_back({std::remainder(lean, 360), elevation});
     if (opened == 0 || opened == 180) break;

@@ -17,7 +17,7 @@ struct Bounds {
 
   Eigen::AlignedBox3d operator()(const MeshFile& file) const {
     Mesh mesh = read_mesh(file.file).mesh;
-    scenes::convert(mesh, file.unit, file.cell_unit);
+    workloads::convert(mesh, file.unit, file.cell_unit);
     Eigen::AlignedBox3d bounds;
     for (const Eigen::Vector3d& vertex : mesh.vertices) bounds.extend(vertex);
     return bounds;

@@ -106,7 +106,7 @@ struct Material {
 struct Cell {
   std::filesystem::path file;
   std::string name;
-  scenes::Unit unit;
+  workloads::Unit unit;
   Robot robot;
   Gripper gripper;
   Station storage, machine;

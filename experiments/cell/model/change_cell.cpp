@@ -47,11 +47,11 @@ std::vector<Key> keys_of(const std::string& path) {
 
 nlohmann::json value_of(const std::string& path, const std::string& text) {
   try {
-    judge::StrictJson json = judge::read_strict_json(text);
+    harness::StrictJson json = harness::read_strict_json(text);
     if (json.duplicate_key) throw BadCell(fmt::format("{}: the key \"{}\" is there twice", path, *json.duplicate_key));
     if (json.too_deep) throw BadCell(path + ": is nested too deep");
     return std::move(json.value);
-  } catch (const judge::NotJson&) {
+  } catch (const harness::NotJson&) {
     return text;
   }
 }

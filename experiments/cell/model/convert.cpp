@@ -136,7 +136,7 @@ LinkPart triangulated(const std::string& name, const LinkPart& part, bool all) {
     }
     std::vector<std::uint32_t> numbers = given.outer;
     for (const auto& hole : given.holes) numbers.insert(numbers.end(), hole.begin(), hole.end());
-    for (const auto& triangle : triangulation::triangulate(polygon_of(name, face, part, given)))
+    for (const auto& triangle : methods::triangulate(polygon_of(name, face, part, given)))
       result.polygons.push_back({{numbers[triangle[0]], numbers[triangle[1]], numbers[triangle[2]]}, {}});
   }
   return result;

@@ -68,7 +68,7 @@ std::string advice(const Reach& reach, double sphere, const Station& station, co
 }
 
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {
-  const double c = kinematics::cosine(degrees), s = kinematics::sine(degrees);
+  const double c = workloads::cosine(degrees), s = workloads::sine(degrees);
   Eigen::Matrix3d cross;
   cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
   return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * axis * axis.transpose();

@@ -19,16 +19,16 @@
 namespace touchstone::cell {
 namespace {
 
-judge::StrictJson load(const std::filesystem::path& file) {
+harness::StrictJson load(const std::filesystem::path& file) {
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   try {
-    judge::StrictJson json = judge::read_strict_json(text);
+    harness::StrictJson json = harness::read_strict_json(text);
     if (json.duplicate_key)
       throw BadCell(fmt::format("{}: the key \"{}\" is there twice", file.string(), *json.duplicate_key));
     if (json.too_deep)
-      throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), judge::kMostLevels));
+      throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), harness::kMostLevels));
     return json;
-  } catch (const judge::NotJson& error) {
+  } catch (const harness::NotJson& error) {
     throw BadCell(fmt::format("{}: is not JSON: {}", file.string(), error.what()));
   }
 }
@@ -185,9 +185,9 @@ void read_labels(Cell& cell, const CellEntry& whole) {
   }
 }
 
-scenes::Unit read_unit(const CellEntry& entry) {
+workloads::Unit read_unit(const CellEntry& entry) {
   try {
-    return scenes::find_unit(entry.text());
+    return workloads::find_unit(entry.text());
   } catch (const std::invalid_argument& error) {
     entry.bad(error.what());
   }
@@ -204,7 +204,7 @@ std::size_t slot_named(const Station& station, const CellEntry& entry) {
 
 Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,
                const std::vector<std::string>& changes) {
-  judge::StrictJson json = load(file);
+  harness::StrictJson json = load(file);
   for (const std::string& change : changes) change_cell(json.value, change);
   const CellEntry whole(file.string(), "", json.value);
   whole.has_only(

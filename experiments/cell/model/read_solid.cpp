@@ -45,7 +45,7 @@ MeshFile read_mesh_file(const CellEntry& entry, const SolidContext& context) {
   const std::filesystem::path file = context.mesh_folder / entry.at("file").text();
   if (!std::filesystem::is_regular_file(file)) entry.at("file").bad("there is no file " + file.string());
   try {
-    return {file, scenes::find_unit(unit.text()), context.unit};
+    return {file, workloads::find_unit(unit.text()), context.unit};
   } catch (const std::invalid_argument& error) {
     unit.bad(error.what());
   }

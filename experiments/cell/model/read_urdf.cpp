@@ -84,7 +84,7 @@ class UrdfReader {
   }
 
   [[nodiscard]] double length(const Place& place, double metres) const {
-    return scenes::converted(place.finite(metres), scenes::find_unit("m"), context_.unit);
+    return workloads::converted(place.finite(metres), workloads::find_unit("m"), context_.unit);
   }
 
   [[nodiscard]] Eigen::Vector3d vector(const Place& place, const urdf::Vector3& metres) const {
@@ -106,7 +106,7 @@ class UrdfReader {
     const std::filesystem::path path = context_.mesh_folder / given.filename;
     if (!std::filesystem::is_regular_file(path)) place.bad("mesh: there is no file " + path.string());
     for (const std::string_view name : kUnits) {
-      const scenes::Unit unit = scenes::find_unit(name);
+      const workloads::Unit unit = workloads::find_unit(name);
       const double metres = static_cast<double>(unit.micrometres) / 1e6;
       if (given.scale.x == metres && given.scale.y == metres && given.scale.z == metres)
         return {path, unit, context_.unit};

@@ -33,8 +33,8 @@ struct Cylinder {
 /// The surface that a mesh file holds, its coplanar triangles merged into polygons.
 struct MeshFile {
   std::filesystem::path file;
-  scenes::Unit unit;       ///< of the file's numbers
-  scenes::Unit cell_unit;  ///< of the result
+  workloads::Unit unit;       ///< of the file's numbers
+  workloads::Unit cell_unit;  ///< of the result
 };
 
 struct Solid;

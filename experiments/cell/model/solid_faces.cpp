@@ -51,7 +51,7 @@ SolidFaces faces_of_boolean(const Solid& solid, const std::string& name) {
 
 SolidFaces faces_of_mesh(const MeshFile& file, const Pose& pose, const std::string& name) {
   Mesh mesh = read_mesh(file.file).mesh;
-  scenes::convert(mesh, file.unit, file.cell_unit);
+  workloads::convert(mesh, file.unit, file.cell_unit);
   // Merged where it stands in its file: a pose rounds, and what it rounds is coplanar no more.
   mesh::MergedMesh merged = mesh::merge_faces(mesh);
   if (!merged.rejected.empty())

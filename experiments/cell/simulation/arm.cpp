@@ -103,7 +103,7 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   shoulder_ = {at.x(), at.z()};
   const Eigen::Vector3d first = elbow - at, second = center - elbow;
   links_ = {first.norm(), second.norm()};
-  home_angles_ = {kinematics::arc_tangent(first.x(), first.z()), kinematics::arc_tangent(second.z(), second.x())};
+  home_angles_ = {workloads::arc_tangent(first.x(), first.z()), workloads::arc_tangent(second.z(), second.x())};
 }
 
 std::optional<PlanarArm::Commands> PlanarArm::inverse(const kinematics::Reach& center) const {

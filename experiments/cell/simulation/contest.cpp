@@ -21,7 +21,7 @@ struct Contested {
   std::size_t number;
   Polygon polygon;
   touchstone::Box box;
-  std::vector<std::unique_ptr<methods::PreparedMethod>> prepared;  // one a method, when it is first asked
+  std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;  // one a method, when it is first asked
 };
 
 std::vector<Contested> contested(const scene::Faces& faces, const std::vector<std::string>& owners) {
@@ -44,8 +44,8 @@ bool meets(const Ball& ball, const touchstone::Box& box) {
 
 class Jury {
  public:
-  Jury(const std::vector<const methods::Method*>& methods, bool every_face) : every_face_(every_face) {
-    for (const methods::Method* method : methods) result.scores.push_back({method});
+  Jury(const std::vector<const cases::Method*>& methods, bool every_face) : every_face_(every_face) {
+    for (const cases::Method* method : methods) result.scores.push_back({method});
   }
 
   void hear(std::size_t stop, const Ball& sphere, std::vector<Contested>& faces) {
@@ -61,7 +61,7 @@ class Jury {
 
  private:
   void hear(std::size_t stop, const Ball& sphere, Contested& face, bool met) {
-    methods::PartialAnswer truth;
+    cases::PartialAnswer truth;
     truth.contact = met && exact::contact(sphere, face.polygon);
     face.prepared.resize(result.scores.size());
     std::vector<std::string> wrong;
@@ -69,12 +69,12 @@ class Jury {
       Score& score = result.scores[i];
       if (!met && score.method->slow()) continue;
       if (!face.prepared[i]) face.prepared[i] = score.method->prepare(face.polygon);
-      const auto answer = face.prepared[i]->ask(sphere, methods::Question::Contact);
+      const auto answer = face.prepared[i]->ask(sphere, cases::Question::Contact);
       ++score.asked;
-      const auto outcome = judge::compare(judge::Test::Contact, answer, truth, true);
+      const auto outcome = cases::compare(cases::Test::Contact, answer, truth, true);
       if (!outcome) ++score.unsure;
-      if (!outcome || *outcome == judge::Outcome::Right) continue;
-      ++(*outcome == judge::Outcome::WronglyIn ? score.wrong_hits : score.wrong_misses);
+      if (!outcome || *outcome == cases::Outcome::Right) continue;
+      ++(*outcome == cases::Outcome::WronglyIn ? score.wrong_hits : score.wrong_misses);
       if (last_wrong_stop_.insert({i, stop}).second) ++score.stops;
       wrong.emplace_back(score.method->name());
     }
@@ -89,7 +89,7 @@ class Jury {
 }  // namespace
 
 Contest hold_contest(const Workcell& workcell, const Process& process,
-                     const std::vector<const methods::Method*>& methods, bool every_face) {
+                     const std::vector<const cases::Method*>& methods, bool every_face) {
   const Obstacles& obstacles = workcell.obstacles();
   std::vector<Contested> standing = contested(obstacles.faces, obstacles.owners);
   std::vector<std::vector<Contested>> material;

@@ -13,7 +13,7 @@ namespace touchstone::cell {
 
 /// What one method said along a run, beside the exact answers. Does the sphere touch this face, at this stop?
 struct Score {
-  const methods::Method* method;
+  const cases::Method* method;
   std::uint64_t asked = 0;
   std::uint64_t wrong_hits = 0;    ///< it said yes where the answer is no
   std::uint64_t wrong_misses = 0;  ///< it said no where the answer is yes
@@ -45,6 +45,6 @@ struct Contest {
 /// Methods are asked where they meet; with `every_face` about all faces, as one would without boxes: then what a box
 /// hides of a wrong method is counted too. Cost: 20 us a pair that meets, for `exact`; that of each method.
 [[nodiscard]] Contest hold_contest(const Workcell& workcell, const Process& process,
-                                   const std::vector<const methods::Method*>& methods, bool every_face);
+                                   const std::vector<const cases::Method*>& methods, bool every_face);
 
 }  // namespace touchstone::cell

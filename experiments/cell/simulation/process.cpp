@@ -130,7 +130,7 @@ class Performance {
   void turn_near(const Workplace& at) {
     const double target = nearest_base(at.azimuth),
                  reach = 2 * arm_->sphere.radius + (at.left - at.right) + workcell_->cell().clearance;
-    const double before = std::ceil(kinematics::arc_tangent(reach, at.out) / step_) * step_;
+    const double before = std::ceil(workloads::arc_tangent(reach, at.out) / step_) * step_;
     turn_base(target + (clockwise(target) ? before : -before) * sense(), Until::Planned);
   }
 

@@ -9,7 +9,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
@@ -48,7 +48,7 @@ std::string moves_text(const Workcell& workcell, const Process& process) {
 
 std::string trajectory_text(const Workcell& workcell, const Process& process) {
   std::string text = "stop,phase,joint";
-  for (const auto& joint : workcell.arm().chain.joints()) text += "," + run::csv_field(joint.name + "_deg");
+  for (const auto& joint : workcell.arm().chain.joints()) text += "," + harness::csv_field(joint.name + "_deg");
   text += ",sphere_x,sphere_y,sphere_z,target,touched_face,material\n";
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
@@ -104,9 +104,9 @@ std::string disagreements_text(const Contest& contest, std::size_t most) {
     const Disagreement& d = contest.disagreements[i];
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
-    const auto answer = methods::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
-    text += judge::to_line(judge::case_of(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon,
-                                          tags, judge::object_of(answer)));
+    const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
+    text += cases::to_line(cases::case_of(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon,
+                                          tags, cases::object_of(answer)));
   }
   return text;
 }
@@ -152,11 +152,11 @@ std::string summary(const Workcell& workcell, const Process& process, const Cont
 
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                const Contest& contest, std::size_t most) {
-  run::write_file(folder / "moves.csv", moves_text(workcell, process));
-  run::write_file(folder / "trajectory.csv", trajectory_text(workcell, process));
-  run::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
-  run::write_file(folder / "methods.csv", methods_text(contest));
-  run::write_file(folder / "disagreements.jsonl", disagreements_text(contest, most));
+  harness::write_file(folder / "moves.csv", moves_text(workcell, process));
+  harness::write_file(folder / "trajectory.csv", trajectory_text(workcell, process));
+  harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
+  harness::write_file(folder / "methods.csv", methods_text(contest));
+  harness::write_file(folder / "disagreements.jsonl", disagreements_text(contest, most));
 }
 
 }  // namespace touchstone::cell

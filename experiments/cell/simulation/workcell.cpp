@@ -31,7 +31,7 @@ void append(scene::Faces& all, const scene::Faces& more) {
 /// Around all vertices, seen along and across a direction of the plan.
 Eigen::AlignedBox3d box_along(const scene::Faces& faces, double azimuth) {
   Eigen::Matrix3d turned;
-  const double c = kinematics::cosine(azimuth), s = kinematics::sine(azimuth);
+  const double c = workloads::cosine(azimuth), s = workloads::sine(azimuth);
   turned << c, s, 0, -s, c, 0, 0, 0, 1;
   Eigen::AlignedBox3d box;
   const auto extend = [&](const Eigen::Vector3d& vertex) { box.extend(Eigen::Vector3d(turned * vertex)); };
@@ -45,7 +45,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
   const double x = station.radius + slot.aim.x(), y = slot.aim.y();
   const Pose frame = pose_of(station);
   Workplace place;
-  place.azimuth = station.azimuth() + kinematics::arc_tangent(y, x);
+  place.azimuth = station.azimuth() + workloads::arc_tangent(y, x);
   place.out = std::sqrt(x * x + y * y);
   place.pose = {frame.rotation, frame.rotation * slot.place + frame.translation};
   place.faces = posed(place.pose, material);
@@ -62,7 +62,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
 std::string_view word(Place place) { return place == Place::Storage ? "storage" : "machine"; }
 
 Pose pose_of(const Station& station) {
-  const double c = kinematics::cosine(station.azimuth()), s = kinematics::sine(station.azimuth());
+  const double c = workloads::cosine(station.azimuth()), s = workloads::sine(station.azimuth());
   Pose pose;
   pose.rotation << c, -s, 0, s, c, 0, 0, 0, 1;
   pose.translation << c * station.radius, s * station.radius, station.height;

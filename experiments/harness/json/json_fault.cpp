@@ -3,7 +3,7 @@
 
 #include "geometry/io/legible.h"
 
-namespace touchstone::judge {
+namespace touchstone::harness {
 
 std::string json_fault(const nlohmann::json::exception& error, std::string_view text) {
   // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error while ..."
@@ -19,4 +19,4 @@ std::string json_fault(const nlohmann::json::exception& error, std::string_view 
   return io::legible(message);
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::harness

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace touchstone::judge {
+namespace touchstone::harness {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -55,4 +55,4 @@ std::vector<std::size_t> silence_overflows(std::string& text) {
   return replaced;
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::harness

@@ -8,7 +8,7 @@
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/json/overflows.h"
 
-namespace touchstone::judge {
+namespace touchstone::harness {
 namespace {
 
 using nlohmann::json;
@@ -70,4 +70,4 @@ StrictJson read_strict_json(std::string_view text) {
   }
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::harness

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace touchstone::judge {
+namespace touchstone::harness {
 
 /// A text that is not JSON.
 class NotJson : public std::runtime_error {
@@ -31,4 +31,4 @@ inline constexpr int kMostLevels = 64;
 /// Throws NotJson. Takes a stack of fixed size and memory linear in the length of the text.
 [[nodiscard]] StrictJson read_strict_json(std::string_view text);
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::harness

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace touchstone::bench {
+namespace touchstone::timing {
 
 /// What the ratio of two times should be: at most (else at least) `ratio`.
 struct Goal {
@@ -52,13 +52,6 @@ struct Contest {
   std::vector<Contestant> contestants;
 };
 
-/// What a contest is drawn from.
-struct Settings {
-  std::uint64_t samples = 100'000;
-  std::uint64_t seed = 1;
-  bool checks = true;  ///< compare answers with `exact`
-};
-
 /// Answers of `ask` to a list of queries, compared with the truths of the first of them.
 template <class Query, class Truth, class Ask>
 Contestant contestant(std::string name, std::shared_ptr<const std::vector<Query>> queries,
@@ -79,4 +72,4 @@ Contestant contestant(std::string name, std::shared_ptr<const std::vector<Query>
   return {std::move(name), size, sum_of_answers, count_wrong, {}, std::move(comparison)};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::timing

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace touchstone::bench {
+namespace touchstone::timing {
 namespace {
 
 /// Written to, so that sums are computed.
@@ -64,7 +64,7 @@ Quartiles quartiles(std::vector<double> values) {
 }
 
 Result measure(const std::string& family, const Contest& contest, unsigned repetitions, const std::atomic<bool>& stop,
-               const run::Progress& progress, double most_seconds) {
+               const harness::Progress& progress, double most_seconds) {
   const auto& contestants = contest.contestants;
   Result result{family, contest.name, contest.note, contest.unit, contest.pool, {}};
   for (const Contestant& c : contestants) {
@@ -119,4 +119,4 @@ std::optional<Result> pooled(const std::vector<Result>& results, const std::stri
   return sum;
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::timing

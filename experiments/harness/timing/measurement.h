@@ -9,7 +9,7 @@
 #include "experiments/harness/timing/contest.h"
 #include "experiments/harness/blocks.h"
 
-namespace touchstone::bench {
+namespace touchstone::timing {
 
 struct Quartiles {
   double minimum, lower, median, upper, maximum;
@@ -46,11 +46,11 @@ inline constexpr double kSecondsOfRepetition = 0.05;
 /// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries, the
 /// first ones. Fewer repetitions where stopped. Then counts wrong answers.
 [[nodiscard]] Result measure(const std::string& family, const Contest& contest, unsigned repetitions,
-                             const std::atomic<bool>& stop, const run::Progress& progress,
+                             const std::atomic<bool>& stop, const harness::Progress& progress,
                              double most_seconds = kSecondsOfRepetition);
 
 /// The results of one pool together: the mean of the times of each contestant, repetition by repetition. Nothing where
 /// there are fewer than two of the same contestants.
 [[nodiscard]] std::optional<Result> pooled(const std::vector<Result>& results, const std::string& pool);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::timing

@@ -22,14 +22,14 @@ Polygon polygon_in(const std::string& line) {
     for (const auto& p : points) vertices.emplace_back(p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
     return vertices;
   };
-  const auto polygon = judge::read_strict_json(line).value.at("polygon");
+  const auto polygon = harness::read_strict_json(line).value.at("polygon");
   std::vector<Loop> holes;
   if (const auto found = polygon.find("holes"); found != polygon.end())
     for (const auto& points : *found) holes.push_back(loop(points));
   return Polygon(loop(polygon.at("outer")), holes);
 }
 
-void check_rejection(const judge::Case& read, const std::string& line, std::vector<std::string>& faults) {
+void check_rejection(const cases::Case& read, const std::string& line, std::vector<std::string>& faults) {
   const auto& [code, message] = std::get<Rejection>(read.content);
   const auto found = std::string(word(code));
   if (!read.expected || !read.expected->contains("error"))
@@ -42,12 +42,12 @@ void check_rejection(const judge::Case& read, const std::string& line, std::vect
                                  again ? "\"" + std::string(word(*again)) + "\"" : "nothing"));
 }
 
-void check_answer(const judge::Case& read, std::vector<std::string>& faults) {
-  const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
+void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
+  const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
   if (const auto fault = find_rational_fault(polygon))
     faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", word(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
-  for (const std::string& difference : judge::differences(*read.expected, exact_answer(ball, polygon)))
+  for (const std::string& difference : cases::differences(*read.expected, exact_answer(ball, polygon)))
     faults.push_back(difference + ", by exact");
   if (read.expected->contains("error")) return;
   for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
@@ -73,14 +73,14 @@ Findings check_files(const std::vector<std::string>& files) {
       std::vector<std::string> faults;
       ++findings.cases;
       try {
-        const judge::Case read = judge::read_case(line);
+        const cases::Case read = cases::read_case(line);
         if (read.id) name = *read.id;
         if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: stands twice");
         if (std::holds_alternative<Rejection>(read.content))
           check_rejection(read, line, faults);
         else
           check_answer(read, faults);
-      } catch (const judge::NotJson& error) {
+      } catch (const harness::NotJson& error) {
         faults.push_back(std::string("not JSON: ") + error.what());
       }
       for (const std::string& fault : faults)

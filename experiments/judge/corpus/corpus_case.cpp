@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
 #include <algorithm>
@@ -8,20 +9,20 @@
 
 namespace touchstone::corpus {
 
-using judge::Verdict;
+using cases::Verdict;
 
 Verdict exact_answer(const Ball& ball, const Polygon& polygon) {
-  return judge::object_of(methods::PartialAnswer::of(exact::answer(ball, polygon), ""));
+  return cases::object_of(cases::PartialAnswer::of(exact::answer(ball, polygon), ""));
 }
 
 bool is_decisive(std::string_view key) {
-  return judge::is_answer_key(key) && key != "point" && key != "distance" && key != "off_plane";
+  return cases::is_answer_key(key) && key != "point" && key != "distance" && key != "off_plane";
 }
 
-Verdict wrong_values(const methods::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
+Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
   Verdict given, wrong = Verdict::object();
   try {
-    given = judge::object_of(method.prepare(polygon)->ask(ball, methods::Question::Answer));
+    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::Question::Answer));
   } catch (const std::exception&) {  // of another's engine
     for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;
@@ -31,7 +32,7 @@ Verdict wrong_values(const methods::Method& method, const Ball& ball, const Poly
   return wrong;
 }
 
-const std::vector<const methods::Method*>& witnesses() {
+const std::vector<const cases::Method*>& witnesses() {
   static const auto found =
       methods::find_methods({"fast", "fast-float", "fast-double-double", "thesis", "cgal-double"});
   return found;
@@ -43,8 +44,8 @@ bool any_decisive(const Verdict& wrong) {
   return false;
 }
 
-std::vector<const methods::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon, const Verdict& truth) {
-  std::vector<const methods::Method*> failing;
+std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon, const Verdict& truth) {
+  std::vector<const cases::Method*> failing;
   for (const auto* method : witnesses())
     if (any_decisive(wrong_values(*method, ball, polygon, truth))) failing.push_back(method);
   return failing;
@@ -55,13 +56,13 @@ std::string line_of(const CorpusCase& given, const Verdict& truth) {
   std::erase_if(tags, [](const std::string& tag) { return tag.starts_with("fails:"); });
   for (const auto* method : failing_witnesses(given.ball, given.polygon, truth))
     tags.push_back("fails:" + std::string(method->name()));
-  Verdict object = judge::case_of(given.id, given.ball, given.polygon, tags, truth);
+  Verdict object = cases::case_of(given.id, given.ball, given.polygon, tags, truth);
   object["origin"] = given.origin;
-  return judge::to_line(object);
+  return cases::to_line(object);
 }
 
 Labels labels_of(std::string_view line) {
-  const auto value = judge::read_strict_json(line).value;
+  const auto value = harness::read_strict_json(line).value;
   Labels labels;
   if (const auto tags = value.find("tags"); tags != value.end()) labels.tags = tags->get<std::vector<std::string>>();
   if (const auto origin = value.find("origin"); origin != value.end() && origin->is_string())

@@ -14,10 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/cell/gripper.h"
 #include "experiments/judge/corpus/make.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/cases/input_lines.h"
@@ -31,19 +30,19 @@
 namespace touchstone::commands {
 namespace {
 
-std::filesystem::path corpus_folder() { return run::source_folder() / "tests/corpus"; }
+std::filesystem::path corpus_folder() { return harness::source_folder() / "tests/corpus"; }
 
 struct MakeOptions {
   std::string folder = corpus_folder().string();
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   bool force = false;
 };
 
 int make(const MakeOptions& options) {
-  const run::OutputFolder held(options.folder, "touchstone corpus make " + run::shell_quoted(options.folder),
+  const harness::OutputFolder held(options.folder, "touchstone corpus make " + harness::shell_quoted(options.folder),
                                {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
-  for (const auto& [name, text] : files) run::write_file(std::filesystem::path(options.folder) / name, text);
+  for (const auto& [name, text] : files) harness::write_file(std::filesystem::path(options.folder) / name, text);
   fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));
   return 0;
 }
@@ -69,7 +68,7 @@ struct ShrinkOptions {
 };
 
 /// One case, or nothing where it was complained about.
-std::optional<std::string> shrunk_line(const judge::Line& line, const methods::Method& method,
+std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Method& method,
                                        const std::optional<std::string>& key, const std::atomic<bool>& stop) {
   if (!line.read) {
     fmt::print(stderr, "touchstone: {}\n", io::all_legible(line.complaint));
@@ -82,7 +81,7 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
     return std::nullopt;
   }
   const std::string& id = *line.read->id;
-  const auto& [ball, polygon] = std::get<judge::Shapes>(line.read->content);
+  const auto& [ball, polygon] = std::get<cases::Shapes>(line.read->content);
   try {
     const corpus::SameFailure failure(method, ball, polygon, key);
     const auto [small_ball, small_polygon] = corpus::shrink(failure, ball, polygon, stop);
@@ -91,7 +90,7 @@ std::optional<std::string> shrunk_line(const judge::Line& line, const methods::M
       labels.tags.emplace_back("shrunk");
       std::string from = labels.origin.empty() ? id : labels.origin;
       labels.origin = fmt::format("touchstone corpus shrink --method {}{}: {}; from: {}", method.name(),
-                                  key ? " --key " + *key : "", run::joined(failure.keys()), from);
+                                  key ? " --key " + *key : "", harness::joined(failure.keys()), from);
     }
     return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
                            corpus::exact_answer(small_ball, small_polygon));
@@ -105,12 +104,12 @@ int shrink(const ShrinkOptions& options) {
   const auto methods = methods::find_methods({options.method});
   if (methods.size() != 1)
     throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
-  const methods::Method& method = *methods.front();
-  const run::Interrupt interrupt;
+  const cases::Method& method = *methods.front();
+  const harness::Interrupt interrupt;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
-  judge::read_lines(files, [&](judge::Line&& line) {
+  cases::read_lines(files, [&](cases::Line&& line) {
     ++lines;
     if (const auto shrunk = shrunk_line(line, method, options.key, interrupt.requested())) {
       if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
@@ -124,7 +123,7 @@ int shrink(const ShrinkOptions& options) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
-  return interrupt.requested() ? run::kInterrupted : status;
+  return interrupt.requested() ? harness::kInterrupted : status;
 }
 
 }  // namespace
@@ -136,20 +135,14 @@ void add_corpus(CLI::App& app, int& status) {
   auto* making = command->add_subcommand("make", "Write every file of the corpus, with its page");
   auto make_options = std::make_shared<MakeOptions>();
   making->add_option("FOLDER", make_options->folder, "Where to")->capture_default_str();
-  run::add_threads(*making, make_options->threads, "They do not change the files");
-  run::add_force(*making, make_options->force);
+  harness::add_threads(*making, make_options->threads, "They do not change the files");
+  harness::add_force(*making, make_options->force);
   making->callback([make_options, &status] { status = make(*make_options); });
 
   auto* checking = command->add_subcommand("check", "Derive every answer anew, with two exact number types");
   auto files = std::make_shared<std::vector<std::string>>();
   checking->add_option("FILES", *files, "Files of cases with whole answers (default: the corpus)");
   checking->callback([files, &status] { status = check(files->empty() ? corpus_files() : *files); });
-
-  auto* gripping =
-      command->add_subcommand("gripper", "Print cases of a cell's run, as experiments/judge/corpus/given has them");
-  auto cell = std::make_shared<std::string>();
-  gripping->add_option("CELL", *cell, "A cell file")->required();
-  gripping->callback([cell] { fmt::print("{}", corpus::gripper_cases(*cell)); });
 
   auto* shrinking = command->add_subcommand("shrink", "Reduce failing cases to small ones that still fail");
   auto shrink_options = std::make_shared<ShrinkOptions>();

@@ -29,11 +29,11 @@ Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
           .count = count};
 }
 
-Stream soak_stream(soak::Family family, std::size_t count) {
+Stream soak_stream(adversarial::Family family, std::size_t count) {
   return {.draw = [family](std::uint64_t index) -> std::optional<CorpusCase> {
-            soak::Case drawn = soak::draw_case(kSeed, index);
+            adversarial::Case drawn = adversarial::draw_case(kSeed, index);
             if (drawn.family != family) return std::nullopt;
-            return CorpusCase{soak::name_of_case(kSeed, index),
+            return CorpusCase{adversarial::name_of_case(kSeed, index),
                               drawn.ball,
                               std::move(drawn.polygon),
                               {std::string(word(family))},
@@ -49,7 +49,7 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
     for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
       const auto drawn = stream.draw(index);
       if (!drawn) continue;
-      const judge::Verdict truth = exact_answer(drawn->ball, drawn->polygon);
+      const cases::Verdict truth = exact_answer(drawn->ball, drawn->polygon);
       if (!kind(*drawn, truth) || failing_witnesses(drawn->ball, drawn->polygon, truth).empty()) continue;
       const std::string line = line_of(*drawn, truth);
       if (line.size() > kLongestLine) continue;

@@ -24,10 +24,10 @@ struct Stream {
 /// Case `index` of a workload, seed 1.
 [[nodiscard]] Stream workload_stream(const workloads::Workload& workload, std::size_t count);
 /// The cases of one family of `soak`, seed 1.
-[[nodiscard]] Stream soak_stream(soak::Family family, std::size_t count);
+[[nodiscard]] Stream soak_stream(adversarial::Family family, std::size_t count);
 
 /// Is the case, whose answer is given, of the family's kind?
-using Kind = std::function<bool(const CorpusCase&, const judge::Verdict& truth)>;
+using Kind = std::function<bool(const CorpusCase&, const cases::Verdict& truth)>;
 
 /// The first cases of each stream that are of that kind and about which a witness is wrong, a line each. Long lines are
 /// passed over: cases are to be read.

@@ -15,7 +15,7 @@ namespace {
 
 /// Throws std::runtime_error with what is wrong with the line.
 std::string completed(const std::string& text, const std::string& name) {
-  const judge::Case read = judge::read_case(text);
+  const cases::Case read = cases::read_case(text);
   if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
     const auto code = std::string(word(rejection->code));
     if (!read.expected || !read.expected->contains("error"))
@@ -24,10 +24,10 @@ std::string completed(const std::string& text, const std::string& name) {
       throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, expected.dump()));
     return text + "\n";
   }
-  const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
-  const judge::Verdict truth = exact_answer(ball, polygon);
+  const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+  const cases::Verdict truth = exact_answer(ball, polygon);
   if (read.expected)
-    for (const std::string& difference : judge::differences(*read.expected, truth))
+    for (const std::string& difference : cases::differences(*read.expected, truth))
       throw std::runtime_error(difference);
   Labels labels = labels_of(text);
   if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
@@ -37,7 +37,7 @@ std::string completed(const std::string& text, const std::string& name) {
 }  // namespace
 
 std::string given_text(const std::string& name) {
-  const auto file = run::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
+  const auto file = harness::source_folder() / "experiments/judge/corpus/given" / (name + ".jsonl");
   std::ifstream stream(file);
   if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
   std::string text, line;

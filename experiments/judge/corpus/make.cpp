@@ -30,7 +30,7 @@ void check_ids(const std::vector<FileCounts>& files, const std::vector<std::stri
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (std::size_t begin = 0; begin < texts[i].size();) {
       const std::size_t end = texts[i].find('\n', begin);
-      const auto id = judge::read_case(std::string_view(texts[i]).substr(begin, end - begin)).id;
+      const auto id = cases::read_case(std::string_view(texts[i]).substr(begin, end - begin)).id;
       if (id && !ids.insert(*id).second)
         throw std::logic_error(fmt::format("{}: the id \"{}\" stands twice in the corpus", files[i].file, *id));
       begin = end + 1;
@@ -43,7 +43,7 @@ std::map<std::string, std::string> make_corpus(unsigned threads) {
   const auto& families = all_families();
   std::vector<std::string> texts(families.size());
   const std::atomic<bool> never = false;
-  run::run_blocks(
+  harness::run_blocks(
       families.size(), threads, never, [](std::uint64_t) {},
       [&](unsigned, std::uint64_t i) { texts[i] = families[i].text(); });
 

@@ -16,7 +16,7 @@
 namespace touchstone::corpus {
 namespace {
 
-using judge::Verdict;
+using cases::Verdict;
 
 /// Of the formulas only; what they give is never rounded.
 struct UnroundedRationals {
@@ -48,7 +48,7 @@ double number(const nlohmann::json& value) {
 }
 
 std::string text(const Verdict& value) {
-  std::string line = judge::to_line(value);
+  std::string line = cases::to_line(value);
   line.pop_back();
   return line;
 }
@@ -131,7 +131,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   const RationalPolygon prepared(polygon);
   const RationalPolygon::Query query(ball, prepared);
   const auto nearest = query.nearest();
-  methods::PartialAnswer decisive;
+  cases::PartialAnswer decisive;
   decisive.plane = query.plane_side();
   decisive.plane_tangent = query.plane_tangent();
   decisive.foot = query.foot();
@@ -139,7 +139,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   decisive.relation = query.relation();
   decisive.contact = query.contact();
   decisive.nearest = nearest->feature;
-  const Verdict found = judge::object_of(decisive);
+  const Verdict found = cases::object_of(decisive);
 
   std::vector<std::string> differences;
   const auto compare = [&](const std::string& key, auto is_right, const auto& give) {

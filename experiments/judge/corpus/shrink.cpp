@@ -20,7 +20,7 @@ namespace touchstone::corpus {
 namespace {
 
 using Eigen::Vector3d;
-using judge::Verdict;
+using cases::Verdict;
 
 /// |x| = significand 2^exponent with an odd significand; both 0 for 0.
 struct Parts {
@@ -268,7 +268,7 @@ Size size_of(const Ball& ball, const Polygon& polygon) {
   return size;
 }
 
-SameFailure::SameFailure(const methods::Method& method, const Ball& ball, const Polygon& polygon,
+SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
                          const std::optional<std::string>& key)
     : method_(method) {
   const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method, ball, polygon, truth);

@@ -32,7 +32,7 @@ class SameFailure {
  public:
   /// Of all keys that the method gets wrong, or, where one is named, of that alone.
   /// Requires what the method requires. Throws std::invalid_argument where it gets none of them wrong.
-  SameFailure(const methods::Method& method, const Ball& ball, const Polygon& polygon,
+  SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
               const std::optional<std::string>& key = std::nullopt);
 
   /// The keys that must stay wrong.
@@ -41,7 +41,7 @@ class SameFailure {
   [[nodiscard]] bool holds(const Ball& ball, const Polygon& polygon) const;
 
  private:
-  const methods::Method& method_;
+  const cases::Method& method_;
   std::vector<std::string> keys_;
   std::vector<std::string> true_words_, given_words_;  // a key each
   bool nothing_decisive_;

@@ -94,7 +94,7 @@ std::string text_of(const std::filesystem::path& file, std::size_t longest) {
 }
 
 Baseline baseline_of(const std::string& text) {
-  const judge::StrictJson read = judge::read_strict_json(text);
+  const harness::StrictJson read = harness::read_strict_json(text);
   if (read.duplicate_key)
     throw std::runtime_error(fmt::format("has the key \"{}\" twice", io::legible(*read.duplicate_key)));
   const Json json = read.value;
@@ -143,10 +143,10 @@ std::string baseline_text(const Baseline& baseline) {
 Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
   try {
     return baseline_of(text_of(file, longest));
-  } catch (const judge::NotJson& error) {
+  } catch (const harness::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
   } catch (const nlohmann::json::exception& error) {  // a key that is not there
-    throw std::runtime_error(file.string() + ": " + judge::json_fault(error));
+    throw std::runtime_error(file.string() + ": " + harness::json_fault(error));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(file.string() + ": there is not enough memory to read it");
   } catch (const std::runtime_error& error) {

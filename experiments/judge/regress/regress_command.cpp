@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/harness/interrupt.h"
@@ -21,7 +21,7 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/io/legible.h"
 #include "robust/exact/exact.h"
 
@@ -35,19 +35,19 @@ struct Options {
   std::vector<std::string> methods{"all"};
   bool allow_missing = false, force = false;
   Settings settings;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
 };
 
 std::string command_line(const Options& options) {
   std::string line =
-      fmt::format("touchstone regress --method {} --threads {}", run::joined(options.methods), options.threads);
+      fmt::format("touchstone regress --method {} --threads {}", harness::joined(options.methods), options.threads);
   line += options.baseline.empty()
               ? fmt::format(" --seed {} --samples {}", options.settings.seed, options.settings.samples)
-              : " --baseline " + run::shell_quoted(options.baseline);
+              : " --baseline " + harness::shell_quoted(options.baseline);
   if (options.allow_missing) line += " --allow-missing";
-  if (!options.write.empty()) line += " --write " + run::shell_quoted(options.write);
+  if (!options.write.empty()) line += " --write " + harness::shell_quoted(options.write);
   if (options.force) line += " --force";
-  return line + (options.output.empty() ? "" : " --output " + run::shell_quoted(options.output));
+  return line + (options.output.empty() ? "" : " --output " + harness::shell_quoted(options.output));
 }
 
 std::string cell(const Summary& summary) {
@@ -97,8 +97,8 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
         for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, family, n);
-      const auto answer = methods::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
-      text += judge::to_line(judge::case_of(sample.id, sample.ball, sample.polygon, tags, judge::object_of(answer)));
+      const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
+      text += cases::to_line(cases::case_of(sample.id, sample.ball, sample.polygon, tags, cases::object_of(answer)));
     }
   }
   return text;
@@ -123,12 +123,12 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
 
 /// Throws where nothing would be held against the baseline, or not a method that the command line names.
 void refuse_missing(const Options& options, const Baseline& baseline,
-                    const std::vector<const methods::Method*>& methods) {
+                    const std::vector<const cases::Method*>& methods) {
   const auto has = [&](std::string_view method) { return baseline.standing.count(std::string(method)) > 0; };
-  if (std::ranges::none_of(methods, [&](const methods::Method* method) { return has(method->name()); }))
+  if (std::ranges::none_of(methods, [&](const cases::Method* method) { return has(method->name()); }))
     throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
   if (options.allow_missing) return;
-  for (const methods::Method* method : methods)
+  for (const cases::Method* method : methods)
     if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
       throw std::runtime_error(
           fmt::format("{}: has no method {}, which --method names; --allow-missing goes on without it",
@@ -138,7 +138,7 @@ void refuse_missing(const Options& options, const Baseline& baseline,
 int run(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   auto methods = methods::find_methods(options.methods);
-  std::erase_if(methods, [](const methods::Method* method) {
+  std::erase_if(methods, [](const cases::Method* method) {
     if (answers(*method)) return false;
     fmt::print("{}: does not say whether ball and polygon touch; left out\n", method->name());
     return true;
@@ -147,23 +147,23 @@ int run(const Options& options) {
   if (!options.baseline.empty()) baseline = read_baseline(options.baseline);
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
-  std::optional<run::OutputFolder> held;
+  std::optional<harness::OutputFolder> held;
   if (!options.output.empty())
-    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
+    held.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
   if (!options.write.empty()) {
-    run::refuse_overwrite(options.write, options.force);
-    run::make_folder(std::filesystem::absolute(options.write).parent_path());
+    harness::refuse_overwrite(options.write, options.force);
+    harness::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   std::optional<Standing> standing;
   {
-    run::ProgressLine line("regress", blocks_of(settings));
+    harness::ProgressLine line("regress", blocks_of(settings));
     standing = find_standing(settings, methods, options.threads, interrupt.requested(), std::ref(line));
   }
   if (!standing) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
   fmt::print("{}\n", table_of(*standing, settings));
 
@@ -176,12 +176,12 @@ int run(const Options& options) {
     changed = changes(baseline->standing, *standing);
   }
   const std::size_t worse = baseline ? tell_changes(changed) : 0;
-  if (!options.write.empty()) run::write_file(options.write, baseline_text({settings, *standing}), options.force);
+  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *standing}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    run::write_file(folder / "standing.csv", standing_text(*standing));
-    run::write_file(folder / "worse.jsonl", worse_text(settings, changed));
-    run::write_run_record(folder,
+    harness::write_file(folder / "standing.csv", standing_text(*standing));
+    harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
+    harness::write_run_record(folder,
                           {.command = command_line(options),
                            .seed = settings.seed,
                            .samples_asked = settings.samples,
@@ -213,18 +213,18 @@ void add_regress(CLI::App& app, int& status) {
                  "A method that --method names need not be in the baseline; it is then not held against anything")
       ->needs(baseline);
   command->add_option("--write", options->write, "Write what was found as a baseline");
-  run::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
-  run::add_seed(*command, options->settings.seed);
+  harness::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
+  harness::add_seed(*command, options->settings.seed);
   command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
-      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->check(harness::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str()
       ->excludes(baseline);
   baseline->excludes("--seed");
-  run::add_threads(*command, options->threads);
+  harness::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
                       "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

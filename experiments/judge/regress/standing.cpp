@@ -42,9 +42,9 @@ workloads::Sample draw_case(const Settings& settings, workloads::Family family, 
   return sample;
 }
 
-bool answers(const methods::Method& method) {
+bool answers(const cases::Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  const auto answer = method.prepare(square)->ask({{1, 1, 1}, 2}, methods::Question::Contact);
+  const auto answer = method.prepare(square)->ask({{1, 1, 1}, 2}, cases::Question::Contact);
   return answer.contact || answer.unsure;
 }
 
@@ -52,13 +52,13 @@ std::uint64_t blocks_of(const Settings& settings) {
   return workloads::all_families().size() * kPlaces.size() * settings.samples;
 }
 
-std::optional<Standing> find_standing(const Settings& settings, const std::vector<const methods::Method*>& methods,
-                                      unsigned threads, const std::atomic<bool>& stop, const run::Progress& progress) {
+std::optional<Standing> find_standing(const Settings& settings, const std::vector<const cases::Method*>& methods,
+                                      unsigned threads, const std::atomic<bool>& stop, const harness::Progress& progress) {
   const auto& families = workloads::all_families();
   const std::size_t blocks = kPlaces.size() * settings.samples;
   std::vector<Outcomes> outcomes(methods.size(), Outcomes(families.size() * settings.cases()));
   const std::uint64_t done =
-      run::run_blocks(blocks_of(settings), threads, stop, progress, [&](unsigned, std::uint64_t b) {
+      harness::run_blocks(blocks_of(settings), threads, stop, progress, [&](unsigned, std::uint64_t b) {
         const std::size_t family = b / blocks, block = b % blocks;
         const workloads::Sample sample = draw(settings, families[family], block);
         const filtered::PreparedPolygon certified(sample.polygon);
@@ -69,7 +69,7 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
           const auto prepared = methods[m]->prepare(sample.polygon);
           for (std::size_t i = 0; i < kRadii; ++i) {
             const Ball ball{sample.ball.center, sample.ball.radius * factor(i)};
-            const auto said = prepared->ask(ball, methods::Question::Contact).contact;
+            const auto said = prepared->ask(ball, cases::Question::Contact).contact;
             if (said == truth[i]) continue;
             outcomes[m][family * settings.cases() + block * kRadii + i] = said ? Outcome::Wrong : Outcome::Unsure;
             if (exact::contact(ball, sample.polygon) != truth[i])

@@ -39,7 +39,7 @@ struct Settings {
 [[nodiscard]] std::optional<int> exponent_of(std::size_t n);
 
 /// Does the method say yes or no at all, or that it is unsure?
-[[nodiscard]] bool answers(const methods::Method& method);
+[[nodiscard]] bool answers(const cases::Method& method);
 
 /// Of a method's yes or no, held against the exact one; Unsure where it has none. Each is better than those below it.
 enum class Outcome : char { Right, Unsure, Wrong };
@@ -53,9 +53,9 @@ using Standing = std::map<std::string, std::map<std::string, Outcomes>>;
 /// any number of threads; nothing where `stop` became true. `progress` is told of blocks, of which there are
 /// `blocks_of(settings)`.
 [[nodiscard]] std::optional<Standing> find_standing(const Settings& settings,
-                                                    const std::vector<const methods::Method*>& methods,
+                                                    const std::vector<const cases::Method*>& methods,
                                                     unsigned threads, const std::atomic<bool>& stop,
-                                                    const run::Progress& progress);
+                                                    const harness::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
 
 /// How a method stands with a family.

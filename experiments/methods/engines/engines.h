@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "experiments/cases/method.h"
+#include "experiments/methods/add_methods.h"
 
 // Engines of others as methods: one file each, built where its library is there. They say whether ball and polygon
 // touch, as their users would ask: those that know triangles are given those of a triangulation, its vertices not

@@ -74,7 +74,7 @@ std::unique_ptr<Method> engine(std::string_view name, std::string_view summary, 
 std::vector<Triangle> triangles_of(const Polygon& polygon) {
   if (polygon.vertex_count() == 3) return {{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}};
   std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : triangulation::triangulate(polygon))
+  for (const auto& [a, b, c] : methods::triangulate(polygon))
     triangles.push_back({polygon.vertex(a), polygon.vertex(b), polygon.vertex(c)});
   return triangles;
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/cases/method.h"
+#include "experiments/methods/add_methods.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/triangle.h"

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 namespace {
 
 /// Rounded up; 0 where it is past.
@@ -187,4 +187,4 @@ std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
   return wait();
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

@@ -7,7 +7,7 @@
 
 #include "experiments/methods/process/supervisor.h"
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 
 /// Another program that reads cases on its standard input and prints verdicts on its standard output, one a line and
 /// in the same order. Lines may be sent from one thread and received in another.
@@ -67,4 +67,4 @@ class Engine {
   bool too_long_ = false;
 };
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

@@ -9,7 +9,7 @@
 
 #include "experiments/harness/interrupt.h"
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 namespace {
 
 constexpr int kInterruptions[] = {SIGINT, SIGTERM};
@@ -24,7 +24,7 @@ void handle_by(void (*handler)(int)) {
 [[noreturn]] void leave() {
   constexpr std::string_view message = "touchstone: interrupted\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
-  _exit(run::kInterrupted);
+  _exit(harness::kInterrupted);
 }
 
 extern "C" void interrupt_judge(int) {
@@ -53,4 +53,4 @@ void leave_interruptions_to_others() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

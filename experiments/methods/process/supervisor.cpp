@@ -15,7 +15,7 @@
 #include <csignal>
 #include <system_error>
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -201,4 +201,4 @@ std::string Supervisor::wait() {
   return {};
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 
 /// Runs a command in a shell and ends every process that it starts.
 ///
@@ -40,4 +40,4 @@ class Supervisor {
   int control_ = -1;  ///< ours to shut down, and to learn from how the shell ended
 };
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

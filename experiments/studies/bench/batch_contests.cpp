@@ -19,8 +19,8 @@ constexpr std::size_t kTriangles = 1024;  // that one ball is asked about
 /// Fills the first so many answers.
 using Fill = std::function<void(std::span<bool> touches)>;
 
-Contestant fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,
-                 const Fill& fill, std::optional<Comparison> comparison = std::nullopt) {
+timing::Contestant fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,
+                 const Fill& fill, std::optional<timing::Comparison> comparison = std::nullopt) {
   const std::shared_ptr<bool[]> touches(new bool[queries]());
   const auto ask = [touches, fill](std::size_t count) {
     const std::span<bool> first(touches.get(), count);
@@ -45,13 +45,13 @@ std::shared_ptr<const std::vector<bool>> truths(std::size_t count, const Fill& f
   return std::make_shared<const std::vector<bool>>(touches.get(), touches.get() + count);
 }
 
-std::vector<Contestant> contestants(std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truth,
+std::vector<timing::Contestant> contestants(std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truth,
                                     const Fill& fast, const Fill& single, const Fill& batch) {
-  return {fills("fast", queries, truth, fast), fills("filtered", queries, truth, single, Comparison{"fast", {}}),
-          fills("filtered, batch", queries, truth, batch, Comparison{"filtered", {}})};
+  return {fills("fast", queries, truth, fast), fills("filtered", queries, truth, single, timing::Comparison{"fast", {}}),
+          fills("filtered, batch", queries, truth, batch, timing::Comparison{"filtered", {}})};
 }
 
-Contest balls_against_polygon(std::size_t vertices, const Settings& settings) {
+timing::Contest balls_against_polygon(std::size_t vertices, const Settings& settings) {
   struct Data {
     std::vector<Ball> balls;
     fast::PreparedPolygon<> fast;
@@ -72,7 +72,7 @@ Contest balls_against_polygon(std::size_t vertices, const Settings& settings) {
   const Fill batch = [data](std::span<bool> touches) {
     filtered::contact(std::span(data->balls).first(touches.size()), data->filtered, touches);
   };
-  Contest contest;
+  timing::Contest contest;
   contest.name = fmt::format("many balls, one star of {} vertices", vertices);
   contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, 200'000 / vertices) : 0;
   contest.contestants = contestants(data->balls.size(), truths(contest.checked, one_by_one(&Data::exact)),
@@ -80,7 +80,7 @@ Contest balls_against_polygon(std::size_t vertices, const Settings& settings) {
   return contest;
 }
 
-Contest ball_against_triangles(const Settings& settings) {
+timing::Contest ball_against_triangles(const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;
   struct Data {
     std::vector<Ball> balls;  ///< one for each kTriangles of the triangles
@@ -88,7 +88,7 @@ Contest ball_against_triangles(const Settings& settings) {
   };
   Data drawn;
   for (std::uint64_t i = 0; i < settings.samples; ++i) {
-    const TriangleQuery query = draw_triangle_query(TriangleFamily::Random, settings.seed, i);
+    const workloads::TriangleQuery query = workloads::draw_triangle_query(workloads::TriangleFamily::Random, settings.seed, i);
     if (i % kTriangles == 0) drawn.balls.push_back(query.ball);
     drawn.triangles.push_back(query.triangle);
   }
@@ -109,7 +109,7 @@ Contest ball_against_triangles(const Settings& settings) {
   const auto fast = [](const Ball& ball, const Triangle& t) { return fast::contact(ball, t); };
   const auto filtered = [](const Ball& ball, const Triangle& t) { return filtered::contact(ball, t); };
   const auto exact = [](const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); };
-  Contest contest;
+  timing::Contest contest;
   contest.name = fmt::format("one ball, {} triangles", kTriangles);
   contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
   contest.contestants = contestants(data->triangles.size(), truths(contest.checked, one_by_one(exact)),

@@ -12,9 +12,7 @@
 #include <system_error>
 
 #include "experiments/studies/bench/families.h"
-#include "experiments/studies/bench/output.h"
-#include "experiments/studies/bench_scenes/command.h"
-#include "experiments/commands.h"
+#include "experiments/harness/timing/output.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -29,6 +27,7 @@ namespace touchstone::commands {
 namespace {
 
 using namespace bench;
+using namespace timing;
 
 struct Options {
   std::vector<std::string> families{"all"};
@@ -36,8 +35,7 @@ struct Options {
   unsigned repetitions = 11;
   std::string json = "results/bench/bench.json";
   std::string count;
-  bool scene = false, force = false;
-  SceneOptions scenes;
+  bool force = false;
 };
 
 // Throws CLI::ValidationError, which names what is unknown.
@@ -64,7 +62,7 @@ std::string command_line(const Options& options) {
   for (const std::string& name : options.families) names.append(names.empty() ? "" : ",").append(name);
   return fmt::format("touchstone bench --family {} --samples {} --repetitions {} --seed {} --json {}", names,
                      options.settings.samples, options.repetitions, options.settings.seed,
-                     run::shell_quoted(options.json));
+                     harness::shell_quoted(options.json));
 }
 
 std::filesystem::path folder_of(const std::string& file) {
@@ -83,7 +81,7 @@ class Runner {
     for (const auto& draw : family.contests) {
       if (stop_) return;
       const Contest contest = draw(options_.settings);
-      run::ProgressLine line("bench: " + family.name + " " + contest.name, options_.repetitions);
+      harness::ProgressLine line("bench: " + family.name + " " + contest.name, options_.repetitions);
       results.push_back(measure(family.name, contest, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
       keep(results.back());
     }
@@ -95,7 +93,7 @@ class Runner {
  private:
   void keep(const Result& result) {
     fmt::print("{}", table(result));
-    run::flush_standard_output();
+    harness::flush_standard_output();
     results_.push_back(result);
   }
 
@@ -112,14 +110,14 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
 /// The results, and the record of the run, which also stands beside.
 void write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
            std::uint64_t samples_done, double seconds) {
-  run::write_run_record(
+  harness::write_run_record(
       folder, {command_line(options), options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
   const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
                                       {"processor_features", processor_features()},
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
-  run::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
+  harness::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
                   options.force);
 }
 
@@ -127,10 +125,10 @@ int measure_all(const Options& options) {
   const auto families = select_families(options.families);
   const std::filesystem::path folder = folder_of(options.json);
   // Two files of its own, in a folder that may hold others.
-  const run::OutputFolder held(folder, command_line(options), {.force = true});
+  const harness::OutputFolder held(folder, command_line(options), {.force = true});
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
-    run::refuse_overwrite(file, options.force);
-  const run::Interrupt interrupt;
+    harness::refuse_overwrite(file, options.force);
+  const harness::Interrupt interrupt;
   const auto& stop = interrupt.requested();
   const auto begin = std::chrono::steady_clock::now();
   Runner runner(options, stop);
@@ -145,7 +143,7 @@ int measure_all(const Options& options) {
     fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
   fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.repetitions, options.settings.seed, seconds, options.json);
-  run::flush_standard_output();
+  harness::flush_standard_output();
   if (!stop) return 0;
   fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.json);
   constexpr int kInterrupted = 130;
@@ -180,41 +178,10 @@ int count(const Options& options) {
   return 0;
 }
 
-int scenes(const Options& options) {
-  SceneOptions scenes = options.scenes;
-  scenes.force = options.force;
-  scenes.settings.samples = options.settings.samples;
-  scenes.settings.seed = options.settings.seed;
-  scenes.settings.repetitions = options.repetitions;
-  return measure_scenes(scenes);
-}
-
 constexpr const char* kFooter = R"(
 Times depend on what the compiler may use. A second build shows what this machine could do, its run record the flags:
   cmake --preset release -B build/native -DCMAKE_CXX_FLAGS=-march=native
 A missed goal does not change the exit status. For instructions a query: experiments/studies/bench/instructions.py.)";
-
-/// What families do not know.
-void add_scene_options(CLI::App& command, Options& options) {
-  constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
-  auto* scene = command.add_flag("--scene", options.scene,
-                                 "Instead of families: scenes of 1000 and more triangles, beside other libraries");
-  for (const char* other : {"--family", "--json", "--count"}) scene->excludes(other);
-  command
-      .add_option("--most-faces", options.scenes.most_triangles,
-                  "With --scene: triangles of the largest one, up to 10000000 (which takes 12 GiB)")
-      ->check(run::whole_number(kFewest, kMost))
-      ->needs(scene)
-      ->capture_default_str();
-  command
-      .add_option("--meshes", options.scenes.meshes,
-                  "With --scene: a folder of meshes, also measured, once and replicated")
-      ->needs(scene);
-  command.add_option("--output", options.scenes.output, "With --scene: the folder for tables and pictures")
-      ->needs(scene)
-      ->capture_default_str();
-  command.add_flag("--no-pictures", options.scenes.no_pictures, "With --scene: draw nothing")->needs(scene);
-}
 
 }  // namespace
 
@@ -223,27 +190,23 @@ void add_bench(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
-  run::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
+  harness::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
   command
       ->add_option("--samples", options->settings.samples,
                    "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart")
-      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->check(harness::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str();
   command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  run::add_seed(*command, options->settings.seed, "Any number; the same gives the same queries");
+  harness::add_seed(*command, options->settings.seed, "Any number; the same gives the same queries");
   command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
       ->capture_default_str();
   command->add_option("--count", options->count,
                       "Time nothing: have this contestant of one family asked all queries, for a profiler");
-  add_scene_options(*command, *options);
-  run::add_force(*command, options->force);
+  harness::add_force(*command, options->force);
   command->callback([options, &status] {
-    status = run::run_alone([&] {
-      if (options->scene) return scenes(*options);
-      return options->count.empty() ? measure_all(*options) : count(*options);
-    });
+    status = harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
   });
 }
 

@@ -26,7 +26,7 @@ class EpeckQueries {
   ~EpeckQueries();
 
   /// Makes them anew: exact numbers remember what was once found of them.
-  void make(std::span<const TriangleQuery> queries);
+  void make(std::span<const workloads::TriangleQuery> queries);
   [[nodiscard]] bool contact(std::size_t i) const;
 
  private:

@@ -32,7 +32,7 @@ EpeckQueries::EpeckQueries(EpeckQueries&&) noexcept = default;
 EpeckQueries& EpeckQueries::operator=(EpeckQueries&&) noexcept = default;
 EpeckQueries::~EpeckQueries() = default;
 
-void EpeckQueries::make(std::span<const TriangleQuery> queries) {
+void EpeckQueries::make(std::span<const workloads::TriangleQuery> queries) {
   *objects_ = {};
   for (const auto& [ball, triangle] : queries) {
     objects_->centers.push_back(point(ball.center));

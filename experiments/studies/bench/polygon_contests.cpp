@@ -19,12 +19,12 @@ using Polygons = std::shared_ptr<const std::vector<Prepared>>;
 
 struct Size {
   std::size_t vertices;
-  std::optional<Goal> goal;  ///< of filtered in times of fast
+  std::optional<timing::Goal> goal;  ///< of filtered in times of fast
 };
 
 const std::vector<Size>& sizes() {
   static const std::vector<Size> list{
-      {8, {}}, {32, {}}, {128, Goal{0.25}}, {1024, Goal{0.08}}, {10'000, {}}, {100'000, Goal{0.002}}};
+      {8, {}}, {32, {}}, {128, timing::Goal{0.25}}, {1024, timing::Goal{0.08}}, {10'000, {}}, {100'000, timing::Goal{0.002}}};
   return list;
 }
 
@@ -78,8 +78,8 @@ auto truths(const Question& question, const std::vector<Polygon>& polygons, cons
 }
 
 template <class Prepared, class Question, class Truths>
-Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries, const Truths& truths,
-                const Question& question, std::optional<Comparison> comparison = std::nullopt) {
+timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries, const Truths& truths,
+                const Question& question, std::optional<timing::Comparison> comparison = std::nullopt) {
   return contestant(
       std::move(name), queries, truths,
       [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
@@ -88,25 +88,25 @@ Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Quer
 
 /// One question about the same polygons, to fast and to filtered.
 template <class Question>
-Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices, const Settings& settings,
-                const Question& question, std::optional<Goal> goal) {
+timing::Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices, const Settings& settings,
+                const Question& question, std::optional<timing::Goal> goal) {
   const auto queries =
       std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
-  Contest contest;
+  timing::Contest contest;
   contest.name = std::move(name);
   contest.checked = checked(settings, vertices);
   const auto truth = truths(question, polygons, queries, contest.checked);
   contest.contestants = {asks("fast", prepare<fast::PreparedPolygon<>>(polygons), queries, truth, question),
                          asks("filtered", prepare<filtered::PreparedPolygon>(polygons), queries, truth, question,
-                              Comparison{"fast", goal})};
+                              timing::Comparison{"fast", goal})};
   return contest;
 }
 
 constexpr auto kContact = [](const Ball& ball, const auto& polygon) { return contact(ball, polygon); };
 
-Contest contacts(Outline outline, const Size& size, const Settings& settings) {
+timing::Contest contacts(Outline outline, const Size& size, const Settings& settings) {
   const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
-  Contest contest = compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
+  timing::Contest contest = compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
   contest.note = fmt::format("{} of {} vertices",
                              polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
                              polygons.front().vertex_count());
@@ -115,8 +115,8 @@ Contest contacts(Outline outline, const Size& size, const Settings& settings) {
 }
 
 template <class Prepared>
-Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons, std::size_t most,
-                    std::optional<Comparison> comparison = std::nullopt) {
+timing::Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons, std::size_t most,
+                    std::optional<timing::Comparison> comparison = std::nullopt) {
   const auto ask = [polygons](std::size_t count) {
     std::uint64_t made = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -128,16 +128,16 @@ Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Po
   return {std::move(name), most, ask, {}, {}, std::move(comparison)};
 }
 
-Contest preparations(std::size_t vertices, const Settings& settings) {
+timing::Contest preparations(std::size_t vertices, const Settings& settings) {
   const auto polygons =
       std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
   const std::size_t most = std::min<std::size_t>(settings.samples, 1000);
-  Contest contest;
+  timing::Contest contest;
   contest.name = "preparation";
   contest.note = "all outlines";
   contest.unit = "polygon";
   contest.contestants = {prepares<fast::PreparedPolygon<>>("fast", polygons, most),
-                         prepares<filtered::PreparedPolygon>("filtered", polygons, most, Comparison{"fast", {}})};
+                         prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", {}})};
   return contest;
 }
 
@@ -150,9 +150,9 @@ Family contact_family(const Size& size) {
   return family;
 }
 
-Contest off_plane(std::size_t vertices, const Settings& settings) {
-  constexpr Goal kGoal{1.5};
-  Contest contest;
+timing::Contest off_plane(std::size_t vertices, const Settings& settings) {
+  constexpr timing::Goal kGoal{1.5};
+  timing::Contest contest;
   contest.name = fmt::format("{} vertices", vertices);
   contest.note = "filtered, all outlines";
   contest.checked = checked(settings, vertices);
@@ -164,7 +164,7 @@ Contest off_plane(std::size_t vertices, const Settings& settings) {
     const auto truth = truths(kContact, polygons, queries, contest.checked);
     const bool base = moved.share == 0;
     contest.contestants.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
-                                       kContact, base ? std::nullopt : std::optional(Comparison{"planar", kGoal})));
+                                       kContact, base ? std::nullopt : std::optional(timing::Comparison{"planar", kGoal})));
   }
   return contest;
 }

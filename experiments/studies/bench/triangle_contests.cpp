@@ -7,7 +7,7 @@
 #include "experiments/methods/ericson.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/workloads/lattice/triangle_queries.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -15,22 +15,22 @@
 namespace touchstone::bench {
 namespace {
 
-using TriangleQueries = std::vector<TriangleQuery>;
+using TriangleQueries = std::vector<workloads::TriangleQuery>;
 
 /// What filtered should cost in times of fast.
-std::optional<Goal> goal_of(TriangleFamily family) {
+std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
   switch (family) {
-    case TriangleFamily::Random: return Goal{1};
-    case TriangleFamily::HalfNear: return Goal{3};
-    case TriangleFamily::LatticeTangent: return Goal{10};
+    case workloads::TriangleFamily::Random: return timing::Goal{1};
+    case workloads::TriangleFamily::HalfNear: return timing::Goal{3};
+    case workloads::TriangleFamily::LatticeTangent: return timing::Goal{10};
     default: return std::nullopt;
   }
 }
 
 /// What EPECK should cost, at least, in times of filtered; asked where it is a contestant.
-std::optional<Goal> goal_of_epeck(TriangleFamily family) {
-  if (family == TriangleFamily::Random) return Goal{100, false};
-  if (family == TriangleFamily::HalfNear) return Goal{50, false};
+std::optional<timing::Goal> goal_of_epeck(workloads::TriangleFamily family) {
+  if (family == workloads::TriangleFamily::Random) return timing::Goal{100, false};
+  if (family == workloads::TriangleFamily::HalfNear) return timing::Goal{50, false};
   return std::nullopt;
 }
 
@@ -44,7 +44,7 @@ std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
 }
 
 /// EPECK's objects are made before each repetition, so that none knows its exact value yet.
-Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
+timing::Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
                           const std::shared_ptr<const std::vector<bool>>& truth) {
   const auto objects = std::make_shared<cgal::EpeckQueries>();
   const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
@@ -60,17 +60,17 @@ Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
       if (objects->contact(i) != (*truth)[i]) ++wrong;
     return wrong;
   };
-  return {"EPECK, objects made", queries->size(), ask, count_wrong, make, Comparison{"filtered", {}}};
+  return {"EPECK, objects made", queries->size(), ask, count_wrong, make, timing::Comparison{"filtered", {}}};
 }
 
-Contest draw(TriangleFamily family, const Settings& settings) {
+timing::Contest draw(workloads::TriangleFamily family, const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;  // a second
   TriangleQueries drawn;
   drawn.reserve(settings.samples);
-  for (std::uint64_t i = 0; i < settings.samples; ++i) drawn.push_back(draw_triangle_query(family, settings.seed, i));
+  for (std::uint64_t i = 0; i < settings.samples; ++i) drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
   const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
 
-  Contest contest;
+  timing::Contest contest;
   contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
   const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, contest.checked));
   if (contest.checked > 0)
@@ -79,25 +79,25 @@ Contest draw(TriangleFamily family, const Settings& settings) {
             statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), contest.checked), 1) +
         " % touch";
 
-  const auto add = [&](std::string name, auto ask, std::optional<Comparison> comparison) {
+  const auto add = [&](std::string name, auto ask, std::optional<timing::Comparison> comparison) {
     contest.contestants.push_back(contestant(
-        std::move(name), queries, truth, [ask](const TriangleQuery& q) { return ask(q.ball, q.triangle); },
+        std::move(name), queries, truth, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
         comparison));
   };
   const auto fast = [](const Ball& b, const Triangle& t) { return fast::contact(b, t); };
   const auto filtered = [](const Ball& b, const Triangle& t) { return filtered::contact(b, t); };
-  const auto ericson = [](const Ball& b, const Triangle& t) { return ericson_contact(b, t); };
+  const auto ericson = [](const Ball& b, const Triangle& t) { return methods::ericson_contact(b, t); };
   add("fast", fast, std::nullopt);
-  add("filtered", filtered, Comparison{"fast", goal_of(family)});
+  add("filtered", filtered, timing::Comparison{"fast", goal_of(family)});
   add("Ericson", ericson,
-      Comparison{"fast", family == TriangleFamily::Random ? std::optional(Goal{1, false}) : std::nullopt});
+      timing::Comparison{"fast", family == workloads::TriangleFamily::Random ? std::optional(timing::Goal{1, false}) : std::nullopt});
   if (const auto goal = goal_of_epeck(family)) {
     const auto cartesian = [](const Ball& b, const Triangle& t) { return cgal::cartesian_contact(b, t); };
     const auto epick = [](const Ball& b, const Triangle& t) { return cgal::epick_contact(b, t); };
     const auto epeck = [](const Ball& b, const Triangle& t) { return cgal::epeck_contact(b, t); };
-    add("CGAL, doubles", cartesian, Comparison{"filtered", {}});
-    add("EPICK", epick, Comparison{"filtered", {}});
-    add("EPECK", epeck, Comparison{"filtered", goal});
+    add("CGAL, doubles", cartesian, timing::Comparison{"filtered", {}});
+    add("EPICK", epick, timing::Comparison{"filtered", {}});
+    add("EPECK", epeck, timing::Comparison{"filtered", goal});
     contest.contestants.push_back(prepared_epeck(queries, truth));
   }
   return contest;
@@ -107,7 +107,7 @@ Contest draw(TriangleFamily family, const Settings& settings) {
 
 std::vector<Family> triangle_families() {
   std::vector<Family> families;
-  for (const TriangleFamily family : all_triangle_families())
+  for (const workloads::TriangleFamily family : workloads::all_triangle_families())
     families.push_back({std::string(word(family)), std::string(summary(family)), {[family](const Settings& settings) {
                           return draw(family, settings);
                         }}});

@@ -12,7 +12,7 @@
 #include "geometry/contact/fast_triangle.h"
 #include "geometry/scene/box.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 namespace bg = boost::geometry;
@@ -58,7 +58,7 @@ class RTreeScene : public BuiltScene {
 
   /// The triangle of the nearest box says how far others may be.
   std::uint32_t nearest(const Eigen::Vector3d& center) override {
-    const auto squared = [&](std::uint32_t triangle) { return ericson_squared_distance(center, triangles_[triangle]); };
+    const auto squared = [&](std::uint32_t triangle) { return methods::ericson_squared_distance(center, triangles_[triangle]); };
     std::uint32_t nearest = tree_.qbegin(bg::index::nearest(point(center), 1))->second;
     double least = squared(nearest);
     const auto meet = [&](const Entry& entry) {
@@ -83,4 +83,4 @@ Library boost_rtree_library() {
   return {"Boost R-tree", [](std::span<const Triangle> triangles) { return std::make_unique<RTreeScene>(triangles); }};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

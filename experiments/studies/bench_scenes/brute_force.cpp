@@ -8,7 +8,7 @@
 #include "geometry/scene/box.h"
 #include "robust/exact/exact.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 Polygon polygon(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> touched_by_brute_force(std::span<const Triangle> tria
 }
 
 double least_distance_by_brute_force(std::span<const Triangle> triangles, const Eigen::Vector3d& center) {
-  const auto squared = [&](const Triangle& t) { return ericson_squared_distance(center, t); };
+  const auto squared = [&](const Triangle& t) { return methods::ericson_squared_distance(center, t); };
   const auto near = std::ranges::min_element(triangles, {}, squared);
   double least = exact_distance(*near, center);
   const double enough = least * (1 + 0x1p-40);
@@ -46,4 +46,4 @@ double exact_distance(const Triangle& triangle, const Eigen::Vector3d& center) {
   return exact::answer({center, 0}, polygon(triangle)).distance;
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -9,7 +9,7 @@
 #include "geometry/shapes/triangle.h"
 
 // What checks the exact scene: `exact`, triangle by triangle, and no hierarchy.
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 /// The triangles that the ball touches, ascending. All are asked, where there are at most 2,000; else those whose box
 /// is not half a radius farther than the ball reaches.
@@ -21,4 +21,4 @@ namespace touchstone::bench {
 /// The distance of one, rounded correctly.
 [[nodiscard]] double exact_distance(const Triangle& triangle, const Eigen::Vector3d& center);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -11,7 +11,7 @@
 
 #include "experiments/studies/bench_scenes/library.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 static_assert(sizeof(btScalar) == sizeof(double), "this is about Bullet's double build");
@@ -79,4 +79,4 @@ Library bullet_library() {
           .knows_nearest = false};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

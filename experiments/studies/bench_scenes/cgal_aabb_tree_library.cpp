@@ -7,7 +7,7 @@
 
 #include "experiments/studies/bench_scenes/library.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -71,4 +71,4 @@ Library cgal_aabb_tree_library() {
           [](std::span<const Triangle> triangles) { return std::make_unique<AabbTreeScene>(triangles); }};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

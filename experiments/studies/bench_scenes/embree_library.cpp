@@ -10,7 +10,7 @@
 #include "experiments/studies/bench_scenes/library.h"
 #include "geometry/contact/fast_triangle.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 /// Embree knows floats only: triangles and centres are rounded, so that its balls must reach farther by what that
@@ -116,7 +116,7 @@ class EmbreeScene : public BuiltScene {
 
   static bool meet_for_nearest(RTCPointQueryFunctionArguments* arguments) {
     auto& search = *static_cast<Search*>(arguments->userPtr);
-    const double squared = ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
+    const double squared = methods::ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
     if (!(squared < search.squared_distance)) return false;
     search.squared_distance = squared;
     search.nearest = arguments->primID;
@@ -137,4 +137,4 @@ Library embree_library() {
   return {kEmbree, [](std::span<const Triangle> triangles) { return std::make_unique<EmbreeScene>(triangles); }};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -9,7 +9,7 @@
 
 #include "experiments/studies/bench_scenes/library.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 using Model = fcl::BVHModel<fcl::OBBRSS<double>>;
@@ -68,4 +68,4 @@ Library fcl_library() {
   return {"FCL BVHModel", [](std::span<const Triangle> triangles) { return std::make_unique<FclScene>(triangles); }};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 std::uint32_t BuiltScene::nearest(const Eigen::Vector3d&) { throw std::logic_error("a library without `nearest`"); }
 
@@ -37,4 +37,4 @@ std::vector<std::string> absent_libraries() {
   return absent;
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -13,7 +13,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 /// What a library made of one scene, to be asked by one thread.
 class BuiltScene {
@@ -59,4 +59,4 @@ inline constexpr const char* kEmbree = "Embree 3";
 /// Those that it was built without, and the Debian package that each takes.
 [[nodiscard]] std::vector<std::string> absent_libraries();
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

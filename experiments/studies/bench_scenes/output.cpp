@@ -6,16 +6,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/studies/bench/output.h"
+#include "experiments/harness/timing/output.h"
 #include "experiments/harness/write_file.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 double seconds_a_million(const SceneResult& result, const Build& build) {
-  return quartiles(build.seconds).median / static_cast<double>(result.triangles) * 1e6;
+  return timing::quartiles(build.seconds).median / static_cast<double>(result.triangles) * 1e6;
 }
 
 /// Builds have goals where a scene has about a million triangles.
@@ -23,12 +23,12 @@ bool has_build_goals(const SceneResult& result) {
   return std::lround(static_cast<double>(result.triangles) / 1e6) == 1;
 }
 
-std::string verdict(const Goal& goal, double value) { return goal.met_by(value) ? "met" : "MISSED"; }
+std::string verdict(const timing::Goal& goal, double value) { return goal.met_by(value) ? "met" : "MISSED"; }
 
 /// Lines of goals, and their sums.
 class Goals {
  public:
-  void add(const std::string& what, const Goal& goal, double value) {
+  void add(const std::string& what, const timing::Goal& goal, double value) {
     ++all_;
     if (goal.met_by(value))
       ++met_;
@@ -101,11 +101,11 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
       }
     }
     for (const SceneContest& contest : result.contests)
-      for (const Measured& m : contest.result.contestants)
+      for (const timing::Measured& m : contest.result.contestants)
         if (!m.ratios.empty() && m.comparison->goal)
           goals.add(
               fmt::format("{}, {}, in times of {}", contest.result.family, contest.result.name, m.comparison->base),
-              *m.comparison->goal, quartiles(m.ratios).median);
+              *m.comparison->goal, timing::quartiles(m.ratios).median);
   }
   for (const Growth& growth : growths(results))
     if (growth.library == library) goals.add("growth, " + title(growth), {growth.log_times}, growth.times);
@@ -116,12 +116,12 @@ std::string scene_legend() {
   return R"(
 Each library builds the scene, with one thread, and all take turns in every repetition, each about the first so many
 ("asked") of the same balls: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions,
-+- half the distance of the quartiles or (quartiles); a ratio is one of times in the same repetition.
++- half the distance of the timing::quartiles or (timing::quartiles); a ratio is one of times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Embree and the R-tree find boxes; fast, careful plain doubles, then asks the triangles, Ericson's closest point which
 is nearest. CGAL, FCL and Bullet ask their own; CGAL (EPICK) means the ball's surface, Bullet knows no nearest.
-Wrong: answers that differ from those of Scene. Those of Scene: what differs from exact, asked triangle by triangle. A
+timing::Wrong: answers that differ from those of Scene. Those of Scene: what differs from exact, asked triangle by triangle. A
 nearest triangle is right where its distance, correctly rounded, is the least. Not timed.
 Memory: what malloc handed out, or, of Embree, what it says itself, with its copy of the triangles in floats; the
 triangles that were given are not counted.
@@ -138,7 +138,7 @@ Json json(const std::vector<SceneResult>& results) {
                   {"disputes", result.disputes}};
     for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
     for (const SceneContest& contest : result.contests) {
-      Json one = json(std::vector<Result>{contest.result}).front();
+      Json one = json(std::vector<timing::Result>{contest.result}).front();
       one["balls"] = word(contest.place);
       one["question"] = word(contest.question);
       scene["contests"].push_back(std::move(one));
@@ -157,23 +157,23 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
   for (const SceneResult& result : results) {
     for (const Build& build : result.builds)
       builds += fmt::format("{},{},{},{:.6g},{:.4f}\n", result.kind, result.triangles, build.library,
-                            quartiles(build.seconds).median, build.bytes);
+                            timing::quartiles(build.seconds).median, build.bytes);
     for (const SceneContest& contest : result.contests)
-      for (const Measured& m : contest.result.contestants) {
+      for (const timing::Measured& m : contest.result.contestants) {
         if (m.nanoseconds.empty()) continue;
-        const Quartiles ns = quartiles(m.nanoseconds);
+        const timing::Quartiles ns = timing::quartiles(m.nanoseconds);
         queries += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},", result.kind, result.triangles,
                                word(contest.place), word(contest.question), m.name, ns.median, ns.lower, ns.upper);
-        queries += m.ratios.empty() ? "," : fmt::format("{:.6g},{}", quartiles(m.ratios).median, m.comparison->base);
+        queries += m.ratios.empty() ? "," : fmt::format("{:.6g},{}", timing::quartiles(m.ratios).median, m.comparison->base);
         queries += m.wrong ? fmt::format(",{},{}\n", m.wrong->count, m.wrong->of) : ",,\n";
       }
   }
   for (const Growth& one : growths(results))
     growth += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g}\n", one.kind, word(one.place), word(one.question),
                           one.library, one.from, one.to, one.times, one.log_times);
-  run::write_file(folder / "queries.csv", queries);
-  run::write_file(folder / "builds.csv", builds);
-  run::write_file(folder / "growth.csv", growth);
+  harness::write_file(folder / "queries.csv", queries);
+  harness::write_file(folder / "builds.csv", builds);
+  harness::write_file(folder / "growth.csv", growth);
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

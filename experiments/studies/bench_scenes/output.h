@@ -8,7 +8,7 @@
 
 #include "experiments/studies/bench_scenes/study.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 /// Build times and memory of one scene.
 [[nodiscard]] std::string builds_table(const SceneResult& result);
@@ -24,4 +24,4 @@ namespace touchstone::bench {
 /// queries.csv, builds.csv and growth.csv. Throws std::runtime_error where they cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -12,7 +12,7 @@
 #include "geometry/scene/box.h"
 #include "robust/exact/validate.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 using workloads::Random;
@@ -169,4 +169,4 @@ std::vector<Ball> draw_scene_balls(BallPlace place, const std::vector<Triangle>&
   return balls;
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

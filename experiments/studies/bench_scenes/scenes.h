@@ -10,7 +10,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 /// A closed, bumpy torus of about so many triangles (4 m^2, m at least 3), all different, about 8 across: coordinates
 /// have all bits.
@@ -49,4 +49,4 @@ enum class BallPlace {
 [[nodiscard]] std::vector<Ball> draw_scene_balls(BallPlace place, const std::vector<Triangle>& triangles,
                                                  std::uint64_t count, std::uint64_t seed);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -11,9 +11,9 @@
 
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/harness/progress_line.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/percent.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 using Balls = std::shared_ptr<const std::vector<Ball>>;
@@ -150,17 +150,17 @@ std::string name_of(BallPlace place, SceneQuestion question) {
 }
 
 /// What is asked of the exact library is asked of a million triangles; balls that just touch take what they take.
-std::optional<Goal> goal_of(std::size_t triangles, BallPlace place, SceneQuestion question) {
+std::optional<timing::Goal> goal_of(std::size_t triangles, BallPlace place, SceneQuestion question) {
   const auto millions = static_cast<double>(triangles) / 1e6;
   if (std::lround(millions) != 1 || place == BallPlace::Touching || question == SceneQuestion::Nearest)
     return std::nullopt;
-  return Goal{1};
+  return timing::Goal{1};
 }
 
-Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact, BallPlace place,
+timing::Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact, BallPlace place,
                    SceneQuestion question, const Balls& balls, std::vector<std::string>& disputes, std::uint64_t seed) {
   constexpr std::size_t kMostChecked = 2000;
-  Contest contest;
+  timing::Contest contest;
   contest.name = name_of(place, question);
   contest.checked = std::min(balls->size(), kMostChecked);
   const auto asking = std::make_shared<Asking>(scene.triangles, question, balls);
@@ -169,7 +169,7 @@ Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, con
   const bool embree = std::ranges::any_of(built, [](const Built& b) { return b.library->name == kEmbree; });
   for (const Built& b : built) {
     if (question == SceneQuestion::Nearest && !b.library->knows_nearest) continue;
-    Contestant contestant;
+    timing::Contestant contestant;
     contestant.name = b.library->name;
     contestant.queries = balls->size();
     contestant.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
@@ -214,8 +214,8 @@ Balls draw(BallPlace place, const NamedScene& scene, const SceneSettings& settin
   return std::make_shared<const std::vector<Ball>>(std::move(balls));
 }
 
-const Measured* find(const Result& result, const std::string& library) {
-  const auto found = std::ranges::find(result.contestants, library, &Measured::name);
+const timing::Measured* find(const timing::Result& result, const std::string& library) {
+  const auto found = std::ranges::find(result.contestants, library, &timing::Measured::name);
   return found == result.contestants.end() || found->nanoseconds.empty() ? nullptr : &*found;
 }
 
@@ -237,7 +237,7 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
   const std::string title = fmt::format("{}, {} triangles", scene.kind, scene.triangles.size());
   std::vector<Built> all;
   {
-    run::ProgressLine line("bench: building " + title, libraries.size());
+    harness::ProgressLine line("bench: building " + title, libraries.size());
     for (const Library& library : libraries) {
       if (stop) break;
       result.builds.push_back({library.name, {}, 0});
@@ -256,8 +256,8 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
     const Balls balls = draw(place, scene, settings, *exact->scene);
     for (const SceneQuestion question : {Any, All, Nearest}) {
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
-      const Contest contest = contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      run::ProgressLine line(fmt::format("bench: {}, {}", title, contest.name), settings.repetitions);
+      const timing::Contest contest = contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
+      harness::ProgressLine line(fmt::format("bench: {}, {}", title, contest.name), settings.repetitions);
       result.contests.push_back({place, question,
                                  measure(
                                      title, contest, settings.repetitions, stop,
@@ -280,12 +280,12 @@ std::vector<Growth> growths(const std::vector<SceneResult>& results) {
         return c.place == contest.place && c.question == contest.question;
       });
       if (before == small->contests.end()) continue;
-      for (const Measured& m : contest.result.contestants) {
-        const Measured* base = find(before->result, m.name);
+      for (const timing::Measured& m : contest.result.contestants) {
+        const timing::Measured* base = find(before->result, m.name);
         if (base == nullptr || m.nanoseconds.empty()) continue;
         all.push_back(
             {large.kind, m.name, contest.place, contest.question, small->triangles, large.triangles,
-             quartiles(m.nanoseconds).median / quartiles(base->nanoseconds).median,
+             timing::quartiles(m.nanoseconds).median / timing::quartiles(base->nanoseconds).median,
              std::log(static_cast<double>(large.triangles)) / std::log(static_cast<double>(small->triangles))});
       }
     }
@@ -293,4 +293,4 @@ std::vector<Growth> growths(const std::vector<SceneResult>& results) {
   return all;
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

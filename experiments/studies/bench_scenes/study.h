@@ -13,7 +13,7 @@
 #include "experiments/studies/bench_scenes/scenes.h"
 
 /// Time of a query against the number of triangles: `touchstone bench --scene`.
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 
 enum class SceneQuestion { Any, All, Nearest };
 
@@ -36,7 +36,7 @@ struct Build {
 struct SceneContest {
   BallPlace place;
   SceneQuestion question;
-  Result result;
+  timing::Result result;
 };
 
 struct SceneResult {
@@ -51,11 +51,11 @@ struct SceneSettings {
   std::uint64_t samples = 100'000;  ///< balls, but at most 20,000 of those that touch
   std::uint64_t seed = 1;
   unsigned repetitions = 11;
-  double seconds_of_repetition = kSecondsOfRepetition;
+  double seconds_of_repetition = timing::kSecondsOfRepetition;
 };
 
 /// How much a million triangles may take: build seconds, and bytes each.
-inline constexpr Goal kBuildGoal{1}, kMemoryGoal{100};
+inline constexpr timing::Goal kBuildGoal{1}, kMemoryGoal{100};
 
 /// Builds the scene with every library, all of which are kept, and asks them in turn, contest by contest; each is
 /// handed to `keep`. Which answers are wrong: those of a library that differ from the exact one's; those of the exact
@@ -79,4 +79,4 @@ struct Growth {
 /// From the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its kind.
 [[nodiscard]] std::vector<Growth> growths(const std::vector<SceneResult>& results);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -2,7 +2,7 @@
 #include "experiments/studies/bench_scenes/library.h"
 #include "robust/scene/scene.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 class ExactScene : public BuiltScene {
@@ -30,4 +30,4 @@ Library touchstone_library() {
   return {"Scene", [](std::span<const Triangle> triangles) { return std::make_unique<ExactScene>(triangles); }, true};
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/commands.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "experiments/workloads/meshes/named_meshes.h"
@@ -39,10 +38,10 @@ struct MergeOptions {
 
 std::string command_line(const MergeOptions& options) {
   std::string line = "touchstone merge";
-  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   const Settings& s = options.settings;
   line += fmt::format(" --tolerance {} --compare {} --least {} --repetitions {} --seed {} --output {}", s.tolerance,
-                      s.balls, s.least, s.repetitions, s.seed, run::shell_quoted(options.output));
+                      s.balls, s.least, s.repetitions, s.seed, harness::shell_quoted(options.output));
   if (options.skip_bad) line += " --skip-bad";
   return line;
 }
@@ -71,15 +70,15 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
 int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   std::vector<MeshResult> results;
-  const std::vector<std::string> names = real_input::short_names(options.files);
+  const std::vector<std::string> names = workloads::short_names(options.files);
   bool all_right = true;
   std::size_t done = 0;  // files, those too that cannot be read
   {
-    run::ProgressLine line("merge", options.files.size());
+    harness::ProgressLine line("merge", options.files.size());
     for (const std::string& file : options.files) {
       if (interrupt.requested()) break;
       try {
@@ -104,7 +103,7 @@ int run(const MergeOptions& options) {
   write_counts(folder, results);
   write_polygons(folder, results);
   write_times(folder, results);
-  run::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = command_line(options),
                                  .seed = options.settings.seed,
                                  .samples_asked = options.files.size(),
                                  .samples_done = results.size(),
@@ -115,11 +114,11 @@ int run(const MergeOptions& options) {
              table(options.settings, results), results.size(), options.files.size(), seconds,
              options.settings.tolerance, options.settings.balls, options.settings.seed,
              io::all_legible(folder.string()));
-  run::flush_standard_output();
+  harness::flush_standard_output();
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
                options.files.size());
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
   return all_right ? 0 : kBadInput;
 }
@@ -131,26 +130,26 @@ void add_merge(CLI::App& app, int& status) {
       "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
   auto options = std::make_shared<MergeOptions>();
   Settings& settings = options->settings;
-  run::add_meshes(*command, options->files, "Mesh files");
+  harness::add_meshes(*command, options->files, "Mesh files");
   command
       ->add_option("--tolerance", settings.tolerance,
                    "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")
-      ->check(run::real_number(0, 1e300))
+      ->check(harness::real_number(0, 1e300))
       ->capture_default_str();
   command->add_option("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes")
-      ->check(run::whole_number(0, 10'000'000))
+      ->check(harness::whole_number(0, 10'000'000))
       ->capture_default_str();
   command->add_option("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least")
-      ->check(run::whole_number(2))
+      ->check(harness::whole_number(2))
       ->capture_default_str();
   command->add_option("--repetitions", settings.repetitions, "Of every timing")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  run::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
+  harness::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
   command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
   command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "geometry/io/legible.h"
 
 namespace touchstone::merging {
@@ -117,27 +117,27 @@ void write_counts(const std::filesystem::path& folder, const std::vector<MeshRes
   for (const MeshResult& result : results) {
     const Counts& c = result.counts;
     const mesh::EdgeCounts& e = c.edges;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", run::csv_field(result.name), c.faces,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", harness::csv_field(result.name), c.faces,
                         c.rejected, c.polygons, c.single, c.holes, c.vertices, c.largest, c.splits, e.border,
                         e.non_manifold, e.inconsistent, e.merged, e.folded, e.kept_apart, e.crease, c.off_plane);
     for (std::size_t i = 0; i < kQuestions.size(); ++i)
       text += fmt::format(",{},{}", result.differences.asked[i], result.differences.differ[i]);
     text += fmt::format(",{}\n", result.differences.distance);
   }
-  run::write_file(folder / "merge.csv", text);
+  harness::write_file(folder / "merge.csv", text);
 }
 
 void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
   std::string text = "mesh,polygon,faces,edges,holes,off_plane\n";
   for (const MeshResult& result : results) {
-    const std::string mesh = run::csv_field(result.name);
+    const std::string mesh = harness::csv_field(result.name);
     for (std::size_t i = 0; i < result.polygons.size(); ++i) {
       const PolygonCounts& polygon = result.polygons[i];
       text +=
           fmt::format("{},{},{},{},{},{}\n", mesh, i, polygon.faces, polygon.edges, polygon.holes, polygon.off_plane);
     }
   }
-  run::write_file(folder / "polygons.csv", text);
+  harness::write_file(folder / "polygons.csv", text);
 }
 
 void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
@@ -146,11 +146,11 @@ void write_times(const std::filesystem::path& folder, const std::vector<MeshResu
   for (const MeshResult& result : results)
     for (const Kind kind : kKinds) {
       const Measured& m = result.measured[static_cast<std::size_t>(kind)];
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", run::csv_field(result.name), result.merge_seconds,
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(result.name), result.merge_seconds,
                           word(kind), m.triangles, m.polygons, m.memory, m.seconds, m.nanoseconds[0], m.nanoseconds[1],
                           m.nanoseconds[2]);
     }
-  run::write_file(folder / "merge-times.csv", text);
+  harness::write_file(folder / "merge-times.csv", text);
 }
 
 std::string table(const Settings& settings, const std::vector<MeshResult>& results) {

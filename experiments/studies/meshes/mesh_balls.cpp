@@ -9,7 +9,7 @@
 #include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 namespace {
 
 using Eigen::Vector3d;
@@ -163,4 +163,4 @@ MeshBalls draw_mesh_balls(const Polygon& polygon, const exact::PreparedPolygon& 
   return drawn;
 }
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

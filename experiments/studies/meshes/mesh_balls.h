@@ -11,7 +11,7 @@
 #include "robust/exact/exact.h"
 
 /// The study of wrong answers on the faces of meshes that others made: `touchstone mesh-contact`.
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 
 /// What a ball is near to.
 enum class Place {
@@ -47,4 +47,4 @@ struct MeshBalls {
 [[nodiscard]] MeshBalls draw_mesh_balls(const Polygon& polygon, const exact::PreparedPolygon& exact, std::uint64_t seed,
                                         std::string_view mesh, std::uint64_t face);
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

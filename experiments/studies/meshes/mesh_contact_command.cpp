@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/meshes/named_meshes.h"
 #include "experiments/studies/meshes/output.h"
 #include "experiments/harness/interrupt.h"
@@ -24,23 +24,24 @@
 namespace touchstone::commands {
 namespace {
 
-using namespace real_input;
+using namespace meshes;
+using namespace workloads;
 
 struct Options {
   std::vector<std::string> files;
   std::vector<std::string> methods{"all"};
-  Settings settings{.threads = run::all_threads()};
+  Settings settings{.threads = harness::all_threads()};
   bool skip_bad = false, force = false;
   std::string output = "results/mesh-contact";
 };
 
 std::string command_line(const Options& options) {
   std::string line = "touchstone mesh-contact";
-  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   std::string names;
   for (const std::string& name : options.methods) names.append(names.empty() ? "" : ",").append(name);
   line += fmt::format(" --method {} --seed {} --threads {} --output {}", names, options.settings.seed,
-                      options.settings.threads, run::shell_quoted(options.output));
+                      options.settings.threads, harness::shell_quoted(options.output));
   if (options.settings.faces != Settings{}.faces) line += fmt::format(" --faces {}", options.settings.faces);
   if (options.skip_bad) line += " --skip-bad";
   return line;
@@ -64,15 +65,15 @@ int run(Options& options) {
   Settings& settings = options.settings;
   settings.methods = methods::find_methods(options.methods);
   const std::filesystem::path folder = options.output;
-  const run::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Meshes meshes = read(options);
   constexpr int kBadInput = 2, kInterrupted = 130;
   if (meshes.read.empty()) return kBadInput;
 
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   const Result result = [&] {
-    run::ProgressLine line("mesh-contact", block_count(settings, meshes.read));
+    harness::ProgressLine line("mesh-contact", block_count(settings, meshes.read));
     return run_study(settings, meshes.read, interrupt.requested(), [&](std::uint64_t done) { line(done); });
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -82,15 +83,15 @@ int run(Options& options) {
   write_meshes(folder, settings, meshes.read, result);
   write_rejected(folder, meshes.read, result);
   write_failures(folder, settings, meshes.read, result);
-  run::write_file(folder / "left-out.txt", meshes.left_out);
-  run::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces, result.rejected.size(),
+  harness::write_file(folder / "left-out.txt", meshes.left_out);
+  harness::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces, result.rejected.size(),
                                  settings.threads, seconds});
 
   fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
              meshes.parts_left_out, seconds, settings.seed);
   fmt::print("Results: {}\n", io::all_legible(folder.string()));
-  run::flush_standard_output();
+  harness::flush_standard_output();
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
                result.faces);
@@ -111,18 +112,18 @@ void add_mesh_contact(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("mesh-contact", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
-  run::add_meshes(*command, options->files, "Mesh files");
-  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  run::add_seed(*command, options->settings.seed);
+  harness::add_meshes(*command, options->files, "Mesh files");
+  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  harness::add_seed(*command, options->settings.seed);
   command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")
-      ->check(run::whole_number(1));
-  run::add_threads(*command, options->settings.threads);
+      ->check(harness::whole_number(1));
+  harness::add_threads(*command, options->settings.threads);
   command->add_flag("--skip-bad", options->skip_bad,
                     "Leave out what is wrong in a file, and say what; rejected faces are no error then");
   command->add_option("--output", options->output, "The folder for the tables and the failing cases")
       ->capture_default_str();
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

@@ -10,9 +10,10 @@
 #include <tuple>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/workloads/meshes/face_polygon.h"
 #include "experiments/harness/write_file.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 namespace {
 
 /// A query of the study, and which methods fail which tests in it.
@@ -23,12 +24,12 @@ struct FailedQuery {
 
 std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint64_t face, std::size_t ball,
                       const FailedQuery& failed) {
-  const Polygon polygon = face_polygon(mesh.mesh, face);
+  const Polygon polygon = workloads::face_polygon(mesh.mesh, face);
   const exact::PreparedPolygon exact(polygon);
   const MeshBall drawn = draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls[ball];
-  const auto whole = judge::object_of(methods::PartialAnswer::of(exact::answer(drawn.ball, exact), ""));
+  const auto whole = cases::object_of(cases::PartialAnswer::of(exact::answer(drawn.ball, exact), ""));
   constexpr std::array<const char*, kTests.size()> kKeys{"plane", "foot", "edges_hit", "contact"};
-  judge::Verdict expected = judge::Verdict::object();
+  cases::Verdict expected = cases::Verdict::object();
   for (std::size_t test = 0; test < kTests.size(); ++test)
     if (failed.wrong[test]) expected[kKeys[test]] = whole[kKeys[test]];
   std::vector<std::string> tags{std::string("near-") + std::string(word(drawn.place))};
@@ -36,7 +37,7 @@ std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint
     tags.push_back("fails-" + std::string(settings.methods[method]->name()));
   const std::string id =
       fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, word(drawn.place), drawn.steps, settings.seed);
-  return judge::to_line(judge::case_of(id, drawn.ball, polygon, tags, expected));
+  return cases::to_line(cases::case_of(id, drawn.ball, polygon, tags, expected));
 }
 
 }  // namespace
@@ -50,21 +51,21 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
       for (std::size_t place = 0; place < kPlaces.size(); ++place)
         for (std::size_t test = 0; test < kTests.size(); ++test) {
           const Count& count = counts.methods[method].at[place][test];
-          text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", run::csv_field(meshes[mesh].name), counts.faces,
+          text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(meshes[mesh].name), counts.faces,
                               counts.rejected, settings.methods[method]->name(), word(kPlaces[place]),
-                              judge::word(kTests[test]), count.trials, count.wrong(), count.wrongly_in,
+                              word(kTests[test]), count.trials, count.wrong(), count.wrongly_in,
                               count.wrongly_out, count.boundary_missed);
         }
   }
-  run::write_file(folder / "meshes.csv", text);
+  harness::write_file(folder / "meshes.csv", text);
 }
 
 void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
   std::string text = "mesh,face,code,message\n";
   for (const RejectedFace& face : result.rejected)
-    text += fmt::format("{},{},{},{}\n", run::csv_field(meshes[face.mesh].name), face.face, word(face.rejection.code),
-                        run::csv_field(face.rejection.message));
-  run::write_file(folder / "rejected.csv", text);
+    text += fmt::format("{},{},{},{}\n", harness::csv_field(meshes[face.mesh].name), face.face, word(face.rejection.code),
+                        harness::csv_field(face.rejection.message));
+  harness::write_file(folder / "rejected.csv", text);
 }
 
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
@@ -80,7 +81,7 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
     const auto& [mesh, face, ball] = key;
     text += case_line(settings, meshes[mesh], face, ball, failed);
   }
-  run::write_file(folder / "failures.jsonl", text);
+  harness::write_file(folder / "failures.jsonl", text);
 }
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

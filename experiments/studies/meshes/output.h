@@ -7,7 +7,7 @@
 
 #include "experiments/studies/meshes/study.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 
 // Results only: byte for byte the same for the same settings and meshes, whatever the number of threads. Faces are
 // numbered from 0. Each throws std::runtime_error, which names the file, where it cannot be written.
@@ -26,4 +26,4 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
 /// The table for the terminal: a row a mesh, the sum, the totals of each method, the rejected faces and a legend.
 [[nodiscard]] std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes, const Result& result);
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

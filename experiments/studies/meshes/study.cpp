@@ -6,10 +6,11 @@
 #include <tuple>
 #include <utility>
 
+#include "experiments/workloads/meshes/face_polygon.h"
 #include "experiments/workloads/random.h"
 #include "robust/exact/validate.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 namespace {
 
 constexpr std::uint64_t kBlock = 32;  // faces
@@ -65,7 +66,7 @@ class Tally {
     for (std::uint64_t face = block.first; face < block.last; ++face) {
       ++result_.meshes[block.mesh].faces;
       try {
-        ask(block.mesh, face, face_polygon(meshes_[block.mesh].mesh, face));
+        ask(block.mesh, face, workloads::face_polygon(meshes_[block.mesh].mesh, face));
       } catch (const Rejected& rejected) {
         ++result_.meshes[block.mesh].rejected;
         result_.rejected.push_back({block.mesh, face, rejected.rejection()});
@@ -81,9 +82,9 @@ class Tally {
   void ask(std::size_t mesh, std::uint64_t face, const Polygon& polygon) {
     const exact::PreparedPolygon exact(polygon);
     const MeshBalls drawn = draw_mesh_balls(polygon, exact, settings_.seed, meshes_[mesh].name, face);
-    std::vector<methods::PartialAnswer> truths;
+    std::vector<cases::PartialAnswer> truths;
     for (const MeshBall& ball : drawn.balls)
-      truths.push_back(methods::PartialAnswer::of(exact::answer(ball.ball, exact), ""));
+      truths.push_back(cases::PartialAnswer::of(exact::answer(ball.ball, exact), ""));
 
     MeshCounts& counts = result_.meshes[mesh];
     counts.queries += drawn.balls.size();
@@ -92,7 +93,7 @@ class Tally {
       const auto prepared = settings_.methods[method]->prepare(polygon);
       bool face_wrong = false;
       for (std::size_t i = 0; i < drawn.balls.size(); ++i) {
-        const auto answer = prepared->ask(drawn.balls[i].ball, methods::Question::Answer);
+        const auto answer = prepared->ask(drawn.balls[i].ball, cases::Question::Answer);
         auto& at = counts.methods[method].at[static_cast<std::size_t>(drawn.balls[i].place)];
         Failure failure{method, mesh, face, i, {}, drawn.balls[i].steps, 0};
         for (std::size_t test = 0; test < kTests.size(); ++test)
@@ -105,14 +106,14 @@ class Tally {
   }
 
   /// Is it wrong?
-  static bool add(Count& count, std::optional<judge::Outcome> verdict) {
+  static bool add(Count& count, std::optional<cases::Outcome> verdict) {
     if (!verdict) return false;
     ++count.trials;
     switch (*verdict) {
-      case judge::Outcome::Right: return false;
-      case judge::Outcome::WronglyIn: ++count.wrongly_in; break;
-      case judge::Outcome::WronglyOut: ++count.wrongly_out; break;
-      case judge::Outcome::BoundaryMissed: ++count.boundary_missed; break;
+      case cases::Outcome::Right: return false;
+      case cases::Outcome::WronglyIn: ++count.wrongly_in; break;
+      case cases::Outcome::WronglyOut: ++count.wrongly_out; break;
+      case cases::Outcome::BoundaryMissed: ++count.boundary_missed; break;
     }
     return true;
   }
@@ -161,25 +162,17 @@ MeshCounts& MeshCounts::operator+=(const MeshCounts& other) {
   return *this;
 }
 
-Polygon face_polygon(const Mesh& mesh, std::uint64_t face) {
-  Loop loop;
-  for (const std::uint32_t vertex : mesh.faces[face]) loop.push_back(mesh.vertices[vertex]);
-  Polygon polygon(loop);
-  if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
-  return polygon;
-}
-
 std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes) {
   return all_blocks(settings, meshes).size();
 }
 
 Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes, const std::atomic<bool>& stop,
-                 const run::Progress& progress) {
+                 const harness::Progress& progress) {
   const std::vector<Block> blocks = all_blocks(settings, meshes);
   std::vector<bool> knows_boundary;
-  for (const auto* method : settings.methods) knows_boundary.push_back(judge::knows_boundary(*method));
+  for (const auto* method : settings.methods) knows_boundary.push_back(cases::knows_boundary(*method));
   std::vector<Tally> tallies(settings.threads, Tally(settings, meshes, knows_boundary));
-  run::run_blocks(blocks.size(), settings.threads, stop, progress,
+  harness::run_blocks(blocks.size(), settings.threads, stop, progress,
                         [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
 
   Result result = Tally(settings, meshes, knows_boundary).result();
@@ -197,4 +190,4 @@ Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
   return result;
 }
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

@@ -16,10 +16,10 @@
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 
-using judge::kTests;
-using judge::Test;
+using cases::kTests;
+using cases::Test;
 
 /// The name is short, unique in a run, and drives the random numbers.
 struct NamedMesh {
@@ -28,7 +28,7 @@ struct NamedMesh {
 };
 
 struct Settings {
-  std::vector<const methods::Method*> methods{};
+  std::vector<const cases::Method*> methods{};
   std::uint64_t seed = 1;
   std::uint64_t faces = std::numeric_limits<std::uint64_t>::max();  ///< of each mesh, the first ones, at most
   unsigned threads = 1;
@@ -37,7 +37,7 @@ struct Settings {
 /// What one method answered to one test.
 struct Count {
   std::uint64_t trials = 0;
-  std::uint64_t wrongly_in = 0, wrongly_out = 0, boundary_missed = 0;  ///< as judge::Outcome
+  std::uint64_t wrongly_in = 0, wrongly_out = 0, boundary_missed = 0;  ///< as cases::Outcome
 
   [[nodiscard]] std::uint64_t wrong() const { return wrongly_in + wrongly_out + boundary_missed; }
   Count& operator+=(const Count& other);
@@ -89,17 +89,14 @@ struct Result {
   std::uint64_t faces = 0;             ///< that were to be asked about, in all meshes
 };
 
-/// The face as a polygon of the contract. Throws Rejected.
-[[nodiscard]] Polygon face_polygon(const Mesh& mesh, std::uint64_t face);
-
-/// Asks every method about every ball of every face, and compares with `exact` as judge::compare does.
+/// Asks every method about every ball of every face, and compares with `exact` as cases::compare does.
 ///
 /// A function of settings and meshes; `threads` changes nothing, and neither do the other meshes and methods what is
 /// counted for one. A run that was stopped has come to the first faces, in the order of the meshes.
 [[nodiscard]] Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
-                               const std::atomic<bool>& stop, const run::Progress& progress);
+                               const std::atomic<bool>& stop, const harness::Progress& progress);
 
 /// Progress is counted in blocks; there are so many.
 [[nodiscard]] std::uint64_t block_count(const Settings& settings, const std::vector<NamedMesh>& meshes);
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

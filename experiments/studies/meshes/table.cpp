@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "experiments/studies/meshes/output.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 #include "geometry/io/legible.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 namespace {
 
 constexpr std::size_t kWidth = 120;  // columns of the terminal
@@ -141,7 +141,7 @@ std::string by_method(const Settings& settings, const Result& result) {
   const MeshCounts sum = sum_of(result);
   std::string text = fmt::format("\nWrong answers to each test, in {} queries\n\n", sum.queries);
   text += fmt::format("{:<16}", "method");
-  for (const Test test : kTests) text += fmt::format("{:>15}", judge::word(test));
+  for (const Test test : kTests) text += fmt::format("{:>15}", word(test));
   text += fmt::format("{:>9}{:>9}{:>24}\n", "missed", "false", "faces (95 % limits)");
   for (std::size_t method = 0; method < sum.methods.size(); ++method) {
     const MethodCounts& counts = sum.methods[method];
@@ -190,4 +190,4 @@ std::string table(const Settings& settings, const std::vector<NamedMesh>& meshes
   return by_mesh(settings, meshes, result) + by_method(settings, result) + left_out(meshes, result) + kLegend;
 }
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/climb.h"
 
 #include <bit>
@@ -59,7 +60,7 @@ bool settle(AtThreshold& at, Feature::Kind kind) {
     return answer.nearest.kind == kind && answer.distance > 0 && std::isfinite(answer.distance);
   }
   constexpr std::int64_t kReach = std::int64_t{1} << 34;  // a nudge moves a vertex by up to 2^31 doubles
-  const auto crossing = find_foot_crossing(at.ball, at.moved_axis, kReach, [&](const Ball& ball) {
+  const auto crossing = cases::find_foot_crossing(at.ball, at.moved_axis, kReach, [&](const Ball& ball) {
     return filtered::foot(ball, polygon) == FootPlace::Outside;
   });
   if (!crossing) return false;
@@ -73,9 +74,9 @@ Feature::Kind nearest_kind(const AtThreshold& at) {
 
 }  // namespace
 
-Climbed climb(AtThreshold start, const methods::Method& method, Random random) {
-  const methods::Method& truth = *methods::find_method("filtered");
-  const bool knows_boundary = judge::knows_boundary(method);
+Climbed climb(AtThreshold start, const cases::Method& method, Random random) {
+  const cases::Method& truth = *methods::find_method("filtered");
+  const bool knows_boundary = cases::knows_boundary(method);
   const auto reach_of = [&](const AtThreshold& at) {
     return wrong_reach(at, *method.prepare(at.polygon), knows_boundary, *truth.prepare(at.polygon));
   };

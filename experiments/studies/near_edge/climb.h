@@ -21,6 +21,6 @@ struct Climbed {
 /// double is 2^-33 of the size, they do.
 ///
 /// A function of its arguments. Cost: about 10 ms.
-[[nodiscard]] Climbed climb(AtThreshold start, const methods::Method& method, workloads::Random random);
+[[nodiscard]] Climbed climb(AtThreshold start, const cases::Method& method, workloads::Random random);
 
 }  // namespace touchstone::near_edge

@@ -12,10 +12,10 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 Counts::Counts(std::size_t methods)
-    : methods_(methods), tallies_(all_strata().size() * kTests.size() * methods * (all_offsets().size() + 1)) {}
+    : methods_(methods), tallies_(cases::all_strata().size() * kTests.size() * methods * (cases::all_offsets().size() + 1)) {}
 
 std::size_t Counts::first(std::size_t stratum, Test test, std::size_t method) const {
-  return ((stratum * kTests.size() + static_cast<std::size_t>(test)) * methods_ + method) * (all_offsets().size() + 1);
+  return ((stratum * kTests.size() + static_cast<std::size_t>(test)) * methods_ + method) * (cases::all_offsets().size() + 1);
 }
 
 void Counts::add(std::size_t stratum, Test test, std::size_t method, const std::vector<bool>& failed) {
@@ -38,7 +38,7 @@ const Tally& Counts::at(std::size_t stratum, Test test, std::size_t method, std:
 }
 
 Summary Counts::summary(const std::vector<std::size_t>& strata, Test test, std::size_t method) const {
-  const auto& offsets = all_offsets();
+  const auto& offsets = cases::all_offsets();
   Summary summary;
   for (const std::size_t stratum : strata) {
     for (std::size_t i = 0; i < offsets.size(); ++i) {

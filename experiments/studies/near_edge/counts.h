@@ -12,9 +12,9 @@
 
 namespace touchstone::near_edge {
 
-using judge::kTests;
-using judge::Outcome;
-using judge::Test;
+using cases::kTests;
+using cases::Outcome;
+using cases::Test;
 
 struct Tally {
   std::uint64_t failures = 0, trials = 0;

@@ -100,7 +100,7 @@ bool same_binade(double a, double b) {
 
 /// What is mapped, prepared for all threads.
 struct Scene {
-  Scene(Polygon drawn, Ball ball, int flat, const std::vector<const methods::Method*>& methods)
+  Scene(Polygon drawn, Ball ball, int flat, const std::vector<const cases::Method*>& methods)
       : polygon(std::move(drawn)),
         middle(std::move(ball)),
         first_axis((flat + 1) % 3),
@@ -121,11 +121,11 @@ struct Scene {
   Ball middle;
   int first_axis, second_axis;
   exact::PreparedPolygon exact;
-  std::vector<std::unique_ptr<methods::PreparedMethod>> asked;
+  std::vector<std::unique_ptr<cases::PreparedMethod>> asked;
 };
 
 Scene draw_scene(Spot spot, Test test, double origin_distance, std::uint64_t seed,
-                 const std::vector<const methods::Method*>& methods) {
+                 const std::vector<const cases::Method*>& methods) {
   workloads::Workload workload;
   workload.family = workloads::Family::L;
   workload.placement = workloads::Placement::Rotated;
@@ -178,7 +178,7 @@ void from_json(const nlohmann::json& json, Sheet& sheet) {
   }
 }
 
-char letter(Test test, const methods::PartialAnswer& truth) {
+char letter(Test test, const cases::PartialAnswer& truth) {
   if (test == Test::Contact) return *truth.contact ? 'c' : 'n';
   return word(*truth.foot).front();
 }
@@ -196,8 +196,8 @@ char letter(const std::optional<Outcome>& verdict) {
 
 class Cartographer {
  public:
-  Cartographer(const std::vector<const methods::Method*>& methods, std::uint64_t seed) {
-    for (const auto* method : methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+  Cartographer(const std::vector<const cases::Method*>& methods, std::uint64_t seed) {
+    for (const auto* method : methods) knows_boundary_.push_back(cases::knows_boundary(*method));
     const std::string empty(kSide * kSide, kNotDrawn);
     for (const Spot spot : kSpots)
       for (const double distance : kOriginDistances)
@@ -217,7 +217,7 @@ class Cartographer {
     Map& map = sheet.maps[s];
     for (std::size_t column = 0; column < kSide; ++column) {
       const Ball ball = scene.ball(row, column);
-      methods::PartialAnswer truth;
+      cases::PartialAnswer truth;
       if (map.test == Test::Foot)
         truth.foot = exact::foot(ball, scene.exact);
       else
@@ -251,12 +251,12 @@ std::string_view word(Spot spot) {
 
 std::uint64_t map_rows() { return kMaps * kSide; }
 
-std::vector<Map> draw_maps(const std::vector<const methods::Method*>& methods, std::uint64_t seed, unsigned threads,
-                           const run::Processes& processes, const std::atomic<bool>& stop,
-                           const run::Progress& progress) {
+std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed, unsigned threads,
+                           const harness::Processes& processes, const std::atomic<bool>& stop,
+                           const harness::Progress& progress) {
   const Cartographer cartographer(methods, seed);
   Sheet sheet = cartographer.blank();
-  const std::uint64_t done = run::run_sweep(
+  const std::uint64_t done = harness::run_sweep(
       {map_rows(), 1, threads, processes, stop, progress},
       [&](std::uint64_t row, Sheet& part) { cartographer.draw_row(row, part); }, [](std::uint64_t, const Sheet&) {},
       cartographer.blank(), 0, sheet);

@@ -13,9 +13,9 @@
 
 namespace touchstone::near_edge {
 
-using judge::kTests;
-using judge::Outcome;
-using judge::Test;
+using cases::kTests;
+using cases::Outcome;
+using cases::Test;
 
 /// What a map is about: a point of an L.
 enum class Spot {
@@ -57,9 +57,9 @@ inline constexpr double kOriginDistances[] = {0, 1e3, 1e6};
 /// A map of either test at each spot and distance; a function of (methods, seed) alone, at the first process; nothing
 /// at the others. Those that are whole, where stopped. `progress` is told rows, of map_rows(). Cost: about 30 us a
 /// pixel and four methods, so that nothing is kept of a run that was killed.
-[[nodiscard]] std::vector<Map> draw_maps(const std::vector<const methods::Method*>& methods, std::uint64_t seed,
-                                         unsigned threads, const run::Processes& processes,
-                                         const std::atomic<bool>& stop, const run::Progress& progress);
+[[nodiscard]] std::vector<Map> draw_maps(const std::vector<const cases::Method*>& methods, std::uint64_t seed,
+                                         unsigned threads, const harness::Processes& processes,
+                                         const std::atomic<bool>& stop, const harness::Progress& progress);
 
 [[nodiscard]] std::uint64_t map_rows();
 

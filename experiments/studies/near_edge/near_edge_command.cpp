@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/output.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -29,8 +29,8 @@ struct Options {
   std::vector<std::string> families{"all"};
   std::uint64_t samples = 1000;  // about 35 s on two cores
   std::uint64_t seed = 1;
-  unsigned threads = run::all_threads();
-  Shape shape;
+  unsigned threads = harness::all_threads();
+  cases::Shape shape;
   std::string truth = "exact";
   std::uint64_t search = 100;  // about 20 s
   bool force = false, resume = false;
@@ -41,26 +41,26 @@ struct Options {
 std::string family_words(const Settings& settings) {
   std::vector<std::string> words;
   for (const auto family : settings.families) words.emplace_back(word(family));
-  return run::joined(words);
+  return harness::joined(words);
 }
 
 std::string method_names(const Settings& settings) {
   std::vector<std::string> names;
   for (const auto* method : settings.methods) names.emplace_back(method->name());
-  return run::joined(names);
+  return harness::joined(names);
 }
 
 std::string command_line(const Options& options) {
   std::string line = fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {}",
-                                 run::joined(options.methods), run::joined(options.families), options.samples,
+                                 harness::joined(options.methods), harness::joined(options.families), options.samples,
                                  options.seed, options.threads);
-  const Shape usual;
+  const cases::Shape usual;
   if (options.shape.vertices != usual.vertices) line += fmt::format(" --vertices {}", options.shape.vertices);
   if (options.shape.holes != usual.holes) line += fmt::format(" --holes {}", options.shape.holes);
   if (options.shape.origin_distance != usual.origin_distance)
     line += fmt::format(" --origin-distance {}", options.shape.origin_distance);
   line += fmt::format(" --truth {} --search {} --output {}", options.truth, options.search,
-                      run::shell_quoted(options.output));
+                      harness::shell_quoted(options.output));
   if (options.resume) line += " --resume";
   if (options.no_pictures) line += " --no-pictures";
   return line;
@@ -93,7 +93,7 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
 /// One run with all processes; what it holds in between is the first one's.
 class Run {
  public:
-  Run(const Options& options, const run::Processes& processes)
+  Run(const Options& options, const harness::Processes& processes)
       : options_(options),
         processes_(processes),
         folder_(options.output),
@@ -108,7 +108,7 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
     const std::uint64_t before = sample();
     const double seconds_of_samples = seconds_since(begin);
     if (processes_.first()) {
@@ -121,7 +121,7 @@ class Run {
     search();
     if (!processes_.first()) return 0;
 
-    run::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = command_line(options_),
                                     .seed = settings_.seed,
                                     .samples_asked = settings_.samples,
                                     .samples_done = result_.samples,
@@ -137,7 +137,7 @@ class Run {
         result_.samples, result_.missing, result_.samples - before, seconds_of_samples,
         static_cast<double>((result_.samples - before) * strata_asked()) / seconds_of_samples, seconds_since(begin));
     if (options_.search > 0) fmt::print("\n{}", search_table(settings_, onsets_, worst_));
-    run::flush_standard_output();
+    harness::flush_standard_output();
     return tell_end();
   }
 
@@ -148,22 +148,22 @@ class Run {
 
   /// Strata of the selected families.
   [[nodiscard]] std::uint64_t strata_asked() const {
-    return all_strata().size() / workloads::all_families().size() * settings_.families.size();
+    return cases::all_strata().size() / workloads::all_families().size() * settings_.families.size();
   }
 
   /// Returns how many samples an earlier run had done.
   std::uint64_t sample() {
-    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    result_ = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
+    const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    result_ = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
                          [](const Result& result) { return result.samples; });
     const std::uint64_t before = result_.samples;
-    run::ProgressLine line("near-edge: samples", settings_.samples, before);
-    run_study(settings_, run::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
+    harness::ProgressLine line("near-edge: samples", settings_.samples, before);
+    run_study(settings_, harness::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
     return before;
   }
 
   void draw() {
-    run::ProgressLine line("near-edge: maps", map_rows());
+    harness::ProgressLine line("near-edge: maps", map_rows());
     const auto maps = draw_maps(settings_.methods, settings_.seed, settings_.threads, processes_,
                                 interrupt_.requested(), [&](std::uint64_t done) { line(done); });
     if (processes_.first()) write_maps(folder_, settings_, maps);
@@ -171,16 +171,16 @@ class Run {
 
   void search() {
     if (options_.search == 0) return;
-    const run::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
-    onsets_ = run::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
+    const harness::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
+    onsets_ = harness::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
                          [](const Onsets& onsets) { return onsets.done; });
     const std::uint64_t before = onsets_.done;
     {
-      run::ProgressLine line("near-edge: search", options_.search, before);
-      run_onsets(settings_, options_.search, run::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint),
+      harness::ProgressLine line("near-edge: search", options_.search, before);
+      run_onsets(settings_, options_.search, harness::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint),
                  onsets_);
     }
-    run::ProgressLine line("near-edge: climbs", climb_count(settings_));
+    harness::ProgressLine line("near-edge: climbs", climb_count(settings_));
     run_climbs(
         settings_,
         {.processes = processes_, .stop = interrupt_.requested(), .progress = [&](std::uint64_t done) { line(done); }},
@@ -201,22 +201,22 @@ class Run {
     if (settings_.truth->name() != "exact")
       fmt::print("{} was held against exact about {} balls: {} differences.\n", options_.truth, result_.checked,
                  result_.disagreements.count());
-    run::flush_standard_output();
+    harness::flush_standard_output();
     if (interrupt_.requested()) {
       fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume goes on\n",
                  options_.output, result_.samples, settings_.samples);
-      return run::kInterrupted;
+      return harness::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("near_edge", *held_);
+    if (!options_.no_pictures) harness::draw_pictures("near_edge", *held_);
     return differing > 0 ? 1 : 0;
   }
 
   const Options& options_;
-  const run::Processes& processes_;
+  const harness::Processes& processes_;
   std::filesystem::path folder_;
-  std::optional<run::OutputFolder> held_;  // by the first process
+  std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
-  run::Interrupt interrupt_;
+  harness::Interrupt interrupt_;
   Result result_;
   Onsets onsets_;
   WorstCases worst_;
@@ -228,18 +228,18 @@ void add_near_edge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
-  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
+  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  harness::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold")
-      ->check(run::whole_number(1, kMostSamples), "COUNT")
+      ->check(harness::whole_number(1, kMostSamples), "COUNT")
       ->capture_default_str();
-  run::add_seed(*command, options->seed);
-  run::add_threads(*command, options->threads, "Of each process; they do not change the results");
+  harness::add_seed(*command, options->seed);
+  harness::add_threads(*command, options->threads, "Of each process; they do not change the results");
   command->add_option("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows")
-      ->check(run::whole_number(3, 1U << 17))
+      ->check(harness::whole_number(3, 1U << 17))
       ->capture_default_str();
   command->add_option("--holes", options->shape.holes, "Holes of each polygon; those without room are missing")
-      ->check(run::whole_number(0, 1000))
+      ->check(harness::whole_number(0, 1000))
       ->capture_default_str();
   command->add_option("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes")
       ->check(CLI::Range(0.0, 0x1p30))
@@ -254,14 +254,14 @@ void add_near_edge(CLI::App& app, int& status) {
       ->add_option("--search", options->search,
                    "Search for the furthest wrong answers from so many samples of each family, threshold and "
                    "distance from the origin")
-      ->check(run::whole_number(0, kMostSamples))
+      ->check(harness::whole_number(0, kMostSamples))
       ->capture_default_str();
-  run::add_resume(*command, options->resume);
+  harness::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
-    status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+    status = harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
 }
 

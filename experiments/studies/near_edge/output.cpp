@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -25,8 +25,8 @@ struct Group {
 
 std::vector<Group> all_groups() {
   std::vector<Group> single, pooled;
-  for (std::size_t s = 0; s < all_strata().size(); ++s) {
-    const auto& [family, placement, threshold] = all_strata()[s];
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+    const auto& [family, placement, threshold] = cases::all_strata()[s];
     const std::string where = fmt::format("{},{}", word(placement), word(threshold));
     single.push_back({fmt::format("{},{}", word(family), where), {s}});
     const std::string all = "all," + where;
@@ -38,10 +38,10 @@ std::vector<Group> all_groups() {
   return single;
 }
 
-std::vector<std::size_t> strata_of(Threshold threshold) {
+std::vector<std::size_t> strata_of(cases::Threshold threshold) {
   std::vector<std::size_t> strata;
-  for (std::size_t s = 0; s < all_strata().size(); ++s)
-    if (all_strata()[s].threshold == threshold) strata.push_back(s);
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
+    if (cases::all_strata()[s].threshold == threshold) strata.push_back(s);
   return strata;
 }
 
@@ -59,7 +59,7 @@ std::string offset_text(std::int64_t offset) {
   int exponent = 0;
   while ((std::int64_t{1} << exponent) < size) ++exponent;
   text += size <= 1024 ? std::to_string(size) : "2^" + std::to_string(exponent);
-  return size == all_offsets().back() ? text + " or beyond" : text;
+  return size == cases::all_offsets().back() ? text + " or beyond" : text;
 }
 
 std::string band_text(const Summary& summary) {
@@ -68,14 +68,14 @@ std::string band_text(const Summary& summary) {
   return single ? offset_text(*summary.below) : offset_text(*summary.below) + " to " + offset_text(*summary.above);
 }
 
-std::string_view movement(Threshold threshold) {
+std::string_view movement(cases::Threshold threshold) {
   switch (threshold) {
-    case Threshold::Face: return "radius across the distance to a face";
-    case Threshold::Edge: return "radius across the distance to an edge";
-    case Threshold::Vertex: return "radius across the distance to a vertex";
-    case Threshold::Tangent: return "radius across a distance that is a double (lattice)";
-    case Threshold::FootEdge: return "centre moved so that its foot crosses an edge; ample radius";
-    case Threshold::FootVertex: return "centre moved so that its foot passes a vertex; ample radius";
+    case cases::Threshold::Face: return "radius across the distance to a face";
+    case cases::Threshold::Edge: return "radius across the distance to an edge";
+    case cases::Threshold::Vertex: return "radius across the distance to a vertex";
+    case cases::Threshold::Tangent: return "radius across a distance that is a double (lattice)";
+    case cases::Threshold::FootEdge: return "centre moved so that its foot crosses an edge; ample radius";
+    case cases::Threshold::FootVertex: return "centre moved so that its foot passes a vertex; ample radius";
   }
   return "";
 }
@@ -95,14 +95,14 @@ void write_rates(const std::filesystem::path& folder, const Settings& settings, 
   for (const Group& group : all_groups())
     for (const Test test : kTests)
       for (std::size_t m = 0; m < settings.methods.size(); ++m)
-        for (std::size_t i = 0; i < all_offsets().size(); ++i) {
+        for (std::size_t i = 0; i < cases::all_offsets().size(); ++i) {
           Tally tally;
           for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
           if (tally.trials == 0) continue;
           text += fmt::format("{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
-                              all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
+                              cases::all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
         }
-  run::write_file(folder / "rates.csv", text);
+  harness::write_file(folder / "rates.csv", text);
 }
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
@@ -118,13 +118,13 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
                             samples.failures, samples.trials, rate_and_limits(samples), all.failures, all.trials,
                             below ? std::to_string(*below) : "", above ? std::to_string(*above) : "");
       }
-  run::write_file(folder / "bands.csv", text);
+  harness::write_file(folder / "bands.csv", text);
 }
 
 void write_disagreements(const std::filesystem::path& folder, const Result& result) {
   std::string text;
   for (const Disagreement& disagreement : result.disagreements.kept()) text += disagreement.line;
-  run::write_file(folder / "disagreements.jsonl", text);
+  harness::write_file(folder / "disagreements.jsonl", text);
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
@@ -138,13 +138,13 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
       text += "\n";
     }
     const auto name = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
-    run::write_file(folder / name, text);
+    harness::write_file(folder / name, text);
   }
 }
 
 std::string table(const Settings& settings, const Counts& counts) {
   std::string text;
-  for (const Threshold threshold : all_thresholds()) {
+  for (const cases::Threshold threshold : cases::all_thresholds()) {
     text += fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold), movement(threshold),
                         "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
     for (std::size_t m = 0; m < settings.methods.size(); ++m)

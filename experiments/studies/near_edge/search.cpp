@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/search.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class Search {
         regions_(search_regions(settings.families)),
         filtered_(*methods::find_method("filtered")),
         exact_(*methods::find_method("exact")) {
-    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
   }
 
   void measure(std::uint64_t n, Onsets& part) const {
@@ -49,7 +50,7 @@ class Search {
   void climb_from(std::size_t region_and_method, const Find& find, WorstCases& part) const {
     const Region& region = regions_[region_and_method / settings_.methods.size()];
     const std::size_t m = region_and_method % settings_.methods.size();
-    const methods::Method& method = *settings_.methods[m];
+    const cases::Method& method = *settings_.methods[m];
     auto start = draw_at_threshold(place(region, find.n));
     const workloads::Random random(settings_.seed, find.n, kClimbStream + region_and_method);
     const auto [at, reach] = climb(*std::move(start), method, random);
@@ -59,7 +60,7 @@ class Search {
     const auto truth = exact_.prepare(at.polygon)->ask(ball, question(at.test()));
     const auto verdict =
         compare(at.test(), method.prepare(at.polygon)->ask(ball, question(at.test())), truth, knows_boundary_[m]);
-    if (verdict == judge::Outcome::Right) {
+    if (verdict == cases::Outcome::Right) {
       ++part.wrong_truths;
       return;
     }
@@ -71,8 +72,8 @@ class Search {
   static bool is_worse(const Worst& a, const Worst& b) { return Find{a.share, a.n} < Find{b.share, b.n}; }
 
  private:
-  [[nodiscard]] SamplePlace place(const Region& region, std::uint64_t n) const {
-    Shape shape = settings_.shape;
+  [[nodiscard]] cases::SamplePlace place(const Region& region, std::uint64_t n) const {
+    cases::Shape shape = settings_.shape;
     shape.origin_distance = region.origin_distance;
     return {region.stratum, shape, settings_.seed, n};
   }
@@ -82,21 +83,21 @@ class Search {
     return workloads::doubles_between(at.ball.center[at.moved_axis], ball.center[at.moved_axis]);
   }
 
-  [[nodiscard]] std::string line(const Region& region, const methods::Method& method, std::uint64_t n,
-                                 const AtThreshold& at, const Ball& ball, const methods::PartialAnswer& truth) const {
-    methods::PartialAnswer expected;
+  [[nodiscard]] std::string line(const Region& region, const cases::Method& method, std::uint64_t n,
+                                 const AtThreshold& at, const Ball& ball, const cases::PartialAnswer& truth) const {
+    cases::PartialAnswer expected;
     if (at.test() == Test::Contact)
       expected.contact = truth.contact;
     else
       expected.foot = truth.foot;
     const std::vector<std::string> tags{"worst", std::string(method.name())};
-    return judge::to_line(judge::case_of("worst-" + std::string(method.name()) + "-" + id(place(region, n)), ball,
-                                         at.polygon, tags, judge::object_of(expected)));
+    return cases::to_line(cases::case_of("worst-" + std::string(method.name()) + "-" + id(place(region, n)), ball,
+                                         at.polygon, tags, cases::object_of(expected)));
   }
 
   const Settings& settings_;
   std::vector<Region> regions_;
-  const methods::Method &filtered_, &exact_;
+  const cases::Method &filtered_, &exact_;
   std::vector<bool> knows_boundary_;
 };
 
@@ -105,7 +106,7 @@ WorstCases no_worst_cases(const Settings& settings) {
 }
 
 /// The first process's, at every process.
-Onsets shared(const run::Processes& processes, const Onsets& onsets) {
+Onsets shared(const harness::Processes& processes, const Onsets& onsets) {
   std::string packed;
   if (processes.first()) nlohmann::ordered_json::to_cbor(nlohmann::ordered_json(onsets), packed);
   return nlohmann::json::from_cbor(processes.of_first(packed)).get<Onsets>();
@@ -116,8 +117,8 @@ Onsets shared(const run::Processes& processes, const Onsets& onsets) {
 std::vector<Region> search_regions(const std::vector<workloads::Family>& families) {
   std::vector<Region> regions;
   for (const workloads::Family family : families)
-    for (std::size_t s = 0; s < all_strata().size(); ++s) {
-      const Stratum& stratum = all_strata()[s];
+    for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+      const cases::Stratum& stratum = cases::all_strata()[s];
       if (stratum.family != family || stratum.placement != workloads::Placement::Rotated) continue;
       for (const double distance : kSearchDistances) regions.push_back({s, distance});
     }
@@ -186,10 +187,10 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const run::Course<Onsets>& course,
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::Course<Onsets>& course,
                          Onsets& onsets) {
   const Search search(settings);
-  return run::run_sweep(
+  return harness::run_sweep(
       {samples, 1, settings.threads, course.processes, course.stop, course.progress},
       [&](std::uint64_t n, Onsets& part) { search.measure(n, part); },
       [&](std::uint64_t, const Onsets& now) { course.save(now); }, no_onsets(settings), onsets.done, onsets);
@@ -199,12 +200,12 @@ std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-std::uint64_t run_climbs(const Settings& settings, const run::Course<WorstCases>& course, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const harness::Course<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst) {
   const Search search(settings);
   const Onsets starts = shared(course.processes, onsets);
   worst = no_worst_cases(settings);
-  return run::run_sweep(
+  return harness::run_sweep(
       {climb_count(settings), 1, settings.threads, course.processes, course.stop, course.progress},
       [&](std::uint64_t i, WorstCases& part) {
         const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;

@@ -8,18 +8,18 @@
 
 #include "experiments/studies/near_edge/output.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::near_edge {
 namespace {
 
-std::string_view test_word(Threshold threshold) { return word(moves_radius(threshold) ? Test::Contact : Test::Foot); }
+std::string_view test_word(cases::Threshold threshold) { return word(cases::moves_radius(threshold) ? Test::Contact : Test::Foot); }
 
 /// Regions that differ in their family alone.
 struct RegionGroup {
   std::string family;
-  Threshold threshold;
+  cases::Threshold threshold;
   double distance;
   std::vector<std::size_t> regions;
 };
@@ -27,11 +27,11 @@ struct RegionGroup {
 std::vector<RegionGroup> pooled_groups(const Settings& settings) {
   std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
-  for (const Threshold threshold : all_thresholds())
+  for (const cases::Threshold threshold : cases::all_thresholds())
     for (const double distance : kSearchDistances) {
       RegionGroup group{"all", threshold, distance, {}};
       for (std::size_t r = 0; r < regions.size(); ++r)
-        if (all_strata()[regions[r].stratum].threshold == threshold && regions[r].origin_distance == distance)
+        if (cases::all_strata()[regions[r].stratum].threshold == threshold && regions[r].origin_distance == distance)
           group.regions.push_back(r);
       if (!group.regions.empty()) groups.push_back(std::move(group));
     }
@@ -42,7 +42,7 @@ std::vector<RegionGroup> region_groups(const Settings& settings) {
   std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    const Stratum& stratum = all_strata()[regions[r].stratum];
+    const cases::Stratum& stratum = cases::all_strata()[regions[r].stratum];
     groups.push_back({std::string(word(stratum.family)), stratum.threshold, regions[r].origin_distance, {r}});
   }
   const auto pooled = pooled_groups(settings);
@@ -75,7 +75,7 @@ void write_onsets(const std::filesystem::path& folder, const Settings& settings,
                             limits.lower, limits.upper);
       }
     }
-  run::write_file(folder / "onset.csv", text);
+  harness::write_file(folder / "onset.csv", text);
 }
 
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets,
@@ -86,7 +86,7 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
   const auto regions = search_regions(settings.families);
   for (std::size_t r = 0; r < regions.size(); ++r)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-      const Stratum& stratum = all_strata()[regions[r].stratum];
+      const cases::Stratum& stratum = cases::all_strata()[regions[r].stratum];
       const Onset& onset = onsets.all[r * settings.methods.size() + m];
       const Worst& found = worst.all[r * settings.methods.size() + m];
       table += fmt::format("{},{},{:.0f},{},{},{},", word(stratum.family), word(stratum.threshold),
@@ -96,8 +96,8 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
       table += found.share == 0 ? ",,\n" : fmt::format("{:.6g},{},{}\n", found.share, found.doubles, found.n);
       cases += found.line;
     }
-  run::write_file(folder / "worst.csv", table);
-  run::write_file(folder / "worst.jsonl", cases);
+  harness::write_file(folder / "worst.csv", table);
+  harness::write_file(folder / "worst.jsonl", cases);
 }
 
 std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst) {

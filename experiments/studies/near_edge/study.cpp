@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/study.h"
 
 #include <algorithm>
@@ -11,12 +12,12 @@
 namespace touchstone::near_edge {
 namespace {
 
-using methods::PartialAnswer;
+using cases::PartialAnswer;
 
 /// All questions about one crossing.
 class Sample {
  public:
-  Sample(const Settings& settings, const SamplePlace& place, const Crossing& crossing, Result& result)
+  Sample(const Settings& settings, const cases::SamplePlace& place, const cases::Crossing& crossing, Result& result)
       : settings_(settings), place_(place), crossing_(crossing), result_(result) {
     for (auto& wrong : wrong_) wrong.resize(crossing.balls.size());
   }
@@ -38,7 +39,7 @@ class Sample {
 
   /// Holds the truth that was used against `exact`: about every ball, or those on which a method came out wrong.
   void check(bool every_ball) {
-    std::unique_ptr<methods::PreparedMethod> exact;
+    std::unique_ptr<cases::PreparedMethod> exact;
     std::vector<Disagreement> found;
     for (const Test test : kTests) {
       const std::vector<bool>& wrong = wrong_[static_cast<std::size_t>(test)];
@@ -48,8 +49,8 @@ class Sample {
       if (!exact) exact = methods::find_method("exact")->prepare(crossing_.polygon);
       result_.checked += count;
       std::vector<PartialAnswer> growing;  // cheaper than one by one
-      if (!every_ball && moves_radius(all_strata()[place_.stratum].threshold))
-        growing = ask_growing(crossing_.balls, question(test), *exact);
+      if (!every_ball && cases::moves_radius(cases::all_strata()[place_.stratum].threshold))
+        growing = cases::ask_growing(crossing_.balls, question(test), *exact);
       for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
         if (!every_ball && !wrong[i]) continue;
         const PartialAnswer truth = growing.empty() ? exact->ask(crossing_.balls[i], question(test)) : growing[i];
@@ -71,18 +72,18 @@ class Sample {
     return a.contact == b.contact;
   }
 
-  Disagreement disagreement(Test test, std::size_t i, const methods::PreparedMethod& exact) const {
+  Disagreement disagreement(Test test, std::size_t i, const cases::PreparedMethod& exact) const {
     const Ball& ball = crossing_.balls[i];
     const std::vector<std::string> tags{std::string(word(test)), std::string(settings_.truth->name())};
-    const auto expected = judge::object_of(exact.ask(ball, methods::Question::Answer));
+    const auto expected = cases::object_of(exact.ask(ball, cases::Question::Answer));
     return {place_.n, place_.stratum,
-            judge::to_line(judge::case_of(id(place_) + "-k" + std::to_string(all_offsets()[i]), ball, crossing_.polygon,
+            cases::to_line(cases::case_of(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball, crossing_.polygon,
                                           tags, expected))};
   }
 
   const Settings& settings_;
-  const SamplePlace& place_;
-  const Crossing& crossing_;
+  const cases::SamplePlace& place_;
+  const cases::Crossing& crossing_;
   Result& result_;
   std::array<std::vector<bool>, kTests.size()> wrong_;  ///< [test][ball]: was any method?
 };
@@ -91,21 +92,21 @@ class Study {
  public:
   explicit Study(const Settings& settings)
       : settings_(settings), is_exact_(settings.truth == methods::find_method("exact")) {
-    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
   }
 
   /// Sample n of every stratum of the selected families.
   void ask_all(std::uint64_t n, Result& part) const {
     const auto& families = settings_.families;
-    for (std::size_t stratum = 0; stratum < all_strata().size(); ++stratum)
-      if (std::find(families.begin(), families.end(), all_strata()[stratum].family) != families.end())
+    for (std::size_t stratum = 0; stratum < cases::all_strata().size(); ++stratum)
+      if (std::find(families.begin(), families.end(), cases::all_strata()[stratum].family) != families.end())
         ask({stratum, settings_.shape, settings_.seed, n}, part);
     ++part.samples;
   }
 
  private:
-  void ask(const SamplePlace& place, Result& part) const {
-    const auto crossing = draw_crossing(place, *settings_.truth);
+  void ask(const cases::SamplePlace& place, Result& part) const {
+    const auto crossing = cases::draw_crossing(place, *settings_.truth);
     if (!crossing) {
       ++part.missing;
       return;
@@ -150,10 +151,10 @@ void from_json(const nlohmann::json& json, Result& result) {
 
 Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
 
-std::uint64_t run_study(const Settings& settings, const run::Course<Result>& course, Result& result) {
+std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result) {
   const Study study(settings);
-  const run::Sweep sweep{settings.samples, 1, settings.threads, course.processes, course.stop, course.progress};
-  return run::run_sweep(
+  const harness::Sweep sweep{settings.samples, 1, settings.threads, course.processes, course.stop, course.progress};
+  return harness::run_sweep(
       sweep, [&](std::uint64_t n, Result& part) { study.ask_all(n, part); },
       [&](std::uint64_t, const Result& now) { course.save(now); }, no_result(settings), result.samples, result);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/counts.h"
 #include "experiments/studies/near_edge/disagreements.h"
 #include "experiments/harness/course.h"
@@ -12,15 +13,15 @@
 namespace touchstone::near_edge {
 
 struct Settings {
-  std::vector<const methods::Method*> methods;
+  std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
   std::uint64_t samples = 1;  ///< of each stratum; at most kMostSamples
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< of each process
-  Shape shape = {};
+  cases::Shape shape = {};
   /// What says who is right. Unless it is `exact` itself, `exact` is asked too: about every ball of one sample in
   /// kCheckedOneIn, and about every ball on which a method comes out wrong.
-  const methods::Method* truth = methods::find_method("exact");
+  const cases::Method* truth = methods::find_method("exact");
 };
 
 /// Indices of samples and of what they redraw stay apart below this.
@@ -51,6 +52,6 @@ void from_json(const nlohmann::json& json, Result& result);
 /// The first process's result is a function of settings and the number of samples done; threads, processes, stops and
 /// the other families and methods do not change the counts of one. A run stopped after m samples equals one of m
 /// samples. Returns that number, at every process.
-std::uint64_t run_study(const Settings& settings, const run::Course<Result>& course, Result& result);
+std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result);
 
 }  // namespace touchstone::near_edge

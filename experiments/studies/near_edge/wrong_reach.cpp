@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/wrong_reach.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace touchstone::near_edge {
 namespace {
 
 std::size_t place_of(std::int64_t offset) {
-  const auto& offsets = all_offsets();
+  const auto& offsets = cases::all_offsets();
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
 
@@ -45,15 +46,15 @@ double AtThreshold::share_of(const Ball& other) const {
   return std::abs(offset) / size();
 }
 
-std::optional<AtThreshold> draw_at_threshold(const SamplePlace& place) {
-  auto crossing = draw_crossing(place, *methods::find_method("filtered"));
+std::optional<AtThreshold> draw_at_threshold(const cases::SamplePlace& place) {
+  auto crossing = cases::draw_crossing(place, *methods::find_method("filtered"));
   if (!crossing) return std::nullopt;
   const Ball &here = crossing->balls[place_of(0)], &next = crossing->balls[place_of(1)];
   return AtThreshold{std::move(crossing->polygon), here, differing_axis(here.center, next.center)};
 }
 
-WrongReach wrong_reach(const AtThreshold& at, const methods::PreparedMethod& method, bool knows_boundary,
-                       const methods::PreparedMethod& truth) {
+WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& method, bool knows_boundary,
+                       const cases::PreparedMethod& truth) {
   WrongReach reach;
   const Test test = at.test();
   const auto is_wrong = [&](double share) {
@@ -61,7 +62,7 @@ WrongReach wrong_reach(const AtThreshold& at, const methods::PreparedMethod& met
     if (!ball || at.share_of(*ball) == 0) return false;
     const auto verdict =
         compare(test, method.ask(*ball, question(test)), truth.ask(*ball, question(test)), knows_boundary);
-    if (!verdict || verdict == judge::Outcome::Right) return false;
+    if (!verdict || verdict == cases::Outcome::Right) return false;
     if (at.share_of(*ball) > reach.share) {
       reach.share = at.share_of(*ball);
       reach.furthest = ball;

@@ -10,7 +10,7 @@
 
 namespace touchstone::near_edge {
 
-using judge::Test;
+using cases::Test;
 
 /// A ball exactly at a threshold, but for its rounding, and what it is moved by.
 struct AtThreshold {
@@ -28,7 +28,7 @@ struct AtThreshold {
 };
 
 /// The ball of offset 0 of a sample. Nothing where none was found.
-[[nodiscard]] std::optional<AtThreshold> draw_at_threshold(const SamplePlace& place);
+[[nodiscard]] std::optional<AtThreshold> draw_at_threshold(const cases::SamplePlace& place);
 
 /// Balls are moved by 2^-k of the size, k = 0, ..., kMostExponent, to either side.
 inline constexpr std::size_t kMostExponent = 60;
@@ -48,8 +48,8 @@ struct WrongReach {
 /// Wrongness need not end at one offset, and no sweep of all doubles is affordable. So: the method is wrong at
 /// `furthest`; further out, it was right at every ball that was asked about. More is not promised. `truth` is one that
 /// is right, prepared for the same polygon.
-[[nodiscard]] WrongReach wrong_reach(const AtThreshold& at, const methods::PreparedMethod& method, bool knows_boundary,
-                                     const methods::PreparedMethod& truth);
+[[nodiscard]] WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& method, bool knows_boundary,
+                                     const cases::PreparedMethod& truth);
 inline constexpr int kSteps = 64;
 
 }  // namespace touchstone::near_edge

@@ -33,14 +33,14 @@ Polygon face_of(const scene::Faces& faces, std::uint32_t number) {
   return Polygon({t.a, t.b, t.c});
 }
 
-[[noreturn]] void refuse(const methods::Method& method, const char* what) {
+[[noreturn]] void refuse(const cases::Method& method, const char* what) {
   throw std::invalid_argument("the method " + std::string(method.name()) + " does not compute " + what);
 }
 
 /// What the faces of one block add to the answers to all balls.
 class BlockAnswers {
  public:
-  BlockAnswers(const methods::Method& method, const Order& order, std::size_t balls)
+  BlockAnswers(const cases::Method& method, const Order& order, std::size_t balls)
       : method_(method), question_(order.question), answers_(balls) {}
 
   void ask(const Polygon& polygon, FaceId id, std::span<const NamedBall> balls) {
@@ -48,15 +48,15 @@ class BlockAnswers {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       BallAnswer& answer = answers_[i];
       if (question_ == Question::Nearest)
-        meet_nearest(prepared->ask(balls[i].ball, methods::Question::Answer), id, answer);
+        meet_nearest(prepared->ask(balls[i].ball, cases::Question::Answer), id, answer);
       else if (question_ == Question::All || answer.touched.empty())
-        meet(prepared->ask(balls[i].ball, methods::Question::Contact), id, answer);
+        meet(prepared->ask(balls[i].ball, cases::Question::Contact), id, answer);
     }
   }
   [[nodiscard]] const std::vector<BallAnswer>& answers() const { return answers_; }
 
  private:
-  void meet(const methods::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
+  void meet(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
     if (!found.contact) {
       if (!found.unsure) refuse(method_, "contact");
       ++answer.unsure;
@@ -64,7 +64,7 @@ class BlockAnswers {
       answer.touched.push_back(id);
     }
   }
-  void meet_nearest(const methods::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
+  void meet_nearest(const cases::PartialAnswer& found, FaceId id, BallAnswer& answer) const {
     if (!found.distance || !found.nearest || !found.point) {
       if (!found.unsure) refuse(method_, "the nearest point");
       ++answer.unsure;
@@ -73,7 +73,7 @@ class BlockAnswers {
     }
   }
 
-  const methods::Method& method_;
+  const cases::Method& method_;
   Question question_;
   std::vector<BallAnswer> answers_;
 };
@@ -101,7 +101,7 @@ std::vector<BallAnswer> ask_scene(const scene::Scene& scene, const Order& order,
       answer.touched.push_back({});
   };
   const std::uint64_t blocks = (balls.size() + kBalls - 1) / kBalls;
-  const std::uint64_t done = run::run_blocks(
+  const std::uint64_t done = harness::run_blocks(
       blocks, order.threads, stop, [](std::uint64_t) {},
       [&](unsigned, std::uint64_t block) {
         for (std::uint64_t i = block * kBalls; i < std::min((block + 1) * kBalls, balls.size()); ++i) ask(i);
@@ -114,13 +114,13 @@ std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order
   return all_blocks(objects, order).size();
 }
 
-std::vector<BallAnswer> ask_every_face(const methods::Method& method, const std::vector<Object>& objects,
+std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
                                        const Order& order, std::span<const NamedBall> balls,
-                                       const std::atomic<bool>& stop, const run::Progress& progress) {
+                                       const std::atomic<bool>& stop, const harness::Progress& progress) {
   const std::vector<FaceBlock> blocks = all_blocks(objects, order);
   std::vector<std::unique_ptr<BlockAnswers>> parts(blocks.size());
   const std::uint64_t done =
-      run::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
+      harness::run_blocks(blocks.size(), order.threads, stop, progress, [&](unsigned, std::uint64_t number) {
         const FaceBlock& block = blocks[number];
         parts[number] = std::make_unique<BlockAnswers>(method, order, balls.size());
         for (std::uint32_t face = block.first; face < block.last; ++face)

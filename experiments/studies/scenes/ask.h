@@ -39,9 +39,9 @@ struct Order {
 ///
 /// Distances are compared as the method rounds them: among equal ones the lowest object and face is nearest. Throws
 /// std::invalid_argument if the method does not compute what is asked for. Faces are prepared anew, some at a time.
-[[nodiscard]] std::vector<BallAnswer> ask_every_face(const methods::Method& method, const std::vector<Object>& objects,
+[[nodiscard]] std::vector<BallAnswer> ask_every_face(const cases::Method& method, const std::vector<Object>& objects,
                                                      const Order& order, std::span<const NamedBall> balls,
-                                                     const std::atomic<bool>& stop, const run::Progress& progress);
+                                                     const std::atomic<bool>& stop, const harness::Progress& progress);
 
 /// How many blocks of faces ask_every_face goes through for some balls, as its progress counts them.
 [[nodiscard]] std::uint64_t face_blocks(const std::vector<Object>& objects, const Order& order);

@@ -40,7 +40,7 @@ const nlohmann::json& member(const nlohmann::json& object, const char* key, cons
 }
 
 NamedBall from_json(const std::string& text, std::string id) {
-  const judge::StrictJson strict = judge::read_strict_json(text);
+  const harness::StrictJson strict = harness::read_strict_json(text);
   if (!strict.value.is_object()) throw Fault{"the line is not an object"};
   for (const char* key : {"id", "ball"})
     if (strict.duplicate_key == key || strict.ambiguous.contains(key))
@@ -88,7 +88,7 @@ std::vector<NamedBall> read_balls(std::istream& stream, const std::string& name)
       balls.push_back(std::move(read));
     } catch (const Fault& fault) {
       throw std::runtime_error(fmt::format("{}: line {}: {}", name, lines, fault.reason));
-    } catch (const judge::NotJson& error) {
+    } catch (const harness::NotJson& error) {
       throw std::runtime_error(fmt::format("{}: line {}: not JSON: {}", name, lines, error.what()));
     }
   }

@@ -5,17 +5,17 @@
 
 #include <utility>
 
-#include "experiments/studies/meshes/study.h"
+#include "experiments/workloads/meshes/face_polygon.h"
 
 namespace touchstone::scenes {
 
-Object object_of(real_input::NamedFile file) {
+Object object_of(workloads::NamedFile file) {
   Object object{std::move(file.name), {}, {}, {}, 0};
   const Mesh& mesh = file.content.mesh;
   std::vector<std::uint32_t> polygons;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     try {
-      Polygon polygon = real_input::face_polygon(mesh, face);
+      Polygon polygon = workloads::face_polygon(mesh, face);
       if (polygon.vertex_count() == 3) {
         object.faces.triangles.push_back({polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)});
         object.numbers.push_back(face);

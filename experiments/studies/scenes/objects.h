@@ -20,6 +20,6 @@ struct Object {
 };
 
 /// Takes every face of the mesh as it is. Cost: that of exact::validate for each.
-[[nodiscard]] Object object_of(real_input::NamedFile file);
+[[nodiscard]] Object object_of(workloads::NamedFile file);
 
 }  // namespace touchstone::scenes

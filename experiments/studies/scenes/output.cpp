@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::scenes {
 namespace {
 
 using filtered::Stage;
-using judge::Verdict;
+using cases::Verdict;
 using scene::FaceCounts;
 using scene::FaceId;
 using scene::Fate;
@@ -78,11 +78,11 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Questio
   if (question == Question::Nearest) {
     line["nearest"] = nullptr;
     if (answer.nearest) {
-      methods::PartialAnswer keys;
+      cases::PartialAnswer keys;
       keys.nearest = answer.nearest->feature;
       keys.point = answer.nearest->point;
       keys.distance = answer.nearest->distance;
-      const Verdict found = judge::object_of(keys);
+      const Verdict found = cases::object_of(keys);
       Verdict nearest = face(answer.nearest->face, objects);
       nearest["feature"] = found["nearest"];
       nearest["point"] = found["point"];
@@ -91,7 +91,7 @@ std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Questio
     }
   }
   if (with_counts) line["counts"] = counts_of(answer.counts);
-  return judge::to_line(line);
+  return cases::to_line(line);
 }
 
 void Differences::add(const BallAnswer& given, const BallAnswer& truth, Question question) {

@@ -17,7 +17,7 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/meshes/named_meshes.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -42,7 +42,7 @@ struct SceneOptions {
   std::vector<std::string> files, objects, units;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   bool any = false, all = false, nearest = false, counts = false, skip_bad = false, force = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
@@ -51,30 +51,30 @@ struct SceneOptions {
 
 std::string command_line(const SceneOptions& options) {
   std::string line = "touchstone scene";
-  for (const std::string& file : options.files) line += " " + run::shell_quoted(file);
+  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   if (options.balls.empty())
     line += fmt::format(" --random {} --seed {}", options.random, options.seed);
   else
-    line += " --balls " + run::shell_quoted(options.balls);
+    line += " --balls " + harness::shell_quoted(options.balls);
   line += options.any ? " --any" : options.nearest ? " --nearest" : " --all";
   line += fmt::format(" --method {} --threads {}", options.method, options.threads);
-  for (const std::string& names : options.objects) line += " --objects " + run::shell_quoted(names);
-  if (!options.units.empty()) line += " --unit " + run::joined(options.units);
+  for (const std::string& names : options.objects) line += " --objects " + harness::shell_quoted(names);
+  if (!options.units.empty()) line += " --unit " + harness::joined(options.units);
   if (!options.scene_unit.empty()) line += " --scene-unit " + options.scene_unit;
   if (options.counts) line += " --counts";
   if (options.skip_bad) line += " --skip-bad";
-  return line + " --output " + run::shell_quoted(options.output);
+  return line + " --output " + harness::shell_quoted(options.output);
 }
 
 /// The units of the meshes, one each, and of balls and answers; none where nothing is said of units.
 struct Units {
-  std::vector<Unit> meshes;
-  std::optional<Unit> scene;
+  std::vector<workloads::Unit> meshes;
+  std::optional<workloads::Unit> scene;
 };
 
 Units units_of(const SceneOptions& options) {
   Units units;
-  for (const std::string& name : options.units) units.meshes.push_back(find_unit(name));
+  for (const std::string& name : options.units) units.meshes.push_back(workloads::find_unit(name));
   if (units.meshes.empty()) {
     if (!options.scene_unit.empty()) throw std::invalid_argument("--scene-unit needs --unit, that of the meshes");
     return units;
@@ -83,7 +83,7 @@ Units units_of(const SceneOptions& options) {
   if (units.meshes.size() != options.files.size())
     throw std::invalid_argument(fmt::format("--unit takes one unit, or one for each mesh: {} were given for {} meshes",
                                             units.meshes.size(), options.files.size()));
-  units.scene = options.scene_unit.empty() ? units.meshes.front() : find_unit(options.scene_unit);
+  units.scene = options.scene_unit.empty() ? units.meshes.front() : workloads::find_unit(options.scene_unit);
   return units;
 }
 
@@ -96,14 +96,14 @@ struct Loaded {
 /// Nothing if some file cannot be read as it is asked for, which is said on standard error.
 std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   constexpr std::size_t kShown = 3;
-  real_input::NamedFiles files =
-      real_input::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
+  workloads::NamedFiles files =
+      workloads::read_named_files(options.files, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
   if (!files.all_read) return std::nullopt;
-  Loaded loaded{{}, real_input::left_out_text(files), files.parts_left_out};
+  Loaded loaded{{}, workloads::left_out_text(files), files.parts_left_out};
   bool refused = false, empty = false;
-  run::ProgressLine line("scene: meshes", files.read.size());
+  harness::ProgressLine line("scene: meshes", files.read.size());
   for (std::size_t i = 0; i < files.read.size(); ++i) {
-    real_input::NamedFile& file = files.read[i];
+    workloads::NamedFile& file = files.read[i];
     if (units.scene) {
       try {
         convert(file.content.mesh, units.meshes[i], *units.scene);
@@ -148,7 +148,7 @@ std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector
     if (choose(word)) continue;  // a name may hold commas
     for (const std::string& name : CLI::detail::split(word, ','))
       if (!choose(name))
-        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + run::joined(names));
+        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + harness::joined(names));
   }
   if (options.objects.empty()) {
     numbers.resize(objects.size());
@@ -243,11 +243,11 @@ class Lines {
 /// Asks about the balls a leg at a time and writes the answers as they come.
 Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
          const Source& source, const std::atomic<bool>& stop, Lines& lines) {
-  const methods::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
+  const cases::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  run::ProgressLine progress("scene", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
+  harness::ProgressLine progress("scene", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
   for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
     std::vector<NamedBall> part;
     for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
@@ -273,9 +273,9 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
 int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<run::OutputFolder> held;
+  std::optional<harness::OutputFolder> held;
   if (!options.output.empty())
-    held.emplace(options.output, command_line(options), run::Existing{.force = options.force});
+    held.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)methods::find_methods({options.method});
@@ -288,7 +288,7 @@ int run(const SceneOptions& options) {
 
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   lines.begin();
   const Sums sums = ask(options, objects, scene, order, source, interrupt.requested(), lines);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -297,17 +297,17 @@ int run(const SceneOptions& options) {
   fmt::print(options.output.empty() ? stderr : stdout, "{}", summary(options, units, *loaded, sums));
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    run::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
-    run::write_file(folder / "left-out.txt", loaded->left_out);
-    run::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
+    harness::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
+    harness::write_file(folder / "left-out.txt", loaded->left_out);
+    harness::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
                                    source.count - sums.balls, options.threads, seconds, 1, interrupted});
     fmt::print("Results: {}\n", io::all_legible(folder.string()));
-    run::flush_standard_output();
+    harness::flush_standard_output();
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
              source.count);
-  return run::kInterrupted;
+  return harness::kInterrupted;
 }
 
 }  // namespace
@@ -316,15 +316,15 @@ void add_scene(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
       "scene", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
   auto options = std::make_shared<SceneOptions>();
-  run::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
+  harness::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
   auto* source = command->add_option_group("balls");
   source->add_option("--balls", options->balls,
                      "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a "
                      "case, or the numbers x y z r; # begins a comment; - is standard input");
   source->add_option("--random", options->random, "So many random balls, half of them near a face")
-      ->check(run::whole_number(1));
+      ->check(harness::whole_number(1));
   source->require_option(1);
-  run::add_seed(*command, options->seed, "Of --random; the same gives the same bytes");
+  harness::add_seed(*command, options->seed, "Of --random; the same gives the same bytes");
   auto* question = command->add_option_group("question");
   question->add_flag("--any", options->any, "Does the ball touch any face?");
   question->add_flag("--all", options->all, "Which faces does it touch? (default)");
@@ -339,7 +339,7 @@ void add_scene(CLI::App& app, int& status) {
       ->add_option("--objects", options->objects,
                    "Ask about these only: a name, or names separated by commas; may be given several times")
       ->allow_extra_args(false);
-  run::add_names(*command, "--unit", options->units,
+  harness::add_names(*command, "--unit", options->units,
                  "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
                  "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
                  "rounded once to the nearest double");
@@ -348,13 +348,13 @@ void add_scene(CLI::App& app, int& status) {
   command->add_flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
   command->add_flag("--skip-bad", options->skip_bad,
                     "Leave out what is wrong in a file and faces that are no polygons, and say what");
-  run::add_threads(*command, options->threads);
+  harness::add_threads(*command, options->threads);
   command->add_option("--output", options->output,
                       "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
                       "standard output, the table to standard error)");
   command->footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
-  run::add_force(*command, options->force);
-  command->callback([options, &status] { status = run::run_alone([&] { return run(*options); }); });
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
 }
 
 }  // namespace touchstone::commands

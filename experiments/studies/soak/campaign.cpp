@@ -10,12 +10,12 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   return {{"version", kVersion}, {"seed", settings.seed}, {"from", settings.from}};
 }
 
-std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const run::Processes& processes,
+std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const harness::Processes& processes,
                            const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
-                           const run::Progress& progress, Tally& tally) {
+                           const harness::Progress& progress, Tally& tally) {
   constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core
-  const run::Sweep sweep{settings.cases, kBlock, settings.threads, processes, stop, progress};
-  return run::run_sweep(
+  const harness::Sweep sweep{settings.cases, kBlock, settings.threads, processes, stop, progress};
+  return harness::run_sweep(
       sweep, [&](std::uint64_t i, Tally& part) { compare(contestant, settings.seed, settings.from + i, part); },
       [&](std::uint64_t, const Tally& now) { save(now); }, Tally(), tally.cases(), tally);
 }

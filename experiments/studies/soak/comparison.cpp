@@ -20,7 +20,7 @@ constexpr std::uint64_t kWholeOneIn = 16;
 class Comparison {
  public:
   Comparison(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally)
-      : contestant_(contestant), seed_(seed), index_(index), case_(draw_case(seed, index)), tally_(tally) {}
+      : contestant_(contestant), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
 
   void ask_all() {
     const exact::PreparedPolygon truth(case_.polygon);
@@ -113,15 +113,15 @@ class Comparison {
   }
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    const judge::Verdict expected = judge::object_of(methods::PartialAnswer::of(exact::answer(ball, polygon), ""));
+    const cases::Verdict expected = cases::object_of(cases::PartialAnswer::of(exact::answer(ball, polygon), ""));
     differences_.push_back(
-        {index_, judge::to_line(judge::case_of(name_of_case(seed_, index_), ball, polygon,
+        {index_, cases::to_line(cases::case_of(adversarial::name_of_case(seed_, index_), ball, polygon,
                                                {std::string(word(case_.family)), question}, expected))});
   }
 
   const Contestant& contestant_;
   std::uint64_t seed_, index_;
-  Case case_;
+  adversarial::Case case_;
   Tally& tally_;
   std::vector<Difference> differences_;
 };

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::soak {
 namespace {
@@ -14,7 +14,7 @@ template <class Row>
 void for_each_row(const Tally& tally, const Row& row) {
   for (const Way way : kWays) {
     Outcomes all;
-    for (const Family family : all_families()) {
+    for (const adversarial::Family family : adversarial::all_families()) {
       const Outcomes& outcomes = tally.at(family, way);
       if (outcomes.cases > 0) row(word(family), word(way), outcomes);
       all += outcomes;
@@ -48,13 +48,13 @@ void write_counts(const std::filesystem::path& folder, const Tally& tally) {
     for (const std::uint64_t count : outcomes.by_stage) text += fmt::format(",{}", count);
     text += fmt::format(",{}\n", outcomes.differences);
   });
-  run::write_file(folder / "soak.csv", text);
+  harness::write_file(folder / "soak.csv", text);
 }
 
 void write_differences(const std::filesystem::path& folder, const Tally& tally) {
   std::string text;
   for (const Difference& difference : tally.kept()) text += difference.line;
-  run::write_file(folder / "differences.jsonl", text);
+  harness::write_file(folder / "differences.jsonl", text);
 }
 
 std::string table(const Tally& tally) {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/commands.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/course.h"
 #include "experiments/harness/interrupt.h"
@@ -32,7 +31,7 @@ using namespace soak;
 using Clock = std::chrono::steady_clock;
 
 struct Options {
-  Settings settings{.threads = run::all_threads()};
+  Settings settings{.threads = harness::all_threads()};
   std::string output = "results/soak";
   bool force = false, resume = false, print = false;
 };
@@ -40,7 +39,7 @@ struct Options {
 std::string command_line(const Options& options) {
   const Settings& settings = options.settings;
   return fmt::format("touchstone soak --cases {} --seed {} --from {} --threads {} --output {}{}", settings.cases,
-                     settings.seed, settings.from, settings.threads, run::shell_quoted(options.output),
+                     settings.seed, settings.from, settings.threads, harness::shell_quoted(options.output),
                      options.resume ? " --resume" : "");
 }
 
@@ -51,30 +50,30 @@ class Announcer {
 
   void operator()(const Tally& tally) {
     for (; announced_ < tally.kept().size(); ++announced_) fmt::print("{}", tally.kept()[announced_].line);
-    run::flush_standard_output();
+    harness::flush_standard_output();
   }
 
  private:
   std::size_t announced_;
 };
 
-int run(const Options& options, const run::Processes& processes) {
+int run(const Options& options, const harness::Processes& processes) {
   const Settings& settings = options.settings;
   const bool first = processes.first();
   const std::filesystem::path folder = options.output;
-  std::optional<run::OutputFolder> own;
+  std::optional<harness::OutputFolder> own;
   if (first)
-    own.emplace(folder, command_line(options), run::Existing{.force = options.force, .resume = options.resume});
-  const run::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
-  Tally tally = run::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
+    own.emplace(folder, command_line(options), harness::Existing{.force = options.force, .resume = options.resume});
+  const harness::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
+  Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
                            [](const Tally& held) { return held.cases(); });
 
-  const run::Interrupt interrupt;
+  const harness::Interrupt interrupt;
   const std::uint64_t before = tally.cases();
   const auto begin = Clock::now();
   std::uint64_t done = 0;
   {
-    run::ProgressLine line("soak: cases", settings.cases, before);
+    harness::ProgressLine line("soak: cases", settings.cases, before);
     Announcer announce(tally.kept().size());
     const auto save = [&](const Tally& now) {
       checkpoint.write(now);
@@ -88,7 +87,7 @@ int run(const Options& options, const run::Processes& processes) {
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   write_counts(folder, tally);
   write_differences(folder, tally);
-  run::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = command_line(options),
                                  .seed = settings.seed,
                                  .samples_asked = settings.cases,
                                  .samples_done = done,
@@ -100,7 +99,7 @@ int run(const Options& options, const run::Processes& processes) {
   fmt::print("{}", table(tally));
   fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,
              static_cast<double>(done - before) / seconds);
-  run::flush_standard_output();
+  harness::flush_standard_output();
   if (tally.differing() > 0)
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --method filtered` takes it, and "
@@ -108,15 +107,15 @@ int run(const Options& options, const run::Processes& processes) {
                (folder / "differences.jsonl").string(), settings.seed);
   if (done < settings.cases) {
     fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume goes on\n", done, settings.cases);
-    return run::kInterrupted;
+    return harness::kInterrupted;
   }
   return tally.differing() > 0 ? 1 : 0;
 }
 
 int print_cases(const Settings& settings) {
   for (std::uint64_t index = settings.from; index < settings.from + settings.cases; ++index) {
-    const Case drawn = draw_case(settings.seed, index);
-    fmt::print("{}", judge::to_line(judge::case_of(name_of_case(settings.seed, index), drawn.ball, drawn.polygon,
+    const adversarial::Case drawn = adversarial::draw_case(settings.seed, index);
+    fmt::print("{}", cases::to_line(cases::case_of(adversarial::name_of_case(settings.seed, index), drawn.ball, drawn.polygon,
                                                    {std::string(word(drawn.family))})));
   }
   return 0;
@@ -126,8 +125,8 @@ int run_soak(const Options& options) {
   const Settings& settings = options.settings;
   if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
     throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
-  if (options.print) return run::run_alone([&] { return print_cases(settings); });
-  return run::run_together([&](const run::Processes& processes) { return run(options, processes); });
+  if (options.print) return harness::run_alone([&] { return print_cases(settings); });
+  return harness::run_together([&](const harness::Processes& processes) { return run(options, processes); });
 }
 
 }  // namespace
@@ -138,17 +137,17 @@ void add_soak(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   Settings& settings = options->settings;
   command->add_option("--cases", settings.cases, "How many cases")
-      ->check(run::whole_number(1), "COUNT")
+      ->check(harness::whole_number(1), "COUNT")
       ->capture_default_str();
-  run::add_seed(*command, settings.seed, "Any number; case i depends on it and on i alone");
+  harness::add_seed(*command, settings.seed, "Any number; case i depends on it and on i alone");
   command->add_option("--from", settings.from, "The index of the first case")
-      ->check(run::whole_number(0))
+      ->check(harness::whole_number(0))
       ->capture_default_str();
-  run::add_threads(*command, settings.threads, "Of each process; they do not change the results");
+  harness::add_threads(*command, settings.threads, "Of each process; they do not change the results");
   command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
       ->capture_default_str();
-  run::add_resume(*command, options->resume);
-  run::add_force(*command, options->force);
+  harness::add_resume(*command, options->resume);
+  harness::add_force(*command, options->force);
   command->add_flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them")
       ->excludes("--resume");
   command->callback([options, &status] { status = run_soak(*options); });

@@ -8,7 +8,7 @@
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::thesis_figures {
+namespace touchstone::stability {
 
 AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point) {
   AngleSum sum;
@@ -17,7 +17,7 @@ AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point) {
     const auto& [x0, y0] = corners[i];
     const auto& [x1, y1] = corners[(i + 1) % corners.size()];
     const double ux = x0 - point.x(), uy = y0 - point.y(), vx = x1 - point.x(), vy = y1 - point.y();
-    sum.angles.push_back(kinematics::arc_tangent(ux * vy - uy * vx, ux * vx + uy * vy));
+    sum.angles.push_back(workloads::arc_tangent(ux * vy - uy * vx, ux * vx + uy * vy));
     sum.signed_sum += sum.angles.back();
     sum.unsigned_sum += std::abs(sum.angles.back());
   }
@@ -64,4 +64,4 @@ AngleMap map_angle_sums(const Outline& outline, std::size_t along) {
   return map;
 }
 
-}  // namespace touchstone::thesis_figures
+}  // namespace touchstone::stability

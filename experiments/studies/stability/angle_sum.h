@@ -7,7 +7,7 @@
 
 #include "experiments/studies/stability/outlines.h"
 
-namespace touchstone::thesis_figures {
+namespace touchstone::stability {
 
 /// What step (3) of the thesis's method adds up around a point: the angles, in degrees, at which the edges are seen.
 struct AngleSum {
@@ -38,4 +38,4 @@ struct AngleMap {
 };
 [[nodiscard]] AngleMap map_angle_sums(const Outline& outline, std::size_t along);
 
-}  // namespace touchstone::thesis_figures
+}  // namespace touchstone::stability

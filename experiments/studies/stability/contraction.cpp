@@ -90,7 +90,7 @@ Operands collinear(Random& random) {
 
 /// Differences of integers below 2^21, and a normal of integers below 2^44: all exact.
 Operands touching(Random& random) {
-  const auto [ball, t] = bench::draw_lattice_tangent(random);
+  const auto [ball, t] = workloads::draw_lattice_tangent(random);
   const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
   return {ball.center - t.a,
           u,

@@ -7,7 +7,7 @@
 #include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
-namespace touchstone::thesis_figures {
+namespace touchstone::stability {
 namespace {
 
 /// One of its own for each name, beyond the small numbers that the other measurements use.
@@ -46,4 +46,4 @@ FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::
   return area;
 }
 
-}  // namespace touchstone::thesis_figures
+}  // namespace touchstone::stability

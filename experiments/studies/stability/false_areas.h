@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "experiments/studies/stability/outlines.h"
 
-namespace touchstone::thesis_figures {
+namespace touchstone::stability {
 
 /// Points about an outline that the thesis's angle sum, with its factor of 0.99, calls inside or not.
 struct FalseArea {
@@ -30,4 +30,4 @@ struct FalseArea {
 /// astray apart. Truth is `filtered`. Cost: about 1 us a point.
 [[nodiscard]] FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::uint64_t seed);
 
-}  // namespace touchstone::thesis_figures
+}  // namespace touchstone::stability

@@ -86,7 +86,7 @@ void ask(const Above& above, std::size_t distance, std::size_t method, Onset& on
 }
 
 /// Nothing where the method throws.
-std::unique_ptr<methods::PreparedMethod> prepare(const methods::Method& method, const Polygon& polygon) {
+std::unique_ptr<cases::PreparedMethod> prepare(const cases::Method& method, const Polygon& polygon) {
   try {
     return method.prepare(polygon);
   } catch (const std::exception&) {
@@ -94,7 +94,7 @@ std::unique_ptr<methods::PreparedMethod> prepare(const methods::Method& method, 
   }
 }
 
-std::vector<std::string> names_of(const std::vector<const methods::Method*>& methods) {
+std::vector<std::string> names_of(const std::vector<const cases::Method*>& methods) {
   std::vector<std::string> names{"ericson-absolute", "ericson"};
   for (const auto* method : methods) names.emplace_back(method->name());
   return names;
@@ -136,26 +136,26 @@ void from_json(const nlohmann::json& json, Onset& onset) {
   onset.triangles_ = json.at("triangles").get<std::uint64_t>();
 }
 
-Onset no_onset(const std::vector<const methods::Method*>& methods) { return Onset(names_of(methods)); }
+Onset no_onset(const std::vector<const cases::Method*>& methods) { return Onset(names_of(methods)); }
 
-void find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::Course<Onset>& course, Onset& onset) {
+void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
+                unsigned threads, const harness::Course<Onset>& course, Onset& onset) {
   const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);
       ask(above, distance, 0, part, [&](const Ball& ball) { return absolute_contact(ball, above.triangle); });
-      ask(above, distance, 1, part, [&](const Ball& ball) { return bench::ericson_contact(ball, above.triangle); });
+      ask(above, distance, 1, part, [&](const Ball& ball) { return methods::ericson_contact(ball, above.triangle); });
       for (std::size_t m = 0; m < methods.size(); ++m) {
         const auto prepared = prepare(*methods[m], above.polygon());
         ask(above, distance, m + 2, part, [&](const Ball& ball) {
           if (!prepared) throw std::runtime_error("not prepared");
-          return prepared->ask(ball, methods::Question::Contact).contact.value();
+          return prepared->ask(ball, cases::Question::Contact).contact.value();
         });
       }
     }
     part.add_triangle();
   };
-  run::run_sweep(
+  harness::run_sweep(
       {triangles, 1, threads, course.processes, course.stop, course.progress}, ask_all,
       [&](std::uint64_t, const Onset& now) { course.save(now); }, no_onset(methods), onset.triangles(), onset);
 }

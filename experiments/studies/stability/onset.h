@@ -63,11 +63,11 @@ class Onset {
 };
 
 /// What no triangle has been added to yet.
-[[nodiscard]] Onset no_onset(const std::vector<const methods::Method*>& methods);
+[[nodiscard]] Onset no_onset(const std::vector<const cases::Method*>& methods);
 
 /// Asks about those of the random triangles that the onset does not hold yet. At the first process: a function of
 /// (methods, triangles done, seed), whatever threads, processes and stops.
-void find_onset(const std::vector<const methods::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const run::Course<Onset>& course, Onset& onset);
+void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
+                unsigned threads, const harness::Course<Onset>& course, Onset& onset);
 
 }  // namespace touchstone::stability

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace touchstone::thesis_figures {
+namespace touchstone::stability {
 
 Polygon Outline::polygon() const {
   Loop loop;
@@ -65,4 +65,4 @@ Box bounds(const Outline& outline) {
   return {left->first, right->first, bottom->second, top->second};
 }
 
-}  // namespace touchstone::thesis_figures
+}  // namespace touchstone::stability

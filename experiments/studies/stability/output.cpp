@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::stability {
 namespace {
@@ -82,8 +82,8 @@ void write_failures(const std::filesystem::path& folder, const Settings& setting
                                before_text(settings, summary, cell), all.failed, all.samples,
                                rate_and_limits(all.failed, all.samples));
         }
-  run::write_file(folder / "failures.csv", text);
-  run::write_file(folder / "first-failure.csv", first);
+  harness::write_file(folder / "failures.csv", text);
+  harness::write_file(folder / "first-failure.csv", first);
 }
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
@@ -96,7 +96,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
                         word(quantity), settings.methods[method]->name(), errors.relative.count(),
                         errors.relative.infinite(), quantiles(errors.relative), quantiles(errors.ulps));
   }
-  run::write_file(folder / "errors.csv", text);
+  harness::write_file(folder / "errors.csv", text);
 }
 
 void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
@@ -114,7 +114,7 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
     const auto& [quantity, axis, level] = cell;
     add(quantity, fmt::format("{},{}", word(settings.axes[axis]), level_text(settings.axes[axis], level)), bound);
   }
-  run::write_file(folder / "tightness.csv", text);
+  harness::write_file(folder / "tightness.csv", text);
 
   std::string points = "stage,quantity,constant,axis,level,condition,relative_error\n";
   for (const auto& [block, list] : summary.points) {
@@ -125,7 +125,7 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
                             word(axis), levels(axis)[p.level].name, p.condition, p.relative_error);
     }
   }
-  run::write_file(folder / "conditions.csv", points);
+  harness::write_file(folder / "conditions.csv", points);
 }
 
 void write_worst(const std::filesystem::path& folder, const Summary& summary) {
@@ -138,7 +138,7 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
   });
   std::string text;
   for (const WorstCase* worst : cases) text += worst->line;
-  run::write_file(folder / "worst.jsonl", text);
+  harness::write_file(folder / "worst.jsonl", text);
 }
 
 void write_known(const std::filesystem::path& folder, const Known& known) {
@@ -152,7 +152,7 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
                             onset.failures(d, m, k), onset.triangles(),
                             rate_and_limits(onset.failures(d, m, k), onset.triangles()), onset.wrong(d, m, k),
                             2 * onset.triangles());
-  run::write_file(folder / "onset.csv", text);
+  harness::write_file(folder / "onset.csv", text);
 
   text =
       "sign,family,trials,plain_wrong,plain_rate,plain_lower,plain_upper,fused_wrong,fused_rate,fused_lower,"
@@ -161,7 +161,7 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
     text += fmt::format("{},{},{},{},{},{},{},{}\n", c.sign, c.family, c.trials, c.plain_wrong,
                         rate_and_limits(c.plain_wrong, c.trials), c.fused_wrong,
                         rate_and_limits(c.fused_wrong, c.trials), c.differ);
-  run::write_file(folder / "contraction.csv", text);
+  harness::write_file(folder / "contraction.csv", text);
 
   text = "outline,points,rightly_inside,wrongly_inside,missed,share,lower,upper\n";
   for (const auto& area : known.areas) {
@@ -169,7 +169,7 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
     text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", area.outline->name, area.points, area.right,
                         area.wrong, area.missed, area.share(), limits.lower, limits.upper);
   }
-  run::write_file(folder / "areas.csv", text);
+  harness::write_file(folder / "areas.csv", text);
 }
 
 }  // namespace touchstone::stability

@@ -16,7 +16,7 @@ namespace touchstone::stability {
 struct Known {
   Onset onset;
   std::vector<ContractionCount> contractions;
-  std::vector<thesis_figures::FalseArea> areas;
+  std::vector<stability::FalseArea> areas;
 };
 
 // Results only: byte for byte the same for the same settings, whatever the threads and processes. Each throws

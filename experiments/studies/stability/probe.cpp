@@ -60,7 +60,7 @@ std::vector<Probe> probes_of(const Scene& scene, const Oracle& oracle) {
     const auto add = [&](double radius, Nearness nearness, std::vector<Test> tests, const Answer& truth, bool measured,
                          bool bounded) {
       probes.push_back({{asked_center, radius},
-                        methods::PartialAnswer::of(truth, ""),
+                        cases::PartialAnswer::of(truth, ""),
                         nearness,
                         std::move(tests),
                         measured,

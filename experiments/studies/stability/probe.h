@@ -11,7 +11,7 @@
 
 namespace touchstone::stability {
 
-using judge::Test;
+using cases::Test;
 
 /// The tests that are counted; the edges are compared as lists.
 inline constexpr std::array kCountedTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact, Test::Relation};
@@ -38,7 +38,7 @@ class Oracle {
 /// A ball, what is asked about it, and the truth.
 struct Probe {
   Ball ball;
-  methods::PartialAnswer truth;
+  cases::PartialAnswer truth;
   Nearness nearness;
   std::vector<Test> tests;
   bool measured;  ///< are distance and point held against the truth?

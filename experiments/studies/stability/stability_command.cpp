@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -33,7 +33,7 @@ struct Options {
   std::vector<std::string> axes{"all"};
   std::uint64_t samples = 400;
   std::uint64_t seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   std::string output = "results/stability";
   bool force = false, resume = false;
   bool no_pictures = false;
@@ -61,8 +61,8 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
 
 std::string command_line(const Options& options) {
   return fmt::format("touchstone stability --method {} --axes {} --samples {} --seed {} --threads {} --output {}{}{}",
-                     run::joined(options.methods), run::joined(options.axes), options.samples, options.seed,
-                     options.threads, run::shell_quoted(options.output), options.resume ? " --resume" : "",
+                     harness::joined(options.methods), harness::joined(options.axes), options.samples, options.seed,
+                     options.threads, harness::shell_quoted(options.output), options.resume ? " --resume" : "",
                      options.no_pictures ? " --no-pictures" : "");
 }
 
@@ -75,13 +75,13 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
   return {
-      {"version", kVersion}, {"seed", settings.seed}, {"method", run::joined(methods)}, {"axes", run::joined(axes)}};
+      {"version", kVersion}, {"seed", settings.seed}, {"method", harness::joined(methods)}, {"axes", harness::joined(axes)}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
 class Run {
  public:
-  Run(const Options& options, const run::Processes& processes)
+  Run(const Options& options, const harness::Processes& processes)
       : options_(options),
         processes_(processes),
         folder_(options.output),
@@ -91,14 +91,14 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
     const Summary summary = study();
     Known known{.onset = onset(), .contractions = {}, .areas = {}};
     if (!processes_.first()) return 0;
     const bool stopped = interrupt_.requested();
     known.contractions = count_contractions(stopped ? 0 : 50 * settings_.samples, settings_.seed);
     if (!stopped)
-      for (const auto& outline : thesis_figures::outlines())
+      for (const auto& outline : stability::outlines())
         known.areas.push_back(measure_false_area(outline, 500 * settings_.samples, settings_.seed));
     write_failures(folder_, settings_, summary);
     write_errors(folder_, settings_, summary);
@@ -109,7 +109,7 @@ class Run {
     std::uint64_t missing = 0;
     for (const std::uint64_t count : summary.missing) missing += count;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    run::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = command_line(options_),
                                     .seed = settings_.seed,
                                     .samples_asked = settings_.samples,
                                     .samples_done = summary.samples(),
@@ -121,44 +121,44 @@ class Run {
     fmt::print("{}", table(settings_, summary, known));
     fmt::print("\n{} samples of each axis; {} polygons were not found. {:.0f} s. Tables and worst cases: {}\n",
                summary.samples(), missing, seconds, options_.output);
-    run::flush_standard_output();
+    harness::flush_standard_output();
     if (stopped) {
       fmt::print(stderr,
                  "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume goes on\n",
                  options_.output, summary.samples(), settings_.samples);
-      return run::kInterrupted;
+      return harness::kInterrupted;
     }
-    if (!options_.no_pictures) run::draw_pictures("stability", *held_);
+    if (!options_.no_pictures) harness::draw_pictures("stability", *held_);
     return 0;
   }
 
  private:
   Summary study() {
-    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    Summary summary = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
+    const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    Summary summary = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
                                  [](const Summary& held) { return held.samples(); });
-    run::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
-    run_study(settings_, run::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
+    harness::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
+    run_study(settings_, harness::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
     return summary;
   }
 
   Onset onset() {
     const std::uint64_t triangles = 10 * settings_.samples;
-    const run::Checkpoint checkpoint(folder_ / "onset-checkpoint.json", checkpoint_settings(settings_));
-    Onset onset = run::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods),
+    const harness::Checkpoint checkpoint(folder_ / "onset-checkpoint.json", checkpoint_settings(settings_));
+    Onset onset = harness::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods),
                              [](const Onset& held) { return held.triangles(); });
-    run::ProgressLine line("stability: known results", triangles, onset.triangles());
+    harness::ProgressLine line("stability: known results", triangles, onset.triangles());
     find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
-               run::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);
+               harness::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);
     return onset;
   }
 
   const Options& options_;
-  const run::Processes& processes_;
+  const harness::Processes& processes_;
   std::filesystem::path folder_;
-  std::optional<run::OutputFolder> held_;  // by the first process
+  std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
-  run::Interrupt interrupt_;
+  harness::Interrupt interrupt_;
 };
 
 }  // namespace
@@ -167,19 +167,19 @@ void add_stability(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
   auto options = std::make_shared<Options>();
-  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  run::add_names(*command, "--axes", options->axes, "What is made worse, separated by commas, or all");
+  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  harness::add_names(*command, "--axes", options->axes, "What is made worse, separated by commas, or all");
   command->add_option("--samples", options->samples, "Polygons at each level of each axis; fewer at slow levels")
-      ->check(run::whole_number(1), "COUNT")
+      ->check(harness::whole_number(1), "COUNT")
       ->capture_default_str();
-  run::add_seed(*command, options->seed);
-  run::add_threads(*command, options->threads, "Of each process; they do not change the results");
-  run::add_resume(*command, options->resume);
+  harness::add_seed(*command, options->seed);
+  harness::add_threads(*command, options->threads, "Of each process; they do not change the results");
+  harness::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
   command->callback([options, &status] {
-    status = run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+    status = harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
 }
 

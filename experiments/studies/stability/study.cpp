@@ -18,13 +18,13 @@
 namespace touchstone::stability {
 namespace {
 
-using methods::PartialAnswer;
-using methods::Question;
+using cases::PartialAnswer;
+using cases::Question;
 
 /// A method with a polygon; it prepares and answers in the scene's mode. What it throws is no answer.
 class Asked {
  public:
-  Asked(const methods::Method& method, const Scene& scene) : mode_(scene.mode) {
+  Asked(const cases::Method& method, const Scene& scene) : mode_(scene.mode) {
     try {
       const Environment environment(mode_);
       prepared_ = method.prepare(scene.asked.polygon);
@@ -44,7 +44,7 @@ class Asked {
 
  private:
   FloatingPointMode mode_;
-  std::unique_ptr<methods::PreparedMethod> prepared_;
+  std::unique_ptr<cases::PreparedMethod> prepared_;
 };
 
 double ulp(double value) {
@@ -73,7 +73,7 @@ std::optional<NumberError> point_error(const Eigen::Vector3d& found, const Eigen
 class Study {
  public:
   explicit Study(const Settings& settings) : settings_(settings) {
-    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
   }
 
   [[nodiscard]] Block block(std::uint64_t number) const {
@@ -119,7 +119,7 @@ class Study {
         if (answer && !outcome) continue;  // the method has no such test
         auto& result =
             results.try_emplace({test, probe.nearness}, TestResult{level, m, test, probe.nearness, 0, 0}).first->second;
-        const bool wrong = outcome != judge::Outcome::Right;
+        const bool wrong = outcome != cases::Outcome::Right;
         result.wrong += wrong ? 1 : 0;
         ++result.asked;
         wrong_somewhere = wrong_somewhere || wrong;
@@ -164,13 +164,13 @@ class Study {
     const auto held = std::find_if(block.worst.begin(), block.worst.end(),
                                    [&](const WorstCase& other) { return other.method == method; });
     if (held != block.worst.end() && !worst.worse_than(*held)) return;
-    const judge::Verdict given = judge::object_of(*answer), truth = judge::object_of(probe.truth);
-    judge::Verdict expected = judge::Verdict::object();
+    const cases::Verdict given = cases::object_of(*answer), truth = cases::object_of(probe.truth);
+    cases::Verdict expected = cases::Verdict::object();
     for (const auto& [key, value] : truth.items())
       if (given.contains(key) && given[key] != value) expected[key] = value;
     if (expected.empty()) return;
     const std::string_view name = settings_.methods[method]->name();
-    worst.line = judge::to_line(judge::case_of(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
+    worst.line = cases::to_line(cases::case_of(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
                                                {std::string(name), std::string(word(probe.nearness)),
                                                 worst.rank > 0 ? "wrong final answer" : "right final answer"},
                                                expected));

@@ -11,7 +11,7 @@
 namespace touchstone::stability {
 
 struct Settings {
-  std::vector<const methods::Method*> methods;
+  std::vector<const cases::Method*> methods;
   std::vector<Axis> axes;
   std::uint64_t samples = 1;  ///< of each level; Level::one_in makes it fewer
   std::uint64_t seed = 1;

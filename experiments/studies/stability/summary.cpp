@@ -93,9 +93,9 @@ Summary no_summary(const Settings& settings) {
   return summary;
 }
 
-void run_study(const Settings& settings, const run::Course<Summary>& course, Summary& summary) {
+void run_study(const Settings& settings, const harness::Course<Summary>& course, Summary& summary) {
   constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
-  run::run_sweep(
+  harness::run_sweep(
       {block_count(settings), 1, settings.threads, course.processes, course.stop, course.progress,
        kSecondsBetweenCheckpoints},
       [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); },

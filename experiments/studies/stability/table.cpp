@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "experiments/studies/stability/output.h"
-#include "experiments/harness/statistics/bounded_mean.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/bounded_mean.h"
+#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 
 namespace touchstone::stability {
 namespace {
@@ -259,7 +259,7 @@ std::string contraction_table(const std::vector<ContractionCount>& counts) {
   return text;
 }
 
-std::string area_table(const std::vector<thesis_figures::FalseArea>& areas) {
+std::string area_table(const std::vector<stability::FalseArea>& areas) {
   if (areas.empty()) return {};
   std::string text = fmt::format(
       "\nThe thesis's sum of angles: area outside that it calls inside, as a share of the outline's own; {} points "

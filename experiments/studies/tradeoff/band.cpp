@@ -15,7 +15,7 @@ std::string offset_text(std::int64_t offset) {
   const std::string sign = offset < 0 ? "-" : "+";
   constexpr std::uint64_t kWritten = 1024;  // beyond it offsets are powers of two
   if (size <= kWritten) return sign + std::to_string(size);
-  const bool last = std::abs(offset) == near_edge::all_offsets().back();
+  const bool last = std::abs(offset) == cases::all_offsets().back();
   return fmt::format("{}2^{}{}", sign, std::countr_zero(size), last ? " or beyond" : "");
 }
 
@@ -25,7 +25,7 @@ Band band_of(const MethodErrors& errors) {
   Band band;
   for (std::size_t i = 0; i < errors.offsets.size(); ++i) {
     if (errors.offsets[i].wrong == 0) continue;
-    const std::int64_t offset = near_edge::all_offsets()[i];
+    const std::int64_t offset = cases::all_offsets()[i];
     if (!band.lowest) band.lowest = offset;
     band.highest = offset;
   }

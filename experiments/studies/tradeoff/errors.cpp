@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/errors.h"
 
 #include <algorithm>
@@ -14,9 +15,9 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using judge::Outcome;
-using judge::Test;
-using near_edge::Crossing;
+using cases::Outcome;
+using cases::Test;
+using cases::Crossing;
 
 const Worst& worse(const Worst& a, const Worst& b) {
   const auto rank = [](const Worst& w) { return std::make_tuple(-w.ulps, w.n, w.stratum); };
@@ -25,22 +26,22 @@ const Worst& worse(const Worst& a, const Worst& b) {
 
 MethodErrors nothing() {
   MethodErrors errors;
-  errors.offsets.resize(near_edge::all_offsets().size());
+  errors.offsets.resize(cases::all_offsets().size());
   return errors;
 }
 
 class Study {
  public:
   explicit Study(const Settings& settings) : settings_(settings), exact_(*methods::find_method("exact")) {
-    for (const auto* method : settings.methods) knows_boundary_.push_back(judge::knows_boundary(*method));
+    for (const auto* method : settings.methods) knows_boundary_.push_back(cases::knows_boundary(*method));
   }
 
   /// Sample n of every stratum of the selected families.
   void ask_all(std::uint64_t n, Errors& part) const {
     const auto& families = settings_.families;
     for (std::size_t stratum = 0; stratum < part.at.size(); ++stratum) {
-      if (std::ranges::find(families, near_edge::all_strata()[stratum].family) == families.end()) continue;
-      if (const auto crossing = near_edge::draw_crossing({stratum, {}, settings_.seed, n}, exact_))
+      if (std::ranges::find(families, cases::all_strata()[stratum].family) == families.end()) continue;
+      if (const auto crossing = cases::draw_crossing({stratum, {}, settings_.seed, n}, exact_))
         ask(stratum, n, *crossing, part.at[stratum]);
       else
         ++part.missing;
@@ -50,10 +51,10 @@ class Study {
 
  private:
   void ask(std::size_t stratum, std::uint64_t n, const Crossing& crossing, std::vector<MethodErrors>& by_method) const {
-    const auto threshold = near_edge::all_strata()[stratum].threshold;
+    const auto threshold = cases::all_strata()[stratum].threshold;
     const Ball& middle = crossing.balls[crossing.balls.size() / 2];  // at offset 0
     std::optional<Answer> truth;
-    if (near_edge::moves_radius(threshold)) truth = exact::answer(middle, crossing.polygon);
+    if (cases::moves_radius(threshold)) truth = exact::answer(middle, crossing.polygon);
     for (std::size_t m = 0; m < settings_.methods.size(); ++m) {
       if (settings_.methods[m]->slow() && n % kSlowStride != 0) continue;
       MethodErrors& errors = by_method[m];
@@ -72,9 +73,9 @@ class Study {
   }
 
   /// Adds the errors of distance and point. Returns whether one of them is not finite.
-  static bool ask_numbers(const methods::PreparedMethod& method, const Ball& ball, const Answer& truth, std::uint64_t n,
+  static bool ask_numbers(const cases::PreparedMethod& method, const Ball& ball, const Answer& truth, std::uint64_t n,
                           std::size_t stratum, MethodErrors& errors) {
-    const auto answer = method.ask(ball, methods::Question::Answer);
+    const auto answer = method.ask(ball, cases::Question::Answer);
     std::optional<double> distance, point;
     if (answer.distance) distance = distance_error(*answer.distance, truth.distance);
     if (answer.point) point = point_error(*answer.point, truth.point);
@@ -93,14 +94,14 @@ class Study {
   }
 
   const Settings& settings_;
-  const methods::Method& exact_;
+  const cases::Method& exact_;
   std::vector<bool> knows_boundary_;
 };
 
 }  // namespace
 
-judge::Test test_at(near_edge::Threshold threshold) {
-  return near_edge::moves_radius(threshold) ? Test::Contact : Test::Foot;
+cases::Test test_at(cases::Threshold threshold) {
+  return cases::moves_radius(threshold) ? Test::Contact : Test::Foot;
 }
 
 Tally& Tally::operator+=(const Tally& other) {
@@ -122,7 +123,7 @@ std::string_view word(Quantity quantity) { return quantity == Quantity::Distance
 Tally MethodErrors::near_threshold() const {
   Tally sum;
   for (std::size_t i = 0; i < offsets.size(); ++i)
-    if (std::abs(near_edge::all_offsets()[i]) <= kNear) sum += offsets[i];
+    if (std::abs(cases::all_offsets()[i]) <= kNear) sum += offsets[i];
   return sum;
 }
 
@@ -146,7 +147,7 @@ MethodErrors Errors::sum(const std::vector<std::size_t>& strata, std::size_t met
 std::uint64_t Errors::polygons(const std::vector<std::size_t>& strata, std::size_t method) const {
   std::map<std::pair<workloads::Family, workloads::Placement>, std::uint64_t> most;
   for (const std::size_t stratum : strata) {
-    const auto& [family, placement, threshold] = near_edge::all_strata()[stratum];
+    const auto& [family, placement, threshold] = cases::all_strata()[stratum];
     std::uint64_t& polygons = most[{family, placement}];
     polygons = std::max(polygons, at[stratum][method].samples);
   }
@@ -165,13 +166,13 @@ Errors& Errors::operator+=(const Errors& other) {
 
 Errors no_errors(const Settings& settings) {
   Errors errors;
-  errors.at.assign(near_edge::all_strata().size(), std::vector(settings.methods.size(), nothing()));
+  errors.at.assign(cases::all_strata().size(), std::vector(settings.methods.size(), nothing()));
   return errors;
 }
 
-void measure_errors(const Settings& settings, const run::Course<Errors>& course, Errors& errors) {
+void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors) {
   const Study study(settings);
-  run::run_sweep(
+  harness::run_sweep(
       {settings.samples, 1, settings.threads, course.processes, course.stop, course.progress},
       [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); },
       [&](std::uint64_t, const Errors& now) { course.save(now); }, no_errors(settings), errors.samples, errors);

@@ -11,12 +11,12 @@
 #include "experiments/cases/method.h"
 #include "experiments/cases/threshold.h"
 #include "experiments/harness/course.h"
-#include "experiments/harness/statistics/distribution.h"
+#include "experiments/harness/distribution.h"
 
 namespace touchstone::tradeoff {
 
 struct Settings {
-  std::vector<const methods::Method*> methods;
+  std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
   std::uint64_t samples = 1;  ///< of each stratum
   std::uint64_t seed = 1;
@@ -30,7 +30,7 @@ inline constexpr std::uint64_t kSlowStride = 4;
 inline constexpr std::int64_t kNear = 8;
 
 /// What is counted across a threshold: the final answer where the radius moves, the foot where the centre does.
-[[nodiscard]] judge::Test test_at(near_edge::Threshold threshold);
+[[nodiscard]] cases::Test test_at(cases::Threshold threshold);
 
 struct Tally {
   std::uint64_t wrong = 0, unsure = 0, trials = 0;
@@ -64,7 +64,7 @@ struct Worst {
 
 /// What one method did in one stratum.
 struct MethodErrors {
-  std::vector<Tally> offsets;  ///< by near_edge::all_offsets
+  std::vector<Tally> offsets;  ///< by cases::all_offsets
   std::uint64_t samples = 0;   ///< that it was asked about
   std::array<UlpErrors, kQuantities.size()> ulps;
   std::array<Worst, kQuantities.size()> worst;
@@ -76,7 +76,7 @@ struct MethodErrors {
 
 /// Sums do not depend on their order.
 struct Errors {
-  std::vector<std::vector<MethodErrors>> at;  ///< by stratum (near_edge::all_strata), then method
+  std::vector<std::vector<MethodErrors>> at;  ///< by stratum (cases::all_strata), then method
   std::uint64_t samples = 0;                  ///< of each stratum, all done: fewer than asked for where stopped
   std::uint64_t missing = 0;                  ///< samples, of all, for which no polygon or ball was found
 
@@ -99,6 +99,6 @@ void from_json(const nlohmann::json& json, Errors& errors);
 ///
 /// At the first process: a function of the settings and the number of samples done; threads, processes, stops and the
 /// other families and methods change nothing. A run that was stopped after m samples equals one of m samples.
-void measure_errors(const Settings& settings, const run::Course<Errors>& course, Errors& errors);
+void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors);
 
 }  // namespace touchstone::tradeoff

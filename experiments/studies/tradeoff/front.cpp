@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "experiments/harness/statistics/bounded_mean.h"
+#include "experiments/statistics/bounded_mean.h"
 
 namespace touchstone::tradeoff {
 namespace {
 
-using methods::Question;
+using cases::Question;
 
 /// Beyond the noise.
 bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
@@ -31,7 +31,7 @@ std::optional<Nanoseconds> nanoseconds(std::size_t method, Question question, st
   for (const Timing& t : timings) {
     if (t.balls != Balls::Near || t.question != question || t.place.placement != placement) continue;
     if (family && t.place.family != *family) continue;
-    const auto q = bench::quartiles(t.methods[method].nanoseconds);
+    const auto q = timing::quartiles(t.methods[method].nanoseconds);
     sum = {sum.lower + q.lower, sum.median + q.median, sum.upper + q.upper};
     ++lists;
   }
@@ -96,9 +96,9 @@ void mark_front(std::vector<Standing>& standings) {
 std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, workloads::Placement placement,
                                    bool radius) {
   std::vector<std::size_t> strata;
-  for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
-    const auto& stratum = near_edge::all_strata()[s];
-    if (stratum.placement == placement && near_edge::moves_radius(stratum.threshold) == radius &&
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+    const auto& stratum = cases::all_strata()[s];
+    if (stratum.placement == placement && cases::moves_radius(stratum.threshold) == radius &&
         (!family || stratum.family == *family))
       strata.push_back(s);
   }

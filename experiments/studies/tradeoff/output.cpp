@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/output.h"
 
 #include <fmt/core.h>
@@ -8,8 +9,8 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/harness/statistics/bounded_mean.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/bounded_mean.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
@@ -17,8 +18,8 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using near_edge::all_offsets;
-using near_edge::all_strata;
+using cases::all_offsets;
+using cases::all_strata;
 using workloads::Placement;
 
 constexpr std::array kPlacements{Placement::LatticeFrame, Placement::Rotated};
@@ -64,10 +65,10 @@ std::string_view name(const Settings& settings, std::size_t method) { return set
 /// Draws the sample again and states what is expected of it.
 std::string worst_case(const Settings& settings, std::size_t method, Quantity quantity, const Worst& worst) {
   const auto crossing =
-      near_edge::draw_crossing({worst.stratum, {}, settings.seed, worst.n}, *methods::find_method("exact"));
+      cases::draw_crossing({worst.stratum, {}, settings.seed, worst.n}, *methods::find_method("exact"));
   const Ball& ball = crossing->balls[crossing->balls.size() / 2];
   const Answer truth = exact::answer(ball, crossing->polygon);
-  methods::PartialAnswer expected;
+  cases::PartialAnswer expected;
   if (quantity == Quantity::Distance)
     expected.distance = truth.distance;
   else
@@ -78,7 +79,7 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
   const std::vector<std::string> tags{
       std::string(name(settings, method)), std::string(word(quantity)),
       std::isfinite(worst.ulps) ? fmt::format("{:.6g} ulps", worst.ulps) : "not finite"};
-  return judge::to_line(judge::case_of(id, ball, crossing->polygon, tags, judge::object_of(expected)));
+  return cases::to_line(cases::case_of(id, ball, crossing->polygon, tags, cases::object_of(expected)));
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
             share_and_limits(tally.wrong, tally.trials, statistics::clopper_pearson(tally.wrong, tally.trials)));
       }
   }
-  run::write_file(folder / "errors.csv", text);
+  harness::write_file(folder / "errors.csv", text);
 }
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
@@ -120,7 +121,7 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
                           band.highest ? std::to_string(*band.highest) : "");
     }
   }
-  run::write_file(folder / "bands.csv", text);
+  harness::write_file(folder / "bands.csv", text);
 }
 
 void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
@@ -146,7 +147,7 @@ void write_points(const std::filesystem::path& folder, const Settings& settings,
       }
     }
   });
-  run::write_file(folder / "points.csv", text);
+  harness::write_file(folder / "points.csv", text);
 }
 
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
@@ -157,20 +158,20 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
       for (std::size_t q = 0; q < kQuantities.size(); ++q)
         if (sum.worst[q].ulps > 0) text += worst_case(settings, m, kQuantities[q], sum.worst[q]);
     }
-  run::write_file(folder / "worst.jsonl", text);
+  harness::write_file(folder / "worst.jsonl", text);
 }
 
 void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings) {
   std::string text =
       "family,placement,balls,question,method,asked,repetitions,lower_quartile_ns,median_ns,upper_quartile_ns\n";
   for (const auto& [place, balls, question, methods] : timings)
-    for (const bench::Measured& m : methods) {
-      const auto q = bench::quartiles(m.nanoseconds);
+    for (const timing::Measured& m : methods) {
+      const auto q = timing::quartiles(m.nanoseconds);
       text +=
           fmt::format("{},{},{},{},{},{},{},{:.1f},{:.1f},{:.1f}\n", word(place.family), word(place.placement),
                       word(balls), word(question), m.name, m.queries, m.nanoseconds.size(), q.lower, q.median, q.upper);
     }
-  run::write_file(folder / "timings.csv", text);
+  harness::write_file(folder / "timings.csv", text);
 }
 
 void write_front(const std::filesystem::path& folder, const Settings& settings, const Errors& errors,
@@ -186,7 +187,7 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
                             s.nanoseconds.lower, s.nanoseconds.upper, s.error, s.lower, s.upper, s.finite_error,
                             s.not_finite, s.samples, word(s.front));
     });
-  run::write_file(folder / "front.csv", text);
+  harness::write_file(folder / "front.csv", text);
 }
 
 }  // namespace touchstone::tradeoff

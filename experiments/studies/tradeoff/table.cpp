@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/harness/statistics/bounded_mean.h"
-#include "experiments/harness/statistics/percent.h"
+#include "experiments/statistics/bounded_mean.h"
+#include "experiments/statistics/percent.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "experiments/studies/tradeoff/output.h"
@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using methods::Question;
+using cases::Question;
 using workloads::Placement;
 
 std::string three_digits(double value) {
@@ -38,8 +38,8 @@ Times times_of(std::size_t method, Balls balls, Question question, Placement pla
   Times times;
   for (const Timing& t : timings) {
     if (t.balls != balls || t.question != question || t.place.placement != placement) continue;
-    const bench::Measured& measured = t.methods[method];
-    times.nanoseconds += bench::quartiles(measured.nanoseconds).median;
+    const timing::Measured& measured = t.methods[method];
+    times.nanoseconds += timing::quartiles(measured.nanoseconds).median;
     times.fewest = times.lists == 0 ? measured.queries : std::min(times.fewest, measured.queries);
     times.most = std::max(times.most, measured.queries);
     ++times.lists;
@@ -137,8 +137,8 @@ std::string noise(const std::vector<Timing>& timings) {
   constexpr double kMuch = 1.5;
   std::size_t cells = 0, noisy = 0;
   for (const Timing& t : timings)
-    for (const bench::Measured& m : t.methods) {
-      const auto q = bench::quartiles(m.nanoseconds);
+    for (const timing::Measured& m : t.methods) {
+      const auto q = timing::quartiles(m.nanoseconds);
       ++cells;
       noisy += q.upper > kMuch * q.lower ? 1 : 0;
     }

@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using methods::Question;
+using cases::Question;
 using workloads::BallPlace;
 using workloads::PlacedOutline;
 using workloads::Random;
@@ -41,9 +41,9 @@ std::optional<Query> draw_query(const std::vector<PlacedOutline>& outlines, work
   }
 }
 
-using Prepared = std::vector<std::unique_ptr<methods::PreparedMethod>>;  // of one method, by polygon
+using Prepared = std::vector<std::unique_ptr<cases::PreparedMethod>>;  // of one method, by polygon
 
-bench::Contestant contestant(const methods::Method& method, const Prepared& prepared, const std::vector<Query>& queries,
+timing::Contestant contestant(const cases::Method& method, const Prepared& prepared, const std::vector<Query>& queries,
                              Question question) {
   const auto ask = [&prepared, &queries, question](std::size_t count) {
     std::uint64_t sum = 0;
@@ -85,7 +85,7 @@ std::uint64_t list_count(const TimingSettings& settings) {
 }
 
 std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                    const run::Progress& progress) {
+                                    const harness::Progress& progress) {
   std::vector<Timing> timings;
   std::uint64_t done = 0;
   for (const Place& place : settings.places) {
@@ -97,10 +97,10 @@ std::vector<Timing> measure_timings(const TimingSettings& settings, const std::a
     for (const Balls balls : kBalls) {
       for (const Question question : kTimedQuestions) {
         if (queries.of(balls).empty()) continue;
-        bench::Contest contest;
+        timing::Contest contest;
         for (std::size_t m = 0; m < prepared.size(); ++m)
           contest.contestants.push_back(contestant(*settings.methods[m], prepared[m], queries.of(balls), question));
-        bench::Result result = bench::measure(
+        timing::Result result = timing::measure(
             std::string(word(place.family)), contest, settings.repetitions, stop, [](std::uint64_t) {}, kSecondsOfList);
         if (stop) return timings;
         timings.push_back({place, balls, question, std::move(result.contestants)});

@@ -21,9 +21,9 @@ enum class Balls {
 inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
 [[nodiscard]] std::string_view word(Balls balls);
 
-inline constexpr std::array kTimedQuestions{methods::Question::Contact, methods::Question::Answer};
+inline constexpr std::array kTimedQuestions{cases::Question::Contact, cases::Question::Answer};
 /// Of those two.
-[[nodiscard]] std::string_view word(methods::Question question);
+[[nodiscard]] std::string_view word(cases::Question question);
 
 /// A family of polygons in a placement: what timings and fronts are made for.
 struct Place {
@@ -48,7 +48,7 @@ struct Queries {
 [[nodiscard]] Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count);
 
 struct TimingSettings {
-  std::vector<const methods::Method*> methods;
+  std::vector<const cases::Method*> methods;
   std::vector<Place> places;
   std::uint64_t seed = 1;
   std::size_t queries = 1;  ///< in each list
@@ -59,8 +59,8 @@ struct TimingSettings {
 struct Timing {
   Place place;
   Balls balls;
-  methods::Question question;
-  std::vector<bench::Measured> methods;  ///< in the order of the settings
+  cases::Question question;
+  std::vector<timing::Measured> methods;  ///< in the order of the settings
 };
 
 /// How long one method may take for a list: then it is asked about the first questions of it only.
@@ -71,7 +71,7 @@ inline constexpr double kSecondsOfList = 0.005;
 /// time is that of PreparedMethod::ask: an indirect call and a partial answer are in it. Lists that were not finished
 /// when stopped are left out.
 [[nodiscard]] std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
-                                                  const run::Progress& progress);
+                                                  const harness::Progress& progress);
 
 /// The number of lists, in which progress is told.
 [[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);

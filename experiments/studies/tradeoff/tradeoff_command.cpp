@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -31,7 +31,7 @@ struct Options {
   std::vector<std::string> families{"all"};
   std::uint64_t samples = 200;  // with the times about a minute and a half on two cores
   std::uint64_t seed = 1;
-  unsigned threads = run::all_threads();
+  unsigned threads = harness::all_threads();
   std::size_t queries = 2000;
   unsigned repetitions = 7;
   std::string output = "results/tradeoff";
@@ -44,8 +44,8 @@ std::string command_line(const Options& options) {
   return fmt::format(
       "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
       "--repetitions {} --output {}{}{}",
-      run::joined(options.methods), run::joined(options.families), options.samples, options.seed, options.threads,
-      options.queries, options.repetitions, run::shell_quoted(options.output), options.resume ? " --resume" : "",
+      harness::joined(options.methods), harness::joined(options.families), options.samples, options.seed, options.threads,
+      options.queries, options.repetitions, harness::shell_quoted(options.output), options.resume ? " --resume" : "",
       options.no_pictures ? " --no-pictures" : "");
 }
 
@@ -63,8 +63,8 @@ int redraw(const Options& options) {
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
       throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
-  const run::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
-  return run::draw_pictures("tradeoff", held) ? 0 : 1;
+  const harness::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
+  return harness::draw_pictures("tradeoff", held) ? 0 : 1;
 }
 
 std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
@@ -85,14 +85,14 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   for (const auto family : settings.families) families.emplace_back(word(family));
   return {{"version", kVersion},
           {"seed", settings.seed},
-          {"method", run::joined(methods)},
-          {"families", run::joined(families)}};
+          {"method", harness::joined(methods)},
+          {"families", harness::joined(families)}};
 }
 
 /// One run with all processes: errors by all, times and files by the first.
 class Run {
  public:
-  Run(const Options& options, const run::Processes& processes)
+  Run(const Options& options, const harness::Processes& processes)
       : options_(options),
         processes_(processes),
         folder_(options.output),
@@ -104,7 +104,7 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), run::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
     const Errors errors = measure();
     if (!processes_.first()) return 0;
     remove_old(folder_);
@@ -118,7 +118,7 @@ class Run {
     if (processes_.count() == 1) write_timings(folder_, timings);
     if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    run::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = command_line(options_),
                                     .seed = settings_.seed,
                                     .samples_asked = settings_.samples,
                                     .samples_done = errors.samples,
@@ -133,22 +133,22 @@ class Run {
         "questions timed {} times, in {:.0f} s. Everything: {}\n",
         errors.samples, errors.missing, timings.size(), list_count(timing_settings_), options_.queries,
         options_.repetitions, seconds, options_.output);
-    run::flush_standard_output();
+    harness::flush_standard_output();
     return tell_end(stopped, errors, timings);
   }
 
  private:
   Errors measure() {
-    const run::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    Errors errors = run::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
+    const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
+    Errors errors = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
                                [](const Errors& held) { return held.samples; });
-    run::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
-    measure_errors(settings_, run::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
+    harness::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
+    measure_errors(settings_, harness::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
     return errors;
   }
 
   [[nodiscard]] std::vector<Timing> time() {
-    run::ProgressLine line("tradeoff: times", list_count(timing_settings_));
+    harness::ProgressLine line("tradeoff: times", list_count(timing_settings_));
     return measure_timings(timing_settings_, interrupt_.requested(), [&](std::uint64_t done) { line(done); });
   }
 
@@ -158,22 +158,22 @@ class Run {
                  "touchstone: interrupted: {} covers {} of {} samples and {} of {} timed lists; no fronts; --resume "
                  "goes on\n",
                  options_.output, errors.samples, settings_.samples, timings.size(), list_count(timing_settings_));
-      return run::kInterrupted;
+      return harness::kInterrupted;
     }
     if (processes_.count() > 1)
       fmt::print("Times are measured in one process only: --resume without mpirun adds them and the pictures.\n");
     else if (!options_.no_pictures)
-      run::draw_pictures("tradeoff", *held_);
+      harness::draw_pictures("tradeoff", *held_);
     return 0;
   }
 
   const Options& options_;
-  const run::Processes& processes_;
+  const harness::Processes& processes_;
   std::filesystem::path folder_;
-  std::optional<run::OutputFolder> held_;  // by the first process
+  std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
   TimingSettings timing_settings_;
-  run::Interrupt interrupt_;
+  harness::Interrupt interrupt_;
 };
 
 constexpr const char* kFooter = R"(
@@ -187,29 +187,29 @@ void add_tradeoff(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("tradeoff", "Hold the run time of methods against their errors; draw the best");
   command->footer(kFooter);
   auto options = std::make_shared<Options>();
-  run::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  run::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
+  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
+  harness::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
   command->add_option("--samples", options->samples, "Samples of each family, placement and threshold: for the errors")
-      ->check(run::whole_number(1), "COUNT")
+      ->check(harness::whole_number(1), "COUNT")
       ->capture_default_str();
-  run::add_seed(*command, options->seed, "Any number; the same gives the same questions");
-  run::add_threads(*command, options->threads,
+  harness::add_seed(*command, options->seed, "Any number; the same gives the same questions");
+  harness::add_threads(*command, options->threads,
                    "Of each process, for the errors; they do not change them. Times: always one");
   command->add_option("--queries", options->queries, "Distinct balls in each timed list")
-      ->check(run::whole_number(1, 1'000'000), "COUNT")
+      ->check(harness::whole_number(1, 1'000'000), "COUNT")
       ->capture_default_str();
   command->add_option("--repetitions", options->repetitions, "How often each method takes its turn on a list")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  run::add_resume(*command, options->resume);
+  harness::add_resume(*command, options->resume);
   command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  run::add_force(*command, options->force);
-  run::add_no_pictures(*command, options->no_pictures);
+  harness::add_force(*command, options->force);
+  harness::add_no_pictures(*command, options->no_pictures);
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
   command->callback([options, &status] {
     status = options->redraw
-                 ? run::run_alone([&] { return redraw(*options); })
-                 : run::run_together([&](const run::Processes& processes) { return Run(*options, processes)(); });
+                 ? harness::run_alone([&] { return redraw(*options); })
+                 : harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
 }
 

@@ -7,7 +7,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 using workloads::Random;
 
@@ -35,4 +35,4 @@ using workloads::Random;
 /// The largest coordinate difference from vertex 0.
 [[nodiscard]] double size_of(const Polygon& polygon);
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

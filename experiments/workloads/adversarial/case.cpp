@@ -12,7 +12,7 @@
 #include "experiments/workloads/adversarial/tangents.h"
 #include "experiments/workloads/adversarial/triangles.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 namespace {
 
 using Eigen::Vector3d;
@@ -207,4 +207,4 @@ Case draw_case(std::uint64_t seed, std::uint64_t index) {
   throw std::logic_error("no case " + std::to_string(index) + " of seed " + std::to_string(seed) + " was found");
 }
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

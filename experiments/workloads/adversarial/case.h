@@ -11,7 +11,7 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 /// What makes a case hard. All but Outline are triangles.
 enum class Family {
@@ -50,4 +50,4 @@ struct Case {
 /// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.
 [[nodiscard]] Case draw_case(std::uint64_t seed, std::uint64_t index);
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -8,7 +8,7 @@
 #include "experiments/workloads/placement.h"
 #include "robust/exact/validate.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 namespace {
 
 using workloads::Placement;
@@ -99,4 +99,4 @@ std::optional<BallAndPolygon> draw_outline(Random& random) try {
   return std::nullopt;
 }
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -6,7 +6,7 @@
 #include "experiments/workloads/adversarial/scaling.h"
 #include "experiments/workloads/random.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 /// A polygon of any family of workloads, of up to 24 vertices and two holes, in an integer or a rotated frame, at up
 /// to 2^20 sizes from the origin; in half of the draws with its vertices moved off the plane, by 2^-52 to 2^-3 sizes;
@@ -16,4 +16,4 @@ namespace touchstone::soak {
 /// Nothing where the loops came to meet. Cost: about 50 us.
 [[nodiscard]] std::optional<BallAndPolygon> draw_outline(Random& random);
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 namespace {
 
 /// The largest magnitude of all coordinates and the radius.
@@ -44,4 +44,4 @@ std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& bal
   return BallAndPolygon{there, polygon_of(loops)};
 }
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -8,7 +8,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 using workloads::loops_of;
 using workloads::polygon_of;
@@ -25,4 +25,4 @@ struct BallAndPolygon {
 [[nodiscard]] std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball,
                                                                const Polygon& polygon);
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -6,7 +6,7 @@
 
 #include "experiments/workloads/placement.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 namespace {
 
 using Eigen::Vector3d;
@@ -99,4 +99,4 @@ Tangent along_axes(Random& random) {
 
 Tangent tangent(Random& random) { return random.coin() ? in_integer_frame(random) : along_axes(random); }
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

@@ -5,7 +5,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 using workloads::Random;
 
@@ -21,4 +21,4 @@ struct Tangent {
 /// coordinate plane, every other coordinate with all its bits.
 [[nodiscard]] Tangent tangent(Random& random);
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

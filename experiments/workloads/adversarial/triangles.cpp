@@ -7,7 +7,7 @@
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/dropped_axis.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 namespace {
 
 using Eigen::Vector3d;
@@ -116,4 +116,4 @@ double size_of(const Triangle& triangle) {
   return std::max(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
 }
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

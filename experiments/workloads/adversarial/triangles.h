@@ -4,7 +4,7 @@
 #include "experiments/workloads/random.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::soak {
+namespace touchstone::adversarial {
 
 using workloads::Random;
 
@@ -31,4 +31,4 @@ using workloads::Random;
 [[nodiscard]] double number_of_any_exponent(Random& random, int range);
 inline constexpr int kExponentRanges = 6;
 
-}  // namespace touchstone::soak
+}  // namespace touchstone::adversarial

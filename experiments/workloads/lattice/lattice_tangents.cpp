@@ -9,7 +9,7 @@
 #include "experiments/workloads/placement.h"
 #include "geometry/contact/answer.h"
 
-namespace touchstone::bench {
+namespace touchstone::workloads {
 namespace {
 
 using workloads::LatticePoint;
@@ -129,4 +129,4 @@ TriangleQuery draw_lattice_tangent(Random& random) {
   }
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::workloads

@@ -4,7 +4,7 @@
 #include "experiments/workloads/lattice/triangle_queries.h"
 #include "experiments/workloads/random.h"
 
-namespace touchstone::bench {
+namespace touchstone::workloads {
 
 inline constexpr double kLargestCoordinate = 0x1p20;
 
@@ -15,4 +15,4 @@ inline constexpr double kLargestCoordinate = 0x1p20;
 /// the vertex is a Pythagorean triple or quadruple in the frame's units.
 [[nodiscard]] TriangleQuery draw_lattice_tangent(workloads::Random& random);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::workloads

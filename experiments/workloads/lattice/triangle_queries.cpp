@@ -11,7 +11,7 @@
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 
-namespace touchstone::bench {
+namespace touchstone::workloads {
 namespace {
 
 using workloads::Random;
@@ -144,4 +144,4 @@ TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std
   return random_query(random);
 }
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::workloads

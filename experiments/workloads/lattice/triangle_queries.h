@@ -8,7 +8,7 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 
-namespace touchstone::bench {
+namespace touchstone::workloads {
 
 struct TriangleQuery {
   Ball ball;
@@ -33,4 +33,4 @@ enum class TriangleFamily {
 /// rounding to nearest. Cost: about 1 us; HalfNear 30 us.
 [[nodiscard]] TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std::uint64_t index);
 
-}  // namespace touchstone::bench
+}  // namespace touchstone::workloads

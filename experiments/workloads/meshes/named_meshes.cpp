@@ -10,7 +10,7 @@
 
 #include "geometry/io/legible.h"
 
-namespace touchstone::real_input {
+namespace touchstone::workloads {
 namespace {
 
 std::string short_name(const std::filesystem::path& file) {
@@ -69,4 +69,4 @@ std::string left_out_text(const NamedFiles& files) {
   return text;
 }
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::workloads

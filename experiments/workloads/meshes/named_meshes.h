@@ -7,7 +7,7 @@
 
 #include "geometry/io/read_mesh.h"
 
-namespace touchstone::real_input {
+namespace touchstone::workloads {
 
 /// What files are called: without the extension, with the folder that they lie in; where several have the same name,
 /// the second and later ones get the next number that leaves no two alike: `puma/puma_link1`, `puma/puma_link1#2`.
@@ -31,4 +31,4 @@ struct NamedFiles {
 /// left-out.txt: a sentence a line for what was left out of the files, as ReadMesh has it, and how many more there are.
 [[nodiscard]] std::string left_out_text(const NamedFiles& files);
 
-}  // namespace touchstone::real_input
+}  // namespace touchstone::workloads

@@ -10,7 +10,7 @@
 
 #include "robust/exact/nearest_double.h"
 
-namespace touchstone::scenes {
+namespace touchstone::workloads {
 namespace {
 
 constexpr std::array<Unit, 6> kUnits{
@@ -58,4 +58,4 @@ void convert(Mesh& mesh, const Unit& from, const Unit& to) {
     }
 }
 
-}  // namespace touchstone::scenes
+}  // namespace touchstone::workloads

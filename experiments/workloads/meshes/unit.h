@@ -7,7 +7,7 @@
 
 #include "geometry/shapes/mesh.h"
 
-namespace touchstone::scenes {
+namespace touchstone::workloads {
 
 /// A unit of length, as so many micrometres.
 struct Unit {
@@ -26,4 +26,4 @@ struct Unit {
 /// Every coordinate, as above. Throws std::range_error, which names the vertex, where one leaves the finite doubles.
 void convert(Mesh& mesh, const Unit& from, const Unit& to);
 
-}  // namespace touchstone::scenes
+}  // namespace touchstone::workloads

@@ -15,42 +15,42 @@ std::string with_polygon(const std::string& polygon) {
 }
 
 std::string code(const std::string& line) {
-  const Case read = read_case(line);
+  const cases::Case read = cases::read_case(line);
   const auto* rejection = std::get_if<Rejection>(&read.content);
   return rejection ? std::string(word(rejection->code)) : "accepted";
 }
 
-std::string message(const std::string& line) { return std::get<Rejection>(read_case(line).content).message; }
+std::string message(const std::string& line) { return std::get<Rejection>(cases::read_case(line).content).message; }
 
 TEST(ReadCase, TakesTheExampleOfTheContract) {
-  const Case read = read_case(
+  const cases::Case read = cases::read_case(
       R"({"id":"tilted-L-17","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]],)"
       R"("holes":[]},"expected":{"relation":"touching"},"tags":["tangent","lattice"]})");
   EXPECT_EQ(read.id, "tilted-L-17");
   EXPECT_EQ(read.expected->at("relation"), "touching");
-  const auto& shapes = std::get<Shapes>(read.content);
+  const auto& shapes = std::get<cases::Shapes>(read.content);
   EXPECT_EQ(shapes.ball.center, Eigen::Vector3d(0.5, 0.25, 1));
   EXPECT_EQ(shapes.polygon.vertex_count(), 3u);
 }
 
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
-  const Case read = read_case(object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" +
+  const cases::Case read = cases::read_case(object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" +
                                      std::string(kTriangle)));
-  const auto& ball = std::get<Shapes>(read.content).ball;
+  const auto& ball = std::get<cases::Shapes>(read.content).ball;
   EXPECT_EQ(ball.center, Eigen::Vector3d(0.1, 9007199254740992.0, 0));
   EXPECT_EQ(ball.radius, 0);
 }
 
 TEST(ReadCase, SaysWhereALineIsNotJson) {
   for (const char* line : {"nonsense", "{\"id\":\"a\"", R"({"id":NaN})", R"({"id":Infinity})", "{'id':1}", "{} {}"})
-    EXPECT_THROW((void)read_case(line), NotJson) << line;
+    EXPECT_THROW((void)cases::read_case(line), harness::NotJson) << line;
 }
 
 // Numbers beyond the doubles are no licence: what surrounds them must be JSON all the same.
 TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
   for (const char* line : {R"({"a":1e400,1e400:1})", "[1e400-5]", "[01e999]", "[-01e999]", "[--1e400]", "[+1e400]",
                            "[.1e400]", "[1.e400]", "[1e400e1]", "[1e400.5]", "[1e4001e400]", "[1e400 1e400]", "1e400x"})
-    EXPECT_THROW((void)read_case(line), NotJson) << line;
+    EXPECT_THROW((void)cases::read_case(line), harness::NotJson) << line;
   for (const char* line : {"[1e400]", "[-1.5E+400,1]", R"(["\\",1e400,"\"1e400-5"])"})
     EXPECT_EQ(code(line), "malformed-case") << line;
   EXPECT_EQ(code(object(R"("id":"a","more":[1,-1e400],)" + std::string(kBall) + "," + kTriangle)), "accepted");
@@ -58,24 +58,24 @@ TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
 
 TEST(ReadCase, TakesANulByteForNoEndOfTheLine) {
   const std::string good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
-  EXPECT_THROW((void)read_case(good + std::string("\0garbage", 8)), NotJson);
-  EXPECT_THROW((void)read_case(good + std::string("\0", 1)), NotJson);
+  EXPECT_THROW((void)cases::read_case(good + std::string("\0garbage", 8)), harness::NotJson);
+  EXPECT_THROW((void)cases::read_case(good + std::string("\0", 1)), harness::NotJson);
 }
 
 TEST(ReadCase, TakesNoByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF", good = object(R"("id":"a",)" + std::string(kBall) + "," + kTriangle);
   for (const std::string& line :
        {mark + good, mark, " " + mark + good, good + mark, good.substr(0, 1) + mark + good.substr(1)})
-    EXPECT_THROW((void)read_case(line), NotJson) << line;
-  EXPECT_EQ(read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
+    EXPECT_THROW((void)cases::read_case(line), harness::NotJson) << line;
+  EXPECT_EQ(cases::read_case(object("\"id\":\"" + mark + "\"")).id, mark) << "within a text it is a letter";
 }
 
 TEST(ReadCase, LetsIdsAndTagsBeAnyString) {
   const std::string odd = R"("id":"\u0000beyond the finite doubles","tags":["\u0000beyond the finite doubles"],)";
   const std::string shape = std::string(kBall) + "," + kTriangle;
   EXPECT_EQ(code(object(odd + shape)), "accepted");
-  const Case beside_an_overflow = read_case(object(odd + R"("more":1e400,)" + shape));
-  EXPECT_TRUE(std::holds_alternative<Shapes>(beside_an_overflow.content));
+  const cases::Case beside_an_overflow = cases::read_case(object(odd + R"("more":1e400,)" + shape));
+  EXPECT_TRUE(std::holds_alternative<cases::Shapes>(beside_an_overflow.content));
   EXPECT_EQ(beside_an_overflow.id, std::string("\0beyond the finite doubles", 26));
 }
 
@@ -83,16 +83,16 @@ TEST(ReadCase, RejectsWhatIsNestedTooDeep) {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
   const std::string shape = std::string(kBall) + "," + kTriangle;
   const auto more = [&](const std::string& value) { return object(R"("id":"a","more":)" + value + "," + shape); };
-  EXPECT_EQ(code(more(nested(kMostLevels - 1))), "accepted");
-  EXPECT_EQ(code(more(nested(kMostLevels))), "malformed-case");
+  EXPECT_EQ(code(more(nested(harness::kMostLevels - 1))), "accepted");
+  EXPECT_EQ(code(more(nested(harness::kMostLevels))), "malformed-case");
   EXPECT_EQ(code(more(nested(1'000'000))), "malformed-case");
-  EXPECT_EQ(read_case(more(nested(1'000'000))).id, "a");
+  EXPECT_EQ(cases::read_case(more(nested(1'000'000))).id, "a");
   EXPECT_EQ(code(object(R"("id":"a","expected":{"point":)" + nested(10'000) + "}," + shape)), "malformed-case");
   EXPECT_EQ(code(nested(1'000'000)), "malformed-case");
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += R"({"x":)";
   EXPECT_EQ(code(more(objects + "1e400" + std::string(100'000, '}'))), "malformed-case");
-  EXPECT_THROW((void)read_case(std::string(1'000'000, '[')), NotJson);
+  EXPECT_THROW((void)cases::read_case(std::string(1'000'000, '[')), harness::NotJson);
   EXPECT_EQ(code(object(R"("id":"[[[[)" + std::string(100, '[') + "\"," + shape)), "accepted");
 }
 
@@ -166,17 +166,17 @@ TEST(ReadCase, NamesTheLoopAndTheVertex) {
 }
 
 TEST(ReadCase, KeepsIdAndExpectationOfARejectedCase) {
-  const Case read = read_case(R"({"id":"a","expected":{"error":"malformed-case"}})");
+  const cases::Case read = cases::read_case(R"({"id":"a","expected":{"error":"malformed-case"}})");
   EXPECT_EQ(read.id, "a");
   EXPECT_EQ(read.expected->at("error"), "malformed-case");
-  EXPECT_FALSE(read_case("{}").id.has_value());
+  EXPECT_FALSE(cases::read_case("{}").id.has_value());
 }
 
 TEST(ReadCase, TakesNothingFromAMalformedExpectation) {
   for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
                                R"({"error":true,"error":true})", R"({"error":true},"expected":{"error":true})"})
-    EXPECT_FALSE(read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value()) << expected;
-  const Case sound = read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
+    EXPECT_FALSE(cases::read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value()) << expected;
+  const cases::Case sound = cases::read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
   EXPECT_TRUE(sound.expected.has_value()) << "the duplicate key lies elsewhere";
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Verdict, CasesAreWrittenInTheFormOfTheContract) {
   const Polygon polygon({{0, 0, 0}, {4, 0, -0.0}, {0, 4, 0}}, {{{1, 1, 0}, {1.5, 1, 0}, {1, 1.25, 0}}});
-  EXPECT_EQ(to_line(case_of("a-1", {{0.1, -0.0, 1e300}, 5e-324}, polygon, {"star", "tangent"})),
+  EXPECT_EQ(cases::to_line(cases::case_of("a-1", {{0.1, -0.0, 1e300}, 5e-324}, polygon, {"star", "tangent"})),
             R"({"id":"a-1","ball":{"center":[0.1,0,1e+300],"radius":5e-324},)"
             R"("polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]],"holes":[[[1,1,0],[1.5,1,0],[1,1.25,0]]]},)"
             R"("tags":["star","tangent"]})"
@@ -19,28 +19,28 @@ TEST(Verdict, CasesAreWrittenInTheFormOfTheContract) {
 
 TEST(Verdict, NumbersAreShortestAndReadBackAsTheSameDouble) {
   for (const double value : {0.1, 1e23, 5e-324, 1.7976931348623157e308, 9007199254740993.0, 1.0 / 3, -123456789.0}) {
-    methods::PartialAnswer answer;
+    cases::PartialAnswer answer;
     answer.distance = value;
-    const std::string line = to_line(object_of(answer));
+    const std::string line = cases::to_line(cases::object_of(answer));
     EXPECT_EQ(nlohmann::json::parse(line)["distance"].get<double>(), value) << line;
   }
 }
 
 TEST(Verdict, WhatIsNoFiniteNumberIsNull) {
-  methods::PartialAnswer answer;
+  cases::PartialAnswer answer;
   answer.distance = std::numeric_limits<double>::infinity();
   answer.off_plane = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(to_line(object_of(answer)), "{\"distance\":null,\"off_plane\":null}\n");
+  EXPECT_EQ(cases::to_line(cases::object_of(answer)), "{\"distance\":null,\"off_plane\":null}\n");
 }
 
 TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
-  EXPECT_EQ(to_line(verdict_of("a\"b", "m", methods::PartialAnswer{})), R"({"id":"a\"b","method":"m"})"
+  EXPECT_EQ(cases::to_line(cases::verdict_of("a\"b", "m", cases::PartialAnswer{})), R"({"id":"a\"b","method":"m"})"
                                                                         "\n");
 }
 
 /// Does a reply meet what is expected of it?
 bool meets(const std::string& expected, const std::string& reply) {
-  return differences(nlohmann::json::parse(expected), answer_in(nlohmann::json::parse(reply))).empty();
+  return cases::differences(nlohmann::json::parse(expected), cases::answer_in(nlohmann::json::parse(reply))).empty();
 }
 
 TEST(Verdict, CoordinatesAndLengthsAreComparedAsTheDoublesThatTheyMean) {
@@ -71,7 +71,7 @@ TEST(Verdict, IndicesAreComparedAsWholeNumbers) {
 
 TEST(Verdict, LengthsOfAReplyAreWrittenAsTheDoublesThatTheyMean) {
   EXPECT_EQ(
-      to_line(answer_in(nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
+      cases::to_line(cases::answer_in(nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
       "{\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
 }
 

@@ -10,7 +10,7 @@
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 struct Command {
@@ -52,4 +52,4 @@ TEST(StudyOptions, LeaveWhatStandsBehindAListOfNamesToOthers) {
 }
 
 }  // namespace
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -19,7 +19,7 @@
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST(OutputFolder, DoesNotFollowALinkInPlaceOfItsLock) {
 }
 
 }  // namespace
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -13,7 +13,7 @@
 #include "experiments/harness/progress_line.h"
 #include "tests/experiments/support/unwatched.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 using run_tests::kAlone;
@@ -155,4 +155,4 @@ TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
 }
 
 }  // namespace
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

@@ -16,7 +16,7 @@
 
 #include "tests/experiments/support/scratch.h"
 
-namespace touchstone::run {
+namespace touchstone::harness {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(RefuseOverwrite, RefusesAllElseWithForceToo) {
 }
 
 }  // namespace
-}  // namespace touchstone::run
+}  // namespace touchstone::harness

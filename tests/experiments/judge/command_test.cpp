@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+
 #include "experiments/commands.h"
 
 namespace touchstone::commands {

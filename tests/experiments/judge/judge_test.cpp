@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/methods/registry.h"
 #include "experiments/judge/judge.h"
 
 #include <gtest/gtest.h>

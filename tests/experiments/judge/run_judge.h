@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "experiments/methods/registry.h"
 #include "experiments/judge/judge.h"
 
 /// Cases in, verdicts and complaints out.

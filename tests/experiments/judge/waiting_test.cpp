@@ -10,7 +10,7 @@
 namespace touchstone::judge {
 namespace {
 
-Waiting::Entry entry() { return {Line{}, true}; }
+Waiting::Entry entry() { return {cases::Line{}, true}; }
 
 /// As many lines as are held in any case, so that no push waits.
 void fill(Waiting& waiting) {
@@ -47,8 +47,8 @@ TEST(Waiting, DoesNotGrowForAnEngineThatReadsNoMore) {
 TEST(Waiting, KnowsTheCasesThatWaitForTheEngine) {
   Waiting waiting;
   const auto push = [&](const char* id, bool sent) {
-    Line line;
-    line.read = Case{.id = id, .expected = {}, .content = Rejection{}};
+    cases::Line line;
+    line.read = cases::Case{.id = id, .expected = {}, .content = Rejection{}};
     ASSERT_TRUE(waiting.push({std::move(line), sent}));
   };
   push("twice", true);

@@ -156,7 +156,7 @@ TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
 }
 
 TEST(Engine, DoesNotEndWithAnother) {
-  Engine first("cat"), second("cat"), third("cat; exit 3");
+  methods::Engine first("cat"), second("cat"), third("cat; exit 3");
   first.kill();
   EXPECT_EQ(first.wait(), "signal 9");
   ASSERT_TRUE(second.send("a\n"));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
 
@@ -20,13 +21,13 @@ struct Wrong {
   [[nodiscard]] int all() const { return hits + misses; }
 };
 
-Wrong wrong(const Method& engine, const Workload& workload, double radius_factor) {
+Wrong wrong(const cases::Method& engine, const Workload& workload, double radius_factor) {
   Wrong wrong;
   for (std::uint64_t n = 0; n < 3 * TOUCHSTONE_SAMPLES; ++n) {
     auto sample = workloads::sample(workload, 2026, n);
     sample.ball.radius *= radius_factor;
     const bool truth = exact::contact(sample.ball, sample.polygon);
-    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, Question::Contact).contact;
+    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, cases::Question::Contact).contact;
     if (!answer)
       ++wrong.unsure;
     else if (*answer && !truth)
@@ -43,7 +44,7 @@ class Engine : public testing::TestWithParam<const char*> {
     engine = find_method(GetParam());
     if (engine == nullptr) GTEST_SKIP() << "this program was built without " << GetParam();
   }
-  const Method* engine = nullptr;
+  const cases::Method* engine = nullptr;
 };
 
 const Workload kTriangles{.family = workloads::Family::Triangle, .ball = BallPlace::NearFace};
@@ -90,11 +91,11 @@ INSTANTIATE_TEST_SUITE_P(Engines, Engine,
 TEST(Engines, CannotBeAskedWhereTheyWouldEndTheProgram) {
   const Polygon huge({{0, 0, 0}, {4e300, 0, 0}, {0, 4e300, 0}});
   const auto answer =
-      find_method("cgal-epick-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, Question::Contact);
+      find_method("cgal-epick-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
   EXPECT_TRUE(answer.unsure);
   EXPECT_FALSE(answer.contact);
   const auto exact =
-      find_method("cgal-epeck-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, Question::Contact);
+      find_method("cgal-epeck-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
   EXPECT_FALSE(exact.unsure);
   EXPECT_TRUE(exact.contact);
 }

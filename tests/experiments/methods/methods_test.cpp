@@ -10,6 +10,7 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/threshold.h"
 #include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
@@ -70,8 +71,8 @@ std::vector<Sample> all_samples() {
   return samples;
 }
 
-judge::Verdict ask(std::string_view method, const Sample& sample, Question question = Question::Answer) {
-  return judge::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, question));
+cases::Verdict ask(std::string_view method, const Sample& sample, cases::Question question = cases::Question::Answer) {
+  return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, question));
 }
 
 /// By what sums do: fegetround looks at the x87 unit alone.
@@ -80,13 +81,13 @@ bool rounds_to_nearest() {
   return one + little == one && one - little == one;
 }
 
-constexpr std::array kQuestions{Question::Contact, Question::Relation, Question::PlaneSide,
-                                Question::Foot,    Question::EdgesHit, Question::Answer};
+constexpr std::array kQuestions{cases::Question::Contact, cases::Question::Relation, cases::Question::PlaneSide,
+                                cases::Question::Foot,    cases::Question::EdgesHit, cases::Question::Answer};
 
 // Every key of every question, off the plane too.
 TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
   for (const Sample& sample : all_samples())
-    for (const Question question : kQuestions) {
+    for (const cases::Question question : kQuestions) {
       const auto truth = ask("exact", sample, question);
       for (const char* method : {"cgal-epeck", "rational", "filtered"})
         EXPECT_EQ(ask(method, sample, question), truth) << method << ", " << sample.id;
@@ -98,13 +99,13 @@ TEST(Interval, IsNeverWrongWhereItIsSure) {
   std::uint64_t sure = 0, unsure = 0;
   for (const Sample& sample : all_samples()) {
     const auto prepared = find_method("interval")->prepare(sample.polygon);
-    for (const Question question : kQuestions) {
-      const PartialAnswer answer = prepared->ask(sample.ball, question);
+    for (const cases::Question question : kQuestions) {
+      const cases::PartialAnswer answer = prepared->ask(sample.ball, question);
       ASSERT_TRUE(rounds_to_nearest()) << sample.id;  // bounds come from no mode that was left behind
-      const auto given = judge::object_of(answer), truth = ask("exact", sample, question);
+      const auto given = cases::object_of(answer), truth = ask("exact", sample, question);
       for (const auto& [key, value] : given.items()) EXPECT_EQ(value, truth[key]) << key << ", " << sample.id;
       EXPECT_EQ(answer.unsure, given.size() < truth.size()) << sample.id;
-      if (question == Question::Contact) ++(answer.unsure ? unsure : sure);
+      if (question == cases::Question::Contact) ++(answer.unsure ? unsure : sure);
     }
   }
   EXPECT_GT(sure, 20U);
@@ -114,7 +115,7 @@ TEST(Interval, IsNeverWrongWhereItIsSure) {
 // The same on any case of the generators: grids, far away, warped, at extreme exponents.
 RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
   const auto drawn = *contact_tests::any_case();
-  const auto truth = judge::object_of(PartialAnswer::of(exact::answer(drawn.ball, drawn.polygon), ""));
+  const auto truth = cases::object_of(cases::PartialAnswer::of(exact::answer(drawn.ball, drawn.polygon), ""));
   const Sample sample{drawn.id, drawn.ball, drawn.polygon};
   RC_ASSERT(ask("cgal-epeck", sample) == truth);
   RC_ASSERT(ask("rational", sample) == truth);
@@ -132,19 +133,19 @@ TEST(Interval, KnowsAllThatDoublesHold) {
 // 201 bits are right wherever double-doubles are right by a wide margin, and 64 doubles from a threshold both are.
 TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
   const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
-  for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
-    if (!near_edge::moves_radius(near_edge::all_strata()[s].threshold)) continue;
-    const auto crossing = near_edge::draw_crossing({s, {}, 9, 0}, *methods::find_method("exact"));
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+    if (!cases::moves_radius(cases::all_strata()[s].threshold)) continue;
+    const auto crossing = cases::draw_crossing({s, {}, 9, 0}, *methods::find_method("exact"));
     ASSERT_TRUE(crossing);
     const auto by_wide = wide->prepare(crossing->polygon), by_narrow = narrow->prepare(crossing->polygon);
     for (std::size_t i = 0; i < crossing->balls.size(); ++i) {
-      const auto offset = std::abs(near_edge::all_offsets()[i]);
+      const auto offset = std::abs(cases::all_offsets()[i]);
       const auto truth = crossing->truths[i].contact;
       if (offset >= 64) {
-        EXPECT_EQ(by_narrow->ask(crossing->balls[i], Question::Contact).contact, truth) << s << " " << offset;
+        EXPECT_EQ(by_narrow->ask(crossing->balls[i], cases::Question::Contact).contact, truth) << s << " " << offset;
       }
       if (offset >= 1) {
-        EXPECT_EQ(by_wide->ask(crossing->balls[i], Question::Contact).contact, truth) << s << " " << offset;
+        EXPECT_EQ(by_wide->ask(crossing->balls[i], cases::Question::Contact).contact, truth) << s << " " << offset;
       }
     }
   }
@@ -155,13 +156,13 @@ TEST(FastScalars, ErrLessTheWiderTheyAre) {
   std::vector<std::uint64_t> wrong;
   for (const char* name : {"fast-float", "fast", "fast-long-double", "fast-double-double"}) {
     wrong.push_back(0);
-    for (std::size_t s = 0; s < near_edge::all_strata().size(); ++s) {
-      if (near_edge::all_strata()[s].threshold != near_edge::Threshold::Face) continue;
-      const auto crossing = near_edge::draw_crossing({s, {}, 2, 0}, *methods::find_method("exact"));
+    for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+      if (cases::all_strata()[s].threshold != cases::Threshold::Face) continue;
+      const auto crossing = cases::draw_crossing({s, {}, 2, 0}, *methods::find_method("exact"));
       ASSERT_TRUE(crossing);
       const auto prepared = find_method(name)->prepare(crossing->polygon);
       for (std::size_t i = 0; i < crossing->balls.size(); ++i)
-        if (prepared->ask(crossing->balls[i], Question::Contact).contact != crossing->truths[i].contact) ++wrong.back();
+        if (prepared->ask(crossing->balls[i], cases::Question::Contact).contact != crossing->truths[i].contact) ++wrong.back();
     }
   }
   for (std::size_t i = 1; i < wrong.size(); ++i) EXPECT_LT(wrong[i], wrong[i - 1]) << i;
@@ -174,13 +175,13 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
     EXPECT_TRUE(names.insert(method->name()).second) << method->name();
     EXPECT_LE(method->summary().size(), 96U) << method->name();
     const auto prepared = method->prepare(square);
-    const PartialAnswer whole = prepared->ask({{1, 1, 1}, 1.25}, Question::Answer);
+    const cases::PartialAnswer whole = prepared->ask({{1, 1, 1}, 1.25}, cases::Question::Answer);
     EXPECT_FALSE(whole.unsure) << method->name();
     EXPECT_TRUE(whole.contact || whole.foot) << method->name() << " answers nothing";
     if (whole.contact) {
       EXPECT_TRUE(*whole.contact) << method->name();
-      EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, Question::Contact).contact, true) << method->name();
-      EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, Question::Contact).contact, false) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, cases::Question::Contact).contact, true) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, cases::Question::Contact).contact, false) << method->name();
     }
     // Engines of others answer one of these questions, ours all.
     EXPECT_EQ(whole.foot.value_or(FootPlace::Inside), FootPlace::Inside) << method->name();
@@ -197,7 +198,7 @@ TEST(AllMethods, GoOnWhereNumbersOverflow) {
     const Polygon triangle({{0, 0, 0}, {size, 0, size / 4}, {0, size, 0}});
     for (const Ball& ball : {Ball{{size / 3, size / 3, size}, size / 2}, Ball{{1, 1, 1}, size}, Ball{{-size, 0, 0}, 1}})
       for (const auto& method : all_methods()) {
-        const auto answer = method->prepare(triangle)->ask(ball, Question::Answer);
+        const auto answer = method->prepare(triangle)->ask(ball, cases::Question::Answer);
         if (exact_ones.count(method->name()) == 1) {
           EXPECT_EQ(answer.contact, exact::contact(ball, triangle)) << method->name() << ", " << size;
         }
@@ -210,7 +211,7 @@ TEST(AllMethods, LeaveTheRoundingModeAsItWas) {
     for (const auto& method : all_methods()) {
       const auto prepared = method->prepare(sample.polygon);
       ASSERT_TRUE(rounds_to_nearest()) << method->name();
-      (void)prepared->ask(sample.ball, Question::Answer);
+      (void)prepared->ask(sample.ball, cases::Question::Answer);
       ASSERT_TRUE(rounds_to_nearest()) << method->name();
     }
 }
@@ -220,13 +221,13 @@ TEST(AllMethods, MayBeAskedFromSeveralThreads) {
   workloads::Workload workload{.placement = Placement::Rotated, .ball = BallPlace::NearEdge};
   const auto sample = workloads::sample(workload, 1, 0);
   for (const auto& method : all_methods()) {
-    const auto alone = judge::object_of(method->prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+    const auto alone = cases::object_of(method->prepare(sample.polygon)->ask(sample.ball, cases::Question::Answer));
     const auto shared = method->prepare(sample.polygon);
-    std::array<judge::Verdict, 4> answers;
+    std::array<cases::Verdict, 4> answers;
     {
       std::vector<std::jthread> threads;
       for (auto& answer : answers)
-        threads.emplace_back([&] { answer = judge::object_of(shared->ask(sample.ball, Question::Answer)); });
+        threads.emplace_back([&] { answer = cases::object_of(shared->ask(sample.ball, cases::Question::Answer)); });
     }
     for (const auto& answer : answers) EXPECT_EQ(answer, alone) << method->name();
   }

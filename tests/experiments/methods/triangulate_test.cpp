@@ -44,7 +44,7 @@ TEST(Triangulate, CoversEveryPolygonOnceAndTurnsAsItDoes) {
       }
       if (workloads::twice_area(outline.outer) < 0) area = -area;
       const Polygon polygon(lifted(outline.outer), holes);
-      const auto triangles = triangulation::triangulate(polygon);
+      const auto triangles = methods::triangulate(polygon);
       EXPECT_EQ(triangles.size(), polygon.vertex_count() - 2 + 2 * holes.size())
           << "seed " << kOutlineSeed << ", " << i;
       double sum = 0;
@@ -63,7 +63,7 @@ TEST(Triangulate, FillsAnIslandInAHole) {
   };
   const Polygon polygon(square(3), {square(2), square(1)});
   double sum = 0;
-  for (const auto& [a, b, c] : triangulation::triangulate(polygon))
+  for (const auto& [a, b, c] : methods::triangulate(polygon))
     sum += twice_area(polygon.vertex(a), polygon.vertex(b), polygon.vertex(c));
   EXPECT_EQ(sum, 2 * (36 - 16 + 4));
 }

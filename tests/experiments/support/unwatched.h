@@ -11,7 +11,7 @@
 namespace touchstone::run_tests {
 
 inline const std::atomic<bool> kNeverStop = false;
-inline const run::Progress kSilent = [](std::uint64_t) {};
-inline const run::Processes kAlone;
+inline const harness::Progress kSilent = [](std::uint64_t) {};
+inline const harness::Processes kAlone;
 
 }  // namespace touchstone::run_tests

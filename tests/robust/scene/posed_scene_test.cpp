@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"

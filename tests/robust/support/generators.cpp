@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/robust/support/generators.h"
 
+#include <array>
+#include <charconv>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/cases/verdict.h"
 #include "experiments/workloads/random.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/rearranged.h"
@@ -156,8 +157,35 @@ std::optional<Case> grid_case(int warp) {
 
 }  // namespace
 
+// As a line of JSON, which `touchstone judge` reads.
 void showValue(const Case& drawn, std::ostream& out) {
-  out << judge::to_line(judge::case_of(drawn.id, drawn.ball, drawn.polygon, {}));
+  const auto number = [&out](double value) {
+    std::array<char, 32> digits;
+    out << std::string_view(digits.begin(), std::to_chars(digits.begin(), digits.end(), value).ptr);
+  };
+  const auto point = [&](const Eigen::Vector3d& p) {
+    for (int axis = 0; axis < 3; ++axis) number((out << (axis == 0 ? '[' : ','), p[axis]));
+    out << ']';
+  };
+  const auto loop = [&](std::size_t number_of_loop) {
+    for (std::size_t i = drawn.polygon.loop_begin(number_of_loop); i < drawn.polygon.loop_end(number_of_loop); ++i) {
+      out << (i == drawn.polygon.loop_begin(number_of_loop) ? '[' : ',');
+      point(drawn.polygon.vertex(i));
+    }
+    out << ']';
+  };
+  out << R"({"id":")" << drawn.id << R"(","ball":{"center":)";
+  point(drawn.ball.center);
+  out << R"(,"radius":)";
+  number(drawn.ball.radius);
+  out << R"(},"polygon":{"outer":)";
+  loop(0);
+  out << R"(,"holes":[)";
+  for (std::size_t hole = 1; hole < drawn.polygon.loop_count(); ++hole) {
+    if (hole > 1) out << ',';
+    loop(hole);
+  }
+  out << "]}}\n";
 }
 
 rc::Gen<Case> with_signed_zeros(rc::Gen<Case> gen) {

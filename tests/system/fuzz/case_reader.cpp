@@ -11,16 +11,16 @@ using namespace touchstone;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const judge::Case read = judge::read_case({reinterpret_cast<const char*>(data), size});
-    if (const auto* shapes = std::get_if<judge::Shapes>(&read.content)) {
-      const std::string line = judge::to_line(judge::case_of("again", shapes->ball, shapes->polygon, {}, nullptr));
-      const judge::Case again = judge::read_case(line);
-      const auto& same = std::get<judge::Shapes>(again.content);
+    const cases::Case read = cases::read_case({reinterpret_cast<const char*>(data), size});
+    if (const auto* shapes = std::get_if<cases::Shapes>(&read.content)) {
+      const std::string line = cases::to_line(cases::case_of("again", shapes->ball, shapes->polygon, {}, nullptr));
+      const cases::Case again = cases::read_case(line);
+      const auto& same = std::get<cases::Shapes>(again.content);
       if (!(same.polygon == shapes->polygon) || same.ball.center != shapes->ball.center ||
           same.ball.radius != shapes->ball.radius)
         throw std::logic_error("not read again as it was written: " + line);
     }
-  } catch (const judge::NotJson&) {
+  } catch (const harness::NotJson&) {
   }
   return 0;
 }

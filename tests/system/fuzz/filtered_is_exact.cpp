@@ -62,7 +62,7 @@ Loop loop_of(Bytes& bytes, std::size_t vertices, unsigned flat_axis) {
 void expect(bool same, const char* question, const Ball& ball, const Polygon& polygon) {
   if (!same)
     throw std::logic_error(std::string("another answer to ") + question + ": " +
-                           judge::to_line(judge::case_of("found", ball, polygon, {}, nullptr)));
+                           cases::to_line(cases::case_of("found", ball, polygon, {}, nullptr)));
 }
 
 /// What f gives in an environment; outside it, numbers are compared as they are.

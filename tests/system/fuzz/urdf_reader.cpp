@@ -10,7 +10,7 @@ using namespace touchstone;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = fuzz_tests::written_file("arm.urdf", data, size);
   try {
-    (void)cell::read_urdf(file, 8, {scenes::find_unit("mm"), file.parent_path()});
+    (void)cell::read_urdf(file, 8, {workloads::find_unit("mm"), file.parent_path()});
   } catch (const cell::BadCell&) {
   }
   return 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/experiments/cell/browser/aristo.h"
 
+#include "experiments/methods/registry.h"
 #include "experiments/cell/model/read_cell.h"
 
 namespace touchstone::cell_browser_tests {

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/commands.h"
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/gltf.h"
 #include "experiments/cell/browser/page.h"
-#include "experiments/commands.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/cell/browser/aristo.h"
 #include "tests/experiments/support/run_command.h"
@@ -219,7 +219,7 @@ TEST_F(ExportCommand, WritesWhatTheExtensionSays) {
 }
 
 TEST_F(ExportCommand, WritesOverNothingUnlessForced) {
-  run::write_file(path("run.glb"), "mine");
+  harness::write_file(path("run.glb"), "mine");
   const run_tests::Ran refused = run({file, path("run.glb")});
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.err, path("run.glb") + ": is there already; --force writes over it");

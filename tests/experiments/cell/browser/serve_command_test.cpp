@@ -24,7 +24,7 @@ run_tests::Ran serve(std::vector<std::string> arguments) {
 TEST(ServeCommand, NamesTheKeyOfABadCellFile) {
   const run_tests::Scratch scratch;
   const std::string file = scratch.path / "bad.json";
-  run::write_file(file, R"({"nam": "x"})");
+  harness::write_file(file, R"({"nam": "x"})");
   const run_tests::Ran ran = serve({file});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind(file + ": nam: is an unknown key", 0), 0U) << ran.err;

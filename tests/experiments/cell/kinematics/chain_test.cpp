@@ -41,17 +41,17 @@ std::string message_of(const Call& call) {
 }
 
 TEST(Degrees, AreExactAtQuarterTurns) {
-  EXPECT_EQ(cosine(90), 0);
-  EXPECT_EQ(cosine(-270), 0);
-  EXPECT_EQ(sine(180), 0);
-  EXPECT_FALSE(std::signbit(sine(-180)));
-  EXPECT_EQ(sine(30), 0.5);
-  EXPECT_EQ(cosine(-120), -0.5);
-  EXPECT_EQ(arc_sine(0.5), 30);
-  EXPECT_EQ(arc_cosine(-1), 180);
-  EXPECT_EQ(arc_tangent(-1, -1), -135);
-  EXPECT_EQ(arc_tangent(0, -1), 180);
-  EXPECT_EQ(arc_tangent(0, 0), 0);
+  EXPECT_EQ(workloads::cosine(90), 0);
+  EXPECT_EQ(workloads::cosine(-270), 0);
+  EXPECT_EQ(workloads::sine(180), 0);
+  EXPECT_FALSE(std::signbit(workloads::sine(-180)));
+  EXPECT_EQ(workloads::sine(30), 0.5);
+  EXPECT_EQ(workloads::cosine(-120), -0.5);
+  EXPECT_EQ(workloads::arc_sine(0.5), 30);
+  EXPECT_EQ(workloads::arc_cosine(-1), 180);
+  EXPECT_EQ(workloads::arc_tangent(-1, -1), -135);
+  EXPECT_EQ(workloads::arc_tangent(0, -1), 180);
+  EXPECT_EQ(workloads::arc_tangent(0, 0), 0);
 }
 
 // The table of [ghaayathri]: wrist at (375, 0, 622), flange at (375, 0, 559), the hand down.

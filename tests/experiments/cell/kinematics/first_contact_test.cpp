@@ -111,13 +111,13 @@ BallOnArc draw_move(std::uint64_t index) {
 
 TEST(FirstContact, MeetsAPlaneWhereTheSineSays) {
   const Faces faces = faces_of(sheet(-2, 2, -2, 2, -0.5));
-  expect_at(first_contact(falling(90), 0.125, faces), kinematics::arc_sine(0.375), Kind::Transversal, kFace);
+  expect_at(first_contact(falling(90), 0.125, faces), workloads::arc_sine(0.375), Kind::Transversal, kFace);
   expect_at(first_contact(falling(90), 0, faces), 30, Kind::Transversal, kFace);
 }
 
 TEST(FirstContact, MeetsAnEdgeAndAVertexWhereTheCosineSays) {
   // The edge x = 0.5, z = -1 at distance 1: |(cos, -sin) - (0.5, -1)|^2 = 1 where cos - ... : 2.25 - cos - 2 sin = 1.
-  const double tilt = kinematics::arc_tangent(2, 1), opening = kinematics::arc_cosine(1.25 / std::sqrt(5.0));
+  const double tilt = workloads::arc_tangent(2, 1), opening = workloads::arc_cosine(1.25 / std::sqrt(5.0));
   const Faces side = faces_of(Polygon({{0.5, -3, -1}, {0.5, 3, -1}, {0.5, 0, -9}}));
   expect_at(first_contact(falling(90), 1, side), tilt - opening, Kind::Transversal, edge(0));
   const Faces tip = faces_of(Polygon({{0.5, -1, -9}, {0.5, 0, -1}, {0.5, 1, -9}}));
@@ -155,7 +155,7 @@ TEST(FirstContact, CoversTheWholeTurnAndItsEnd) {
   const Faces wall = faces_of(Polygon({{-0.25, -2, -1}, {-0.25, 0, -1}, {-0.25, 0, 1}, {-0.25, -2, 1}}));
   for (const double length : {1.0, 0x1p-300, 3e200, 1e-3}) {
     const Arc turn{{1, 0, 0}, {0, 0, 0}, {0, 0, length}, 360};
-    expect_at(first_contact(turn, 0, wall), 270 - kinematics::arc_sine(0.25), Kind::Transversal, kFace);
+    expect_at(first_contact(turn, 0, wall), 270 - workloads::arc_sine(0.25), Kind::Transversal, kFace);
   }
   const Faces behind = faces_of(sheet(-2, 2, -2, 2, -1));
   expect_at(first_contact(falling(90), 0, behind), 90, Kind::Grazing, kFace);
@@ -165,7 +165,7 @@ TEST(FirstContact, CoversTheWholeTurnAndItsEnd) {
   // From just behind a wall all the way round to its other side.
   const Arc round{{1, 0, 0}, {0, 0, 0}, {0, 0, 1}, 360};
   const Faces start = faces_of(Polygon({{0.5, -0.125, -1}, {2, -0.125, -1}, {2, -0.125, 1}, {0.5, -0.125, 1}}));
-  expect_at(first_contact(round, 0, start), 360 - kinematics::arc_sine(0.125), Kind::Transversal, kFace);
+  expect_at(first_contact(round, 0, start), 360 - workloads::arc_sine(0.125), Kind::Transversal, kFace);
 }
 
 // Guarantee for every finite double: an exact scaling changes nothing, far beyond where squares over- and underflow.
@@ -222,12 +222,12 @@ TEST(FirstContact, NamesTheLowestFaceOfAnEdgeThatTwoShare) {
 // A sheet that a step of 1 degree jumps over, and a step that is too fast for a plate.
 TEST(FirstContact, FindsWhatSteppingMisses) {
   const double radius = 0.004;
-  const Faces thin = faces_of(sheet(0.5, 1, -1, 1, -kinematics::sine(30.5)));
+  const Faces thin = faces_of(sheet(0.5, 1, -1, 1, -workloads::sine(30.5)));
   const Arc move = falling(60);
   EXPECT_FALSE(stepped_contact(move, radius, 1, thin).has_value());
   const auto contact = first_contact(move, radius, thin);
   ASSERT_TRUE(contact.has_value());
-  EXPECT_NEAR(contact->low, 30.5 - radius / kinematics::cosine(30.5) * 57.3, 1e-3);
+  EXPECT_NEAR(contact->low, 30.5 - radius / workloads::cosine(30.5) * 57.3, 1e-3);
   EXPECT_TRUE(stepped_contact(move, radius, 0.25, thin).has_value());
   EXPECT_TRUE(stepped_contact(move, 0.02, 1, thin).has_value());
   EXPECT_FALSE(stepped_contact(move, 0.02, 7, thin).has_value());

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/cell/model/link_model.h"
 #include "experiments/commands.h"
+#include "experiments/cell/model/link_model.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -55,7 +55,7 @@ TEST_F(CellCommand, ShowIsTheSameEveryTime) {
 }
 
 TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
-  run::write_file(path("bad.json"), R"({"nam":"x"})");
+  harness::write_file(path("bad.json"), R"({"nam":"x"})");
   const Ran ran = touchstone_cell({"show", path("bad.json")});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err, path("bad.json") +
@@ -64,7 +64,7 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
 }
 
 TEST_F(CellCommand, ConvertSaysWhatItReadWroteAndReadAgain) {
-  run::write_file(path("square.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
+  harness::write_file(path("square.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
   const Ran ran = touchstone_cell({"convert", path("square.obj"), path("square.txt"), "--merge", "--name", "Plate"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(run_tests::text_of(path("square.txt")),
@@ -75,7 +75,7 @@ TEST_F(CellCommand, ConvertSaysWhatItReadWroteAndReadAgain) {
 }
 
 TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
-  run::write_file(path("two words.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n");
+  harness::write_file(path("two words.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n");
   const auto err = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "convert");
     const Ran ran = touchstone_cell(std::move(arguments));
@@ -88,7 +88,7 @@ TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
             path("a.step") + ": the extension '.step' is none of .txt, .obj, .off, .stl and .ply");
   EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),
             path("two words.obj") + ": is there already; --force writes over it");
-  run::write_file(path("bad.txt"), "Link A\nParts x\n");
+  harness::write_file(path("bad.txt"), "Link A\nParts x\n");
   EXPECT_EQ(err({path("bad.txt"), path("a.obj")}), path("bad.txt") + ": line 2: 'x' is not a count");
 }
 

@@ -23,7 +23,7 @@ using cell::LinkPolygon;
 
 LinkModel read(const std::string& text) {
   const run_tests::Scratch scratch;
-  run::write_file(scratch.path / "Axis1.txt", text);
+  harness::write_file(scratch.path / "Axis1.txt", text);
   return cell::read_link_model(scratch.path / "Axis1.txt");
 }
 
@@ -31,7 +31,7 @@ LinkModel read(const std::string& text) {
 std::string fault(const std::string& text) {
   const run_tests::Scratch scratch;
   const std::string path = (scratch.path / "Axis1.txt").string();
-  run::write_file(path, text);
+  harness::write_file(path, text);
   try {
     (void)cell::read_link_model(path);
   } catch (const BrokenMesh& broken) {
@@ -152,7 +152,7 @@ class Conversion : public testing::Test {
                       cell::Preparation preparation = cell::Preparation::None) {
     const std::filesystem::path file = scratch.path / ("model" + extension);
     written = cell::prepared(model, preparation, file);
-    run::write_file(file, cell::model_text(written, file));
+    harness::write_file(file, cell::model_text(written, file));
     return cell::read_model(file);
   }
 

@@ -127,7 +127,7 @@ class Melfa : public testing::Test {
       for (const int i : {a, b, c}) text += "vertex " + corners[static_cast<std::size_t>(i)] + "\n";
       text += "endloop\nendfacet\n";
     }
-    run::write_file(scratch.path / file, text + "endsolid t\n");
+    harness::write_file(scratch.path / file, text + "endsolid t\n");
   }
   const run_tests::Scratch scratch;
 };
@@ -187,7 +187,7 @@ class BadCells : public testing::Test {
   /// What a cell file with this text is refused for, after the name of the file.
   [[nodiscard]] std::string fault(const std::string& text) const {
     const std::string file = (scratch.path / "cell.json").string();
-    run::write_file(file, text);
+    harness::write_file(file, text);
     try {
       (void)cell::read_cell(file);
     } catch (const BadCell& error) {
@@ -213,7 +213,7 @@ class BadCells : public testing::Test {
     if (at == std::string::npos) return "nothing to replace";
     text.replace(at, old_text.size(), new_text);
     const std::string file = (scratch.path / "aristo.urdf").string();
-    run::write_file(file, text);
+    harness::write_file(file, text);
     const std::string message = fault(whole.dump());
     return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
   }
@@ -365,7 +365,7 @@ TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
 // urdfdom's own words have no line; XML is checked before it reads it.
 TEST_F(BadCells, XmlFaultsAreNamedWithTheirLine) {
   const auto text = [&](const std::string& urdf) {
-    run::write_file(scratch.path / "aristo.urdf", urdf);
+    harness::write_file(scratch.path / "aristo.urdf", urdf);
     const std::string message = fault(whole.dump()), file = (scratch.path / "aristo.urdf").string();
     return message.starts_with(file + ": ") ? message.substr(file.size() + 2) : message;
   };
@@ -392,7 +392,7 @@ TEST_F(BadCells, NamesInUrdfAreUtf8WithoutControlCharacters) {
   std::string latin = run_tests::text_of(kCells / "aristo.urdf");
   latin.replace(0, latin.find("?>"), "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"");
   latin.replace(latin.find(robot), robot.size(), "<robot name=\"&#xe9;\">");
-  run::write_file(scratch.path / "aristo.urdf", latin);
+  harness::write_file(scratch.path / "aristo.urdf", latin);
   EXPECT_EQ(fault(whole.dump()), (scratch.path / "aristo.urdf").string() +
                                      R"(: robot \xe9: the name has a control character, or is not UTF-8)");
 }
@@ -439,7 +439,7 @@ TEST_F(BadCells, UrdfBoxesAndCylindersArePartsOfTheirLink) {
                  "<collision><geometry><cylinder radius=\"0.025\" length=\"0.4\"/></geometry></collision></link>"),
       "");
   whole["robot"]["links"].erase("Base");
-  run::write_file(scratch.path / "cell.json", whole.dump());
+  harness::write_file(scratch.path / "cell.json", whole.dump());
   const Cell cell = cell::read_cell(scratch.path / "cell.json");
   const std::vector<cell::Part>& parts = cell.robot.links[0].parts;
   ASSERT_EQ(parts.size(), 2U);

@@ -64,8 +64,8 @@ TEST(SolidFaces, WhatHasNoInsideIsRefused) {
 class MeshSolid : public testing::Test {
  protected:
   [[nodiscard]] Solid mesh(const std::string& text, const char* unit) const {
-    run::write_file(scratch.path / "part.obj", text);
-    return {cell::MeshFile{scratch.path / "part.obj", scenes::find_unit(unit), scenes::find_unit("mm")}};
+    harness::write_file(scratch.path / "part.obj", text);
+    return {cell::MeshFile{scratch.path / "part.obj", workloads::find_unit(unit), workloads::find_unit("mm")}};
   }
   const run_tests::Scratch scratch;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods along a run, beside the exact answers.
+#include "experiments/methods/registry.h"
 #include "experiments/cell/simulation/contest.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 
 namespace {
 
-using touchstone::run::Processes;
+using touchstone::harness::Processes;
 
 int tell(const Processes& processes) {
   const auto number = std::uint64_t{processes.number()};
@@ -29,7 +29,7 @@ int stop_one(const Processes& processes) {
   std::atomic<bool> stop = false;
   std::uint64_t sum = 0;
   const bool stopped = processes.number() + 1 == processes.count();
-  const std::uint64_t done = touchstone::run::run_sweep(
+  const std::uint64_t done = touchstone::harness::run_sweep(
       {1'000'000, 3, 2, processes, stop, [](std::uint64_t) {}},
       [&](std::uint64_t item, std::uint64_t& part) {
         part += item;
@@ -46,7 +46,7 @@ int stop_one(const Processes& processes) {
 int fail_in(unsigned number, const Processes& processes) {
   const std::atomic<bool> never = false;
   std::uint64_t sum = 0;
-  touchstone::run::run_sweep(
+  touchstone::harness::run_sweep(
       {1000, 1, 2, processes, never, [](std::uint64_t) {}},
       [&](std::uint64_t item, std::uint64_t&) {
         if (item > 500 && processes.number() == number) throw std::runtime_error("item beyond 500");
@@ -58,7 +58,7 @@ int fail_in(unsigned number, const Processes& processes) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return touchstone::run::run_together([&](const Processes& processes) {
+  return touchstone::harness::run_together([&](const Processes& processes) {
     if (argc > 1) return fail_in(static_cast<unsigned>(std::atoi(argv[1])), processes);
     tell(processes);
     return stop_one(processes);

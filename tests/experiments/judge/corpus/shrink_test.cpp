@@ -9,6 +9,7 @@
 
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/cases/method.h"
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/judge/corpus/stored.h"
@@ -31,14 +32,14 @@ std::vector<const Stored*> failed_by(const std::string& method, std::size_t ever
   return some;
 }
 
-judge::Verdict wrong(const methods::Method& method, const Ball& ball, const Polygon& polygon) {
+cases::Verdict wrong(const cases::Method& method, const Ball& ball, const Polygon& polygon) {
   return corpus::wrong_values(method, ball, polygon, corpus::exact_answer(ball, polygon));
 }
 
 class Shrink : public testing::TestWithParam<const char*> {};
 
 TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
-  const methods::Method& method = *methods::find_method(GetParam());
+  const cases::Method& method = *methods::find_method(GetParam());
   for (const Stored* stored : failed_by(GetParam(), 60)) {
     const SameFailure failure(method, stored->ball(), stored->polygon());
     const Shrunk small = corpus::shrink(failure, stored->ball(), stored->polygon(), never);
@@ -55,7 +56,7 @@ TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
 }
 
 TEST_P(Shrink, ChangesNothingThatItHasShrunk) {
-  const methods::Method& method = *methods::find_method(GetParam());
+  const cases::Method& method = *methods::find_method(GetParam());
   for (const Stored* stored : failed_by(GetParam(), 110)) {
     const Shrunk once = corpus::shrink(SameFailure(method, stored->ball(), stored->polygon()), stored->ball(),
                                        stored->polygon(), never);
@@ -79,7 +80,7 @@ TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
   const Polygon u(
       {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
   const Ball ball{{40, 30, 12}, 7};
-  const methods::Method& thesis = *methods::find_method("thesis");
+  const cases::Method& thesis = *methods::find_method("thesis");
   const auto [small_ball, small] = corpus::shrink(SameFailure(thesis, ball, u, "contact"), ball, u, never);
   EXPECT_EQ(small.vertex_count(), 3u);
   EXPECT_LE(corpus::size_of(small_ball, small).bits, 6u);
@@ -90,7 +91,7 @@ TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
   // Doubles lose the ball that touches an edge of the second hole alone.
   for (const Stored* stored : failed_by("fast", 1)) {
     if (stored->file != "holes" || stored->polygon().loop_count() != 3) continue;
-    const methods::Method& fast = *methods::find_method("fast");
+    const cases::Method& fast = *methods::find_method("fast");
     const Shrunk small =
         corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
     EXPECT_LT(small.polygon.loop_count(), 3u) << *stored;
@@ -98,7 +99,7 @@ TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
 }
 
 TEST(ShrinkOf, WordsStayAsTheyWere) {
-  const methods::Method& fast = *methods::find_method("fast");
+  const cases::Method& fast = *methods::find_method("fast");
   for (const Stored* stored : failed_by("fast", 40)) {
     const auto before = wrong(fast, stored->ball(), stored->polygon());
     if (!before.contains("relation")) continue;
@@ -110,7 +111,7 @@ TEST(ShrinkOf, WordsStayAsTheyWere) {
 }
 
 TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
-  const methods::Method& fast = *methods::find_method("fast");
+  const cases::Method& fast = *methods::find_method("fast");
   int shrunk = 0;
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer || stored.fails("fast") || shrunk == 15) continue;

@@ -65,9 +65,9 @@ std::vector<Stored> read_corpus() {
     std::ifstream stream(file);
     for (std::string line; std::getline(stream, line);) {
       const Asked reading(line.substr(0, line.find(',')), file.stem().string());
-      judge::Case read = judge::read_case(line);
+      cases::Case read = cases::read_case(line);
       Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}};
-      if (std::holds_alternative<judge::Shapes>(stored.read.content) && stored.read.expected &&
+      if (std::holds_alternative<cases::Shapes>(stored.read.content) && stored.read.expected &&
           !stored.read.expected->contains("error")) {
         stored.tags = corpus::labels_of(line).tags;
         stored.answer = answer_of(*stored.read.expected);

@@ -13,12 +13,12 @@ namespace touchstone {
 /// A line of the corpus.
 struct Stored {
   std::string file, text, id;
-  judge::Case read;
+  cases::Case read;
   std::vector<std::string> tags;
   std::optional<Answer> answer;  ///< what it expects, of a case that is not to be rejected
 
-  [[nodiscard]] const Ball& ball() const { return std::get<judge::Shapes>(read.content).ball; }
-  [[nodiscard]] const Polygon& polygon() const { return std::get<judge::Shapes>(read.content).polygon; }
+  [[nodiscard]] const Ball& ball() const { return std::get<cases::Shapes>(read.content).ball; }
+  [[nodiscard]] const Polygon& polygon() const { return std::get<cases::Shapes>(read.content).polygon; }
   [[nodiscard]] bool fails(const std::string& method) const;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/harness/write_file.h"
@@ -32,13 +33,13 @@ Standing standing_of(const std::vector<std::string>& methods, unsigned threads =
 
 TEST(Standing, IsWhatTheMethodSaysOfTheCaseOfThatNumber) {
   const Standing standing = standing_of({"fast", "exact"});
-  const methods::Method& fast = *methods::find_method("fast");
+  const cases::Method& fast = *methods::find_method("fast");
   for (const auto family : workloads::all_families()) {
     const Outcomes& outcomes = standing.at("fast").at(std::string(word(family)));
     ASSERT_EQ(outcomes.size(), kSmall.cases());
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
       const auto sample = draw_case(kSmall, family, n);
-      const auto said = fast.prepare(sample.polygon)->ask(sample.ball, methods::Question::Contact).contact;
+      const auto said = fast.prepare(sample.polygon)->ask(sample.ball, cases::Question::Contact).contact;
       EXPECT_EQ(outcomes[n] == Outcome::Wrong, said != exact::contact(sample.ball, sample.polygon))
           << word(family) << " " << n;
     }
@@ -69,7 +70,7 @@ TEST(Standing, AMethodIsNotWrongWhereItIsUnsure) {
 TEST(Baseline, ReadsWhatItWrites) {
   const run_tests::Scratch scratch;
   const Baseline baseline{kSmall, standing_of({"fast", "thesis-float", "interval"})};
-  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const Baseline read = read_baseline(scratch.path / "baseline.json");
   EXPECT_EQ(read.settings, baseline.settings);
   EXPECT_EQ(read.standing, baseline.standing);
@@ -81,7 +82,7 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   const run_tests::Scratch scratch;
   const auto fault = [&](const std::string& text) -> std::string {
     const auto file = scratch.path / "baseline.json";
-    run::write_file(file, text);
+    harness::write_file(file, text);
     try {
       (void)read_baseline(file);
     } catch (const std::runtime_error& error) {
@@ -184,7 +185,7 @@ TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
 TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
   const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", file, "--method", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
@@ -193,7 +194,7 @@ TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
 TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  run::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
   const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
   const auto refused = run_tests::run_captured(commands::add_regress, "regress", named);
   EXPECT_EQ(refused.status, 2) << refused.out;
@@ -213,7 +214,7 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const std::vector<std::string> arguments = {"--method", "fast", "--samples", "1", "--write", file};
   EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", arguments).status, 0);
   const std::string written = run_tests::text_of(file);
-  run::write_file(file, "mine");
+  harness::write_file(file, "mine");
   const auto refused = run_tests::run_captured(commands::add_regress, "regress", arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
@@ -231,7 +232,7 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   Outcomes& outcomes = baseline.standing["thesis"]["star"];
   const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
-  run::write_file(scratch.path / "baseline.json", baseline_text(baseline));
+  harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const auto ran = run_tests::run_captured(commands::add_regress, "regress",
                                            {"--baseline", (scratch.path / "baseline.json").string(), "--method",
                                             "thesis,boost-geometry", "--output", (scratch.path / "out").string()});
@@ -241,11 +242,11 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   EXPECT_NE(ran.out.find("boost-geometry: does not say whether ball and polygon touch; left out"), std::string::npos);
   const std::string worse = run_tests::text_of(scratch.path / "out" / "worse.jsonl");
   ASSERT_EQ(std::count(worse.begin(), worse.end(), '\n'), 1);
-  const auto judged = judge::read_case(worse);
-  const auto& shapes = std::get<judge::Shapes>(judged.content);
+  const auto judged = cases::read_case(worse);
+  const auto& shapes = std::get<cases::Shapes>(judged.content);
   EXPECT_EQ(judged.expected->at("contact"), exact::contact(shapes.ball, shapes.polygon));
   EXPECT_NE(
-      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, methods::Question::Contact).contact,
+      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Contact).contact,
       judged.expected->at("contact").get<bool>());
 }
 

@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/studies/bench/families.h"
-#include "experiments/studies/bench/output.h"
-#include "experiments/commands.h"
+#include "experiments/harness/timing/output.h"
 #include "tests/experiments/studies/bench/run_bench.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -26,7 +25,7 @@ using run_tests::kNeverStop;
 using run_tests::kSilent;
 
 /// Answers the numbers that it is asked; right about all but those below `wrong`.
-Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
+timing::Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
   const auto ask = [name, log](std::size_t count) {
     if (count > 1 && log != nullptr) log->push_back(name);
     return static_cast<std::uint64_t>(count);
@@ -34,24 +33,24 @@ Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std
   return {name, queries, ask, [wrong](std::size_t count) { return std::min(wrong, count); }, {}, {}};
 }
 
-Contest duel(std::vector<std::string>* log = nullptr) {
-  Contest contest;
+timing::Contest duel(std::vector<std::string>* log = nullptr) {
+  timing::Contest contest;
   contest.name = "duel";
   contest.checked = 10;
   contest.contestants = {counter("base", 100, 0, log), counter("other", 100, 3, log)};
-  contest.contestants[1].comparison = Comparison{"base", Goal{1e9}};
+  contest.contestants[1].comparison = timing::Comparison{"base", timing::Goal{1e9}};
   return contest;
 }
 
 TEST(BenchMeasurement, QuartilesLieBetweenTheSortedValues) {
-  const Quartiles q = quartiles({5, 1, 4, 2, 3});
+  const timing::Quartiles q = timing::quartiles({5, 1, 4, 2, 3});
   EXPECT_EQ(q.minimum, 1);
   EXPECT_EQ(q.lower, 2);
   EXPECT_EQ(q.median, 3);
   EXPECT_EQ(q.upper, 4);
   EXPECT_EQ(q.maximum, 5);
-  EXPECT_EQ(quartiles({1, 2}).median, 1.5);
-  EXPECT_EQ(quartiles({7}).upper, 7);
+  EXPECT_EQ(timing::quartiles({1, 2}).median, 1.5);
+  EXPECT_EQ(timing::quartiles({7}).upper, 7);
 }
 
 TEST(BenchMeasurement, ContestantsTakeTurnsAndEachBegins) {
@@ -63,7 +62,7 @@ TEST(BenchMeasurement, ContestantsTakeTurnsAndEachBegins) {
 }
 
 TEST(BenchMeasurement, HoldsEveryRepetitionRatioAndWrongAnswer) {
-  const Result result = measure("test", duel(), 5, kNeverStop, kSilent);
+  const timing::Result result = measure("test", duel(), 5, kNeverStop, kSilent);
   ASSERT_EQ(result.contestants.size(), 2U);
   const auto& [base, other] = std::tie(result.contestants[0], result.contestants[1]);
   EXPECT_EQ(base.queries, 100U);
@@ -77,47 +76,47 @@ TEST(BenchMeasurement, HoldsEveryRepetitionRatioAndWrongAnswer) {
 }
 
 TEST(BenchMeasurement, AComparisonWithNobodyIsRefused) {
-  Contest contest = duel();
+  timing::Contest contest = duel();
   contest.contestants[1].comparison->base = "nobody";
   EXPECT_THROW((void)measure("test", contest, 1, kNeverStop, kSilent), std::logic_error);
 }
 
 TEST(BenchMeasurement, PoolsAreMeans) {
-  Result one{
+  timing::Result one{
       "test", "one",
       "",     "query",
-      "all",  {{"base", 10, {2, 4}, Wrong{1, 5}, {}, {}}, {"other", 10, {2, 2}, {}, Comparison{"base", {}}, {1, 0.5}}}};
-  Result two = one;
+      "all",  {{"base", 10, {2, 4}, timing::Wrong{1, 5}, {}, {}}, {"other", 10, {2, 2}, {}, timing::Comparison{"base", {}}, {1, 0.5}}}};
+  timing::Result two = one;
   two.contestants[0].nanoseconds = {4, 8};
-  const auto both = pooled({one, two}, "all");
+  const auto both = timing::pooled({one, two}, "all");
   ASSERT_TRUE(both);
   EXPECT_EQ(both->name, "all");
   EXPECT_EQ(both->contestants[0].nanoseconds, (std::vector<double>{3, 6}));
   EXPECT_EQ(both->contestants[0].wrong->of, 10U);
   EXPECT_EQ(both->contestants[1].ratios, (std::vector<double>{2 / 3.0, 2 / 6.0}));
-  EXPECT_FALSE(pooled({one}, "all"));
-  EXPECT_FALSE(pooled({one, two}, "none"));
+  EXPECT_FALSE(timing::pooled({one}, "all"));
+  EXPECT_FALSE(timing::pooled({one, two}, "none"));
 }
 
 TEST(BenchMeasurement, AStopLeavesWhatWasMeasured) {
   std::atomic<bool> stop = false;
-  const Result result = measure("test", duel(), 10, stop, [&](std::uint64_t done) { stop = done == 3; });
+  const timing::Result result = measure("test", duel(), 10, stop, [&](std::uint64_t done) { stop = done == 3; });
   EXPECT_EQ(result.contestants[0].nanoseconds.size(), 3U);
   EXPECT_EQ(result.contestants[1].ratios.size(), 3U);
   EXPECT_FALSE(result.contestants[0].wrong);
 }
 
 TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
-  Result result{
+  timing::Result result{
       "test",  "", "",
-      "query", "", {{"base", 10, {2, 2}, {}, {}, {}}, {"other", 10, {6, 6}, {}, Comparison{"base", Goal{2}}, {3, 3}}}};
-  EXPECT_NE(table(result).find("<= 2 MISSED"), std::string::npos);
-  EXPECT_NE(goals({result}).find("0 of 1 goals met; missed:\n  test: other is 3.00 x base, not <= 2"),
+      "query", "", {{"base", 10, {2, 2}, {}, {}, {}}, {"other", 10, {6, 6}, {}, timing::Comparison{"base", timing::Goal{2}}, {3, 3}}}};
+  EXPECT_NE(timing::table(result).find("<= 2 MISSED"), std::string::npos);
+  EXPECT_NE(timing::goals({result}).find("0 of 1 goals met; missed:\n  test: other is 3.00 x base, not <= 2"),
             std::string::npos);
-  EXPECT_EQ(json({result})[0]["contestants"][1]["goal"]["met"], false);
-  result.contestants[1].comparison->goal = Goal{2, false};
-  EXPECT_NE(table(result).find(">= 2 met"), std::string::npos);
-  EXPECT_NE(goals({result}).find("1 of 1 goals met\n"), std::string::npos);
+  EXPECT_EQ(timing::json({result})[0]["contestants"][1]["goal"]["met"], false);
+  result.contestants[1].comparison->goal = timing::Goal{2, false};
+  EXPECT_NE(timing::table(result).find(">= 2 met"), std::string::npos);
+  EXPECT_NE(timing::goals({result}).find("1 of 1 goals met\n"), std::string::npos);
 }
 
 // Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.
@@ -180,7 +179,7 @@ TEST(BenchFamilies, KnowTheirGoals) {
     settings.samples = 1;
     settings.checks = false;
     const auto found = std::ranges::find(all_families(), family, &Family::name);
-    for (const Contestant& c : found->contests.front()(settings).contestants)
+    for (const timing::Contestant& c : found->contests.front()(settings).contestants)
       if (c.name == contestant && c.comparison && c.comparison->goal) return c.comparison->goal->ratio;
     return 0.0;
   };

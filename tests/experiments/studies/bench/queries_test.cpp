@@ -23,21 +23,21 @@ constexpr std::uint64_t kQueries = 1000;
 
 Polygon polygon_of(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
 
-bool equal(const TriangleQuery& x, const TriangleQuery& y) {
+bool equal(const workloads::TriangleQuery& x, const workloads::TriangleQuery& y) {
   return x.ball.center == y.ball.center && x.ball.radius == y.ball.radius && x.triangle.a == y.triangle.a &&
          x.triangle.b == y.triangle.b && x.triangle.c == y.triangle.c;
 }
 
 TEST(BenchTriangles, AreFunctionsOfSeedAndIndexAndDistinct) {
-  for (const TriangleFamily family : all_triangle_families()) {
+  for (const workloads::TriangleFamily family : workloads::all_triangle_families()) {
     std::set<std::tuple<double, double, double, double>> seen;
     for (std::uint64_t i = 0; i < kQueries; ++i) {
-      const TriangleQuery query = draw_triangle_query(family, 3, i);
+      const workloads::TriangleQuery query = workloads::draw_triangle_query(family, 3, i);
       const auto& [ball, triangle] = query;
       seen.insert({ball.center.x(), ball.center.y(), triangle.a.z(), triangle.b.x()});
       if (i % 50 == 0) {
-        EXPECT_TRUE(equal(query, draw_triangle_query(family, 3, i)));
-        EXPECT_FALSE(equal(query, draw_triangle_query(family, 4, i)));
+        EXPECT_TRUE(equal(query, workloads::draw_triangle_query(family, 3, i)));
+        EXPECT_FALSE(equal(query, workloads::draw_triangle_query(family, 4, i)));
       }
     }
     EXPECT_GT(seen.size(), kQueries * 99 / 100) << word(family);
@@ -45,9 +45,9 @@ TEST(BenchTriangles, AreFunctionsOfSeedAndIndexAndDistinct) {
 }
 
 TEST(BenchTriangles, AreAcceptedByTheContract) {
-  for (const TriangleFamily family : all_triangle_families())
+  for (const workloads::TriangleFamily family : workloads::all_triangle_families())
     for (std::uint64_t i = 0; i < kQueries / 5; ++i) {
-      const TriangleQuery query = draw_triangle_query(family, 1, i);
+      const workloads::TriangleQuery query = workloads::draw_triangle_query(family, 1, i);
       EXPECT_FALSE(find_fault(query.ball)) << word(family) << i;
       EXPECT_FALSE(exact::validate(polygon_of(query.triangle))) << word(family) << i;
     }
@@ -58,7 +58,7 @@ TEST(BenchTriangles, HalfOfHalfNearIsNear) {
   std::uint64_t near = 0, touch = 0;
   std::map<Feature::Kind, std::uint64_t> kinds;
   for (std::uint64_t i = 0; i < kQueries; ++i) {
-    const auto [ball, triangle] = draw_triangle_query(TriangleFamily::HalfNear, 1, i);
+    const auto [ball, triangle] = workloads::draw_triangle_query(workloads::TriangleFamily::HalfNear, 1, i);
     const Polygon polygon = polygon_of(triangle);
     const Ball smaller{ball.center, ball.radius * (1 - 0x1p-49)}, larger{ball.center, ball.radius * (1 + 0x1p-49)};
     if (exact::relation(smaller, polygon) != Relation::Separate) continue;
@@ -79,7 +79,7 @@ TEST(BenchTriangles, LatticeTangentsTouchExactly) {
   std::map<Feature::Kind, std::uint64_t> kinds;
   double largest = 0;
   for (std::uint64_t i = 0; i < kQueries; ++i) {
-    const auto [ball, triangle] = draw_triangle_query(TriangleFamily::LatticeTangent, 1, i);
+    const auto [ball, triangle] = workloads::draw_triangle_query(workloads::TriangleFamily::LatticeTangent, 1, i);
     const Answer answer = exact::answer(ball, polygon_of(triangle));
     ASSERT_EQ(answer.relation, Relation::Touching) << i;
     ++kinds[answer.nearest.kind];
@@ -90,20 +90,20 @@ TEST(BenchTriangles, LatticeTangentsTouchExactly) {
         largest = std::max(largest, std::abs(x));
       }
   }
-  EXPECT_LE(largest, kLargestCoordinate);
-  EXPECT_GT(largest, kLargestCoordinate / 2);
+  EXPECT_LE(largest, workloads::kLargestCoordinate);
+  EXPECT_GT(largest, workloads::kLargestCoordinate / 2);
   EXPECT_EQ(kinds.size(), 3U);
   for (const auto& [kind, count] : kinds) EXPECT_GT(count, kQueries / 5) << word(kind);
 }
 
 TEST(BenchTriangles, SliversAreThinAndFarIsFar) {
   for (std::uint64_t i = 0; i < kQueries; ++i) {
-    const Triangle sliver = draw_triangle_query(TriangleFamily::Slivers, 1, i).triangle;
+    const Triangle sliver = workloads::draw_triangle_query(workloads::TriangleFamily::Slivers, 1, i).triangle;
     const double area = (sliver.b - sliver.a).cross(sliver.c - sliver.a).norm();
     const double longest = std::max({(sliver.b - sliver.a).squaredNorm(), (sliver.c - sliver.b).squaredNorm(),
                                      (sliver.a - sliver.c).squaredNorm()});
     EXPECT_NEAR(area / longest, 1e-8, 1e-9);
-    const TriangleQuery far = draw_triangle_query(TriangleFamily::Far, 1, i);
+    const workloads::TriangleQuery far = workloads::draw_triangle_query(workloads::TriangleFamily::Far, 1, i);
     EXPECT_NEAR(far.triangle.a.norm(), 1e6, 10);
     EXPECT_LT((far.triangle.a - far.ball.center).norm(), 2);
   }
@@ -111,8 +111,8 @@ TEST(BenchTriangles, SliversAreThinAndFarIsFar) {
 
 TEST(BenchTriangles, EricsonIsRightAwayFromTheThreshold) {
   for (std::uint64_t i = 0; i < kQueries; ++i) {
-    const auto [ball, triangle] = draw_triangle_query(TriangleFamily::Random, 1, i);
-    EXPECT_EQ(ericson_contact(ball, triangle), exact::contact(ball, polygon_of(triangle))) << i;
+    const auto [ball, triangle] = workloads::draw_triangle_query(workloads::TriangleFamily::Random, 1, i);
+    EXPECT_EQ(methods::ericson_contact(ball, triangle), exact::contact(ball, polygon_of(triangle))) << i;
   }
 }
 

@@ -10,18 +10,18 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "experiments/commands.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/output.h"
-#include "experiments/commands.h"
 #include "geometry/scene/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "tests/experiments/studies/bench/run_bench.h"
+#include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/address_sanitizer.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
 
-namespace touchstone::bench {
+namespace touchstone::bench_scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,8 +58,8 @@ Library planted(bool exact) {
   return {"planted", [](std::span<const Triangle> triangles) { return std::make_unique<Planted>(triangles); }, exact};
 }
 
-const Measured& find(const SceneContest& contest, const std::string& library) {
-  return *std::ranges::find(contest.result.contestants, library, &Measured::name);
+const timing::Measured& find(const SceneContest& contest, const std::string& library) {
+  return *std::ranges::find(contest.result.contestants, library, &timing::Measured::name);
 }
 
 std::string title(const SceneContest& contest) { return contest.result.name; }
@@ -135,7 +135,7 @@ TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
   for (const SceneContest& contest : result.contests) {
     for (const Library& library : libraries) {
       if (contest.question == SceneQuestion::Nearest && !library.knows_nearest) continue;
-      const Measured& measured = find(contest, library.name);
+      const timing::Measured& measured = find(contest, library.name);
       EXPECT_EQ(measured.nanoseconds.size(), 2U);
       ASSERT_TRUE(measured.wrong);
       EXPECT_EQ(measured.wrong->of, 60U);
@@ -187,7 +187,7 @@ TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
 }
 
 SceneResult timed(std::size_t triangles, double nanoseconds) {
-  Result result{"torus", "near, any", "", "query", "", {{"Scene", 10, {nanoseconds}, Wrong{0, 5}, {}, {}}}};
+  timing::Result result{"torus", "near, any", "", "query", "", {{"Scene", 10, {nanoseconds}, timing::Wrong{0, 5}, {}, {}}}};
   return {"torus", triangles, {{"Scene", {2.0}, 120}}, {{BallPlace::Near, SceneQuestion::Any, result}}, {}};
 }
 
@@ -205,7 +205,7 @@ TEST(SceneBench, GrowthIsHeldAgainstTheLogarithmFromTenThousandOn) {
 
 TEST(SceneBench, GoalsOfAMillionTriangles) {
   SceneResult result = timed(1'000'000, 100);
-  result.contests[0].result.contestants[0].comparison = Comparison{"Embree 3", Goal{1}};
+  result.contests[0].result.contestants[0].comparison = timing::Comparison{"Embree 3", timing::Goal{1}};
   result.contests[0].result.contestants[0].ratios = {1.25};
   EXPECT_NE(builds_table(result).find("build <= 1 MISSED, memory <= 100 MISSED"), std::string::npos);
   const std::string goals = scene_goals({result}, "Scene");
@@ -241,12 +241,16 @@ TEST(SceneBench, MeshesAreReplicatedInOneSize) {
   EXPECT_THROW(Machine{scratch.path / "nowhere"}, std::runtime_error);
 }
 
+int run_bench_scenes(std::vector<std::string> arguments) {
+  return run_tests::run_command(commands::add_bench_scenes, "bench-scenes", std::move(arguments));
+}
+
 TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
   const Scratch scratch;
   write_mesh(scratch.path / "meshes" / "one.off");
   const auto folder = scratch.path / "it's new";
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_bench({"--scene", "--most-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
+  ASSERT_EQ(run_bench_scenes({"--max-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
                        "20", "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
             0);
   const std::string text = testing::internal::GetCapturedStdout();
@@ -271,13 +275,12 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
 }
 
 TEST(SceneBenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_bench({"--most-faces", "1000"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--scene", "--most-faces", "999"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--scene", "--most-faces", "10000001"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--scene", "--family", "far"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--scene", "--count", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--scene", "--meshes", "/nowhere"}), std::runtime_error);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({ "--axes", "far"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({ "--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({ "--meshes", "/nowhere"}), std::runtime_error);
 }
 
 }  // namespace
-}  // namespace touchstone::bench
+}  // namespace touchstone::bench_scenes

@@ -124,7 +124,7 @@ TEST(MergeStudy, GivesNothingOnceItIsStopped) {
 TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::atomic<bool> ended = false;
   std::thread interrupting([&ended] {
     struct sigaction now {};
@@ -135,7 +135,7 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
       commands::add_merge, "merge", {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
   ended = true;
   interrupting.join();
-  EXPECT_EQ(ran.status, run::kInterrupted) << ran.err;
+  EXPECT_EQ(ran.status, harness::kInterrupted) << ran.err;
   EXPECT_NE(ran.err.find("interrupted: " + (scratch.path / "out").string() + " covers the first 0 of 1 meshes"),
             std::string::npos)
       << ran.err;
@@ -151,7 +151,7 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   const std::string mesh = (scratch.path / "mesh.obj").string();
   std::string bad;
   for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
+  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
   const auto ran =
       run_tests::run_captured(commands::add_merge, "merge",
                               {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
@@ -162,7 +162,7 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
 TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
+  harness::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
   const auto polygons = [&](const char* tolerance) {
     const auto ran = run_tests::run_captured(
         commands::add_merge, "merge",
@@ -183,7 +183,7 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
 TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
+  harness::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
   const auto ran = run_tests::run_captured(commands::add_merge, "merge",
                                            {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
@@ -194,8 +194,8 @@ TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
 TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
   const run_tests::Scratch scratch;
   const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
-  run::write_file(none, "V 0 0 0\n");
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  harness::write_file(none, "V 0 0 0\n");
+  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto ran = run_tests::run_captured(
       commands::add_merge, "merge",
       {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
@@ -215,7 +215,7 @@ TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
 TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string(), output = (scratch.path / "out").string();
-  run::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
+  harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nf 1 2 4\n");
   for (const bool skip : {false, true}) {
     std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
     if (skip) arguments.emplace_back("--skip-bad");

@@ -13,13 +13,15 @@
 #include <sstream>
 #include <string>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/meshes/output.h"
 #include "experiments/studies/meshes/study.h"
+#include "experiments/workloads/meshes/face_polygon.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/validate.h"
 
-namespace touchstone::real_input {
+namespace touchstone::meshes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,13 +115,13 @@ TEST_F(MeshContact, ComesToEveryFaceAndNamesThoseRejected) {
 
 TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
   const Result result = study(cube, {"exact", "thesis-float"});
-  for (const judge::Test test : kTests) {
+  for (const cases::Test test : kTests) {
     const Count exact = result.meshes[0].methods[0].total(test);
     EXPECT_EQ(exact.trials, result.meshes[0].queries);
-    EXPECT_EQ(exact.wrong(), 0U) << judge::word(test);
+    EXPECT_EQ(exact.wrong(), 0U) << word(test);
   }
   EXPECT_EQ(result.meshes[0].methods[0].faces_wrong, 0U);
-  EXPECT_GT(result.meshes[0].methods[1].total(judge::Test::Contact).wrong(), 0U);
+  EXPECT_GT(result.meshes[0].methods[1].total(cases::Test::Contact).wrong(), 0U);
   EXPECT_EQ(result.meshes[0].methods[1].faces_wrong, kAccepted);  // radii in floats do not resolve doubles
 }
 
@@ -127,7 +129,7 @@ TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
 TEST_F(MeshContact, BallsAreNearTheirFeature) {
   const Mesh mesh = read_mesh(cube).mesh;
   for (std::uint64_t face = 0; face < kAccepted; ++face) {
-    const Polygon polygon = face_polygon(mesh, face);
+    const Polygon polygon = workloads::face_polygon(mesh, face);
     const exact::PreparedPolygon exact(polygon);
     const MeshBalls drawn = draw_mesh_balls(polygon, exact, 7, "model/cube", face);
     EXPECT_TRUE(drawn.missing.empty());
@@ -168,7 +170,7 @@ TEST_F(MeshContact, OtherMeshesChangeNothing) {
     const std::atomic<bool> stop = false;
     const Settings settings{.methods = methods::find_methods({"fast", "thesis"}), .seed = 5};
     const Result result = run_study(settings, meshes, stop, [](std::uint64_t) {});
-    return result.meshes.back().methods[1].total(judge::Test::Contact).wrong();
+    return result.meshes.back().methods[1].total(cases::Test::Contact).wrong();
   };
   EXPECT_EQ(counts({{"cube", mesh}}), counts({{"other", mesh}, {"cube", mesh}}));
 }
@@ -265,4 +267,4 @@ TEST_F(MeshContact, AnUnknownMethodIsNamed) {
 }
 
 }  // namespace
-}  // namespace touchstone::real_input
+}  // namespace touchstone::meshes

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps of failures: that each is about the place that it names, and holds what it shows.
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
 
 #include <gtest/gtest.h>
@@ -23,19 +24,19 @@ TEST(NearEdgeMap, HoldsAllThatItShows) {
   const auto maps = draw_maps(methods::find_methods({"exact", "thesis"}), 1, 1, kAlone, kNeverStop, kSilent);
   ASSERT_EQ(maps.size(), 21U);
   for (const Map& map : maps) {
-    const std::string both = map.test == judge::Test::Foot ? "io" : "cn";
+    const std::string both = map.test == cases::Test::Foot ? "io" : "cn";
     for (const char letter : both)
       EXPECT_NE(map.truth.find(letter), std::string::npos) << word(map.spot) << " " << map.origin_distance;
     EXPECT_EQ(map.verdicts[0], std::string(map.truth.size(), '='));
     // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
-    if (map.spot == Spot::ReflexVertex && map.test == judge::Test::Foot) {
+    if (map.spot == Spot::ReflexVertex && map.test == cases::Test::Foot) {
       EXPECT_NE(map.verdicts[1].find('+'), std::string::npos);
     }
   }
 }
 
 /// Says nothing, but keeps each polygon that it prepares with the balls that it is asked about.
-class Watching : public methods::Method {
+class Watching : public cases::Method {
  public:
   struct Seen {
     Polygon polygon;
@@ -44,17 +45,17 @@ class Watching : public methods::Method {
 
   std::string_view name() const override { return "watching"; }
   std::string_view summary() const override { return ""; }
-  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     seen.push_back(std::make_unique<Seen>(Seen{polygon, {}}));
     return std::make_unique<Prepared>(*seen.back());
   }
   mutable std::vector<std::unique_ptr<Seen>> seen;
 
  private:
-  class Prepared : public methods::PreparedMethod {
+  class Prepared : public cases::PreparedMethod {
    public:
     explicit Prepared(Seen& seen) : seen_(seen) {}
-    methods::PartialAnswer ask(const Ball& ball, methods::Question) const override {
+    cases::PartialAnswer ask(const Ball& ball, cases::Question) const override {
       seen_.balls.push_back(ball);
       return {};
     }
@@ -71,14 +72,14 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
   method.seen.erase(method.seen.begin());  // the square that shows whether the method knows the word boundary
   ASSERT_EQ(maps.size(), method.seen.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    if (maps[i].test != judge::Test::Contact) continue;
+    if (maps[i].test != cases::Test::Contact) continue;
     const Spot spot = maps[i].spot;
     const auto& [polygon, balls] = *method.seen[i];
     ASSERT_EQ(balls.size(), maps[i].truth.size());
     const auto truth = methods::find_method("exact")->prepare(polygon);
     std::set<std::size_t> edges;
     for (std::size_t pixel = 0; pixel < balls.size(); pixel += 13) {
-      const Feature nearest = *truth->ask(balls[pixel], methods::Question::Answer).nearest;
+      const Feature nearest = *truth->ask(balls[pixel], cases::Question::Answer).nearest;
       const auto expected = spot == Spot::Face     ? Feature::Kind::Face
                             : spot == Spot::Vertex ? Feature::Kind::Vertex
                                                    : Feature::Kind::Edge;
@@ -93,7 +94,7 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
 // vertex of an L, half about an edge; the map shows it from straight above but for a projection along an axis.
 TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
   for (const Map& map : draw_maps(methods::find_methods({"exact"}), 2, 2, kAlone, kNeverStop, kSilent)) {
-    if (map.test != judge::Test::Foot || map.origin_distance > 0) continue;
+    if (map.test != cases::Test::Foot || map.origin_distance > 0) continue;
     const double inside = static_cast<double>(std::count(map.truth.begin(), map.truth.end(), 'i')) /
                           static_cast<double>(map.truth.size());
     const bool edge = map.spot == Spot::Edge, vertex = map.spot == Spot::Vertex;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/studies/near_edge/map.h"
@@ -21,17 +22,17 @@ namespace touchstone::near_edge {
 namespace {
 
 namespace fs = std::filesystem;
-using methods::PartialAnswer;
+using cases::PartialAnswer;
 using run_tests::Scratch;
 using run_tests::text_of;
 using workloads::Family;
 using workloads::Placement;
-using Tested = judge::Test;  // within TEST, Test is GoogleTest's
+using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 
 using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
-const methods::Method& kExact = *methods::find_method("exact");
+const cases::Method& kExact = *methods::find_method("exact");
 
 Settings settings(const std::vector<std::string>& methods, std::uint64_t samples, unsigned threads = 1) {
   return {methods::find_methods(methods), {Family::Star, Family::L}, samples, 7, threads};
@@ -44,15 +45,15 @@ Result whole(const Settings& settings) {
   return result;
 }
 
-std::vector<std::size_t> strata(Placement placement, Threshold threshold) {
+std::vector<std::size_t> strata(Placement placement, cases::Threshold threshold) {
   std::vector<std::size_t> found;
-  for (std::size_t s = 0; s < all_strata().size(); ++s)
-    if (all_strata()[s].placement == placement && all_strata()[s].threshold == threshold) found.push_back(s);
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
+    if (cases::all_strata()[s].placement == placement && cases::all_strata()[s].threshold == threshold) found.push_back(s);
   return found;
 }
 
 std::size_t place_of(std::int64_t offset) {
-  const auto& offsets = all_offsets();
+  const auto& offsets = cases::all_offsets();
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
 
@@ -81,9 +82,9 @@ TEST(NearEdgeComparison, ABoundaryIsAskedOfThoseWhoKnowTheWord) {
   EXPECT_EQ(compare(Tested::Foot, inside, boundary, false), Outcome::Right);
   EXPECT_EQ(compare(Tested::Foot, outside, boundary, false), Outcome::Right);
   EXPECT_EQ(compare(Tested::Foot, inside, outside, false), Outcome::WronglyIn);
-  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("exact")));
-  EXPECT_TRUE(judge::knows_boundary(*methods::find_method("fast")));
-  EXPECT_FALSE(judge::knows_boundary(*methods::find_method("thesis")));
+  EXPECT_TRUE(cases::knows_boundary(*methods::find_method("exact")));
+  EXPECT_TRUE(cases::knows_boundary(*methods::find_method("fast")));
+  EXPECT_FALSE(cases::knows_boundary(*methods::find_method("thesis")));
 }
 
 TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
@@ -99,18 +100,18 @@ TEST(NearEdgeComparison, EdgesAreComparedAsLists) {
 
 // Radii: none below the distance, contact above it. Feet: not outside at offset 0, outside at offset 1.
 TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
-  for (std::size_t s = 0; s < all_strata().size(); ++s) {
-    const auto crossing = draw_crossing({s, {}, 3, 0}, kExact);
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+    const auto crossing = cases::draw_crossing({s, {}, 3, 0}, kExact);
     ASSERT_TRUE(crossing) << s;
     const auto& truths = crossing->truths;
-    if (moves_radius(all_strata()[s].threshold)) {
+    if (cases::moves_radius(cases::all_strata()[s].threshold)) {
       EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
       EXPECT_TRUE(*truths[place_of(1)].contact) << s;
     } else {
       EXPECT_NE(truths[place_of(0)].foot, FootPlace::Outside) << s;
       EXPECT_EQ(truths[place_of(1)].foot, FootPlace::Outside) << s;
     }
-    if (all_strata()[s].threshold == Threshold::Tangent) {
+    if (cases::all_strata()[s].threshold == cases::Threshold::Tangent) {
       EXPECT_TRUE(*truths[place_of(0)].contact) << s;
     }
   }
@@ -122,11 +123,11 @@ TEST(NearEdgeStudy, ExactNeverFails) {
   const Result result = whole(setting);
   EXPECT_EQ(result.missing, 0U);
   for (const Tested test : kTests)
-    for (const Threshold threshold : all_thresholds()) {
+    for (const cases::Threshold threshold : cases::all_thresholds()) {
       const Summary summary = result.counts.summary(strata(Placement::LatticeFrame, threshold), test, 0);
       EXPECT_EQ(summary.all.failures, 0U) << word(test) << " " << word(threshold);
       EXPECT_EQ(summary.samples.trials, 6U);
-      if (threshold == Threshold::Tangent) continue;
+      if (threshold == cases::Threshold::Tangent) continue;
       EXPECT_EQ(result.counts.summary(strata(Placement::Rotated, threshold), test, 0).all.failures, 0U);
     }
 }
@@ -136,10 +137,10 @@ TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
   const auto setting = settings({"fast"}, 30);
   const Result result = whole(setting);
   std::uint64_t near = 0, far = 0;
-  for (const std::size_t s : strata(Placement::Rotated, Threshold::Face)) {
+  for (const std::size_t s : strata(Placement::Rotated, cases::Threshold::Face)) {
     for (std::int64_t k = -4; k <= 4; ++k) near += result.counts.at(s, Tested::Plane, 0, place_of(k)).failures;
     far += result.counts.at(s, Tested::Plane, 0, 0).failures;
-    far += result.counts.at(s, Tested::Plane, 0, all_offsets().size() - 1).failures;
+    far += result.counts.at(s, Tested::Plane, 0, cases::all_offsets().size() - 1).failures;
   }
   EXPECT_GT(near, 0U);
   EXPECT_EQ(far, 0U);
@@ -150,7 +151,7 @@ TEST(NearEdgeStudy, FastFailsWithinFourDoublesOfAPlane) {
 TEST(NearEdgeStudy, ThesisMissesTangentBalls) {
   const auto setting = settings({"thesis-signed", "thesis-closed"}, 30);
   const Result result = whole(setting);
-  for (const std::size_t s : strata(Placement::LatticeFrame, Threshold::Tangent)) {
+  for (const std::size_t s : strata(Placement::LatticeFrame, cases::Threshold::Tangent)) {
     const Tally& tally = result.counts.at(s, Tested::Contact, 0, place_of(0));
     EXPECT_GE(2 * tally.failures, tally.trials);
   }
@@ -228,25 +229,25 @@ TEST(NearEdgeTruth, FilteredGivesTheSameCountsAsExact) {
 }
 
 /// `exact`, but that touching does not count and that no foot is on a boundary.
-class WrongTruth : public methods::Method {
-  class Prepared : public methods::PreparedMethod {
+class WrongTruth : public cases::Method {
+  class Prepared : public cases::PreparedMethod {
    public:
     explicit Prepared(const Polygon& polygon) : exact_(kExact.prepare(polygon)) {}
-    PartialAnswer ask(const Ball& ball, methods::Question question) const override {
+    PartialAnswer ask(const Ball& ball, cases::Question question) const override {
       PartialAnswer answer = exact_->ask(ball, question);
       if (answer.contact)
-        answer.contact = exact_->ask(ball, methods::Question::Relation).relation == Relation::Overlapping;
+        answer.contact = exact_->ask(ball, cases::Question::Relation).relation == Relation::Overlapping;
       if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
       return answer;
     }
 
    private:
-    std::unique_ptr<methods::PreparedMethod> exact_;
+    std::unique_ptr<cases::PreparedMethod> exact_;
   };
 
   std::string_view name() const override { return "wrong"; }
   std::string_view summary() const override { return ""; }
-  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<Prepared>(polygon);
   }
 };
@@ -258,16 +259,16 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
   setting.truth = &wrong;
   const Result result = whole(setting);
   std::uint64_t failures = 0;
-  for (std::size_t s = 0; s < all_strata().size(); ++s)
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
     for (const Tested test : kTests) failures += result.counts.summary({s}, test, 0).all.failures;
   EXPECT_GT(failures, 0U);
   EXPECT_EQ(result.disagreements.count(), failures);
   for (const Disagreement& found : result.disagreements.kept()) {
-    const judge::Case read = judge::read_case(found.line);
-    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << found.line;
-    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
-    const auto truth = judge::object_of(kExact.prepare(polygon)->ask(ball, methods::Question::Answer));
-    EXPECT_TRUE(judge::differences(*read.expected, truth).empty()) << found.line;
+    const cases::Case read = cases::read_case(found.line);
+    ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
+    const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+    const auto truth = cases::object_of(kExact.prepare(polygon)->ask(ball, cases::Question::Answer));
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
   }
 }
 
@@ -280,16 +281,16 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnSomeSamplesThatNobodyFails) {
   setting.truth = &wrong;
   const Result result = whole(setting);
   EXPECT_GT(result.disagreements.count(), 0U);
-  const std::uint64_t asked = 120 * 11 * kTests.size() * all_offsets().size();
+  const std::uint64_t asked = 120 * 11 * kTests.size() * cases::all_offsets().size();
   EXPECT_GT(result.checked, asked / 200);
   EXPECT_LT(result.checked, asked / 50);
 }
 
 // Sums of the largest sweep that the options allow stay below 2^64.
 TEST(NearEdgeCounts, DoNotOverflow) {
-  const std::uint64_t most = kMostSamples * all_strata().size() * all_offsets().size() * kTests.size();
-  EXPECT_EQ(most / all_strata().size() / all_offsets().size() / kTests.size(), kMostSamples);
-  EXPECT_LT(kMostSamples * all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
+  const std::uint64_t most = kMostSamples * cases::all_strata().size() * cases::all_offsets().size() * kTests.size();
+  EXPECT_EQ(most / cases::all_strata().size() / cases::all_offsets().size() / kTests.size(), kMostSamples);
+  EXPECT_LT(kMostSamples * cases::all_strata().size(), std::uint64_t{1} << 48) << "indices and redrawn ones stay apart";
 }
 
 // The counts of a family do not depend on which others are asked for.
@@ -298,8 +299,8 @@ TEST(NearEdgeStudy, FamiliesStandAlone) {
   const auto both = alone;
   alone.families = {Family::L};
   const Result one = whole(alone), two = whole(both);
-  for (std::size_t s = 0; s < all_strata().size(); ++s) {
-    if (all_strata()[s].family != Family::L) continue;
+  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
+    if (cases::all_strata()[s].family != Family::L) continue;
     const Summary first = one.counts.summary({s}, Tested::Contact, 0),
                   second = two.counts.summary({s}, Tested::Contact, 0);
     EXPECT_EQ(first.all.failures, second.all.failures) << s;

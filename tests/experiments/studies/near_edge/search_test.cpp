@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the furthest wrong answers: what it reports is wrong, comes out again, and stands where it should.
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/search.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/harness/statistics/clopper_pearson.h"
+#include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/unwatched.h"
@@ -27,7 +28,7 @@ using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
-const methods::Method& method(const char* name) { return *methods::find_method(name); }
+const cases::Method& method(const char* name) { return *methods::find_method(name); }
 
 Settings settings(const std::vector<std::string>& names, std::vector<Family> families, unsigned threads = 2) {
   return {.methods = methods::find_methods(names), .families = std::move(families), .seed = 11, .threads = threads};
@@ -45,28 +46,28 @@ WorstCases climbed(const Settings& settings, const Onsets& onsets) {
   return worst;
 }
 
-std::size_t stratum(Family family, Threshold threshold) {
+std::size_t stratum(Family family, cases::Threshold threshold) {
   std::size_t s = 0;
-  while (all_strata()[s].family != family || all_strata()[s].placement != Placement::Rotated ||
-         all_strata()[s].threshold != threshold)
+  while (cases::all_strata()[s].family != family || cases::all_strata()[s].placement != Placement::Rotated ||
+         cases::all_strata()[s].threshold != threshold)
     ++s;
   return s;
 }
 
 /// `exact`, but wrong where the radius is from `low` to `high` sizes above the distance.
-class WrongWithin : public methods::Method {
+class WrongWithin : public cases::Method {
  public:
   WrongWithin(double low, double high) : low_(low), high_(high) {}
 
  private:
-  class Prepared : public methods::PreparedMethod {
+  class Prepared : public cases::PreparedMethod {
    public:
     Prepared(const Polygon& polygon, double low, double high)
         : polygon_(polygon), size_(AtThreshold{polygon, {}, -1}.size()), low_(low), high_(high) {}
-    methods::PartialAnswer ask(const Ball& ball, methods::Question) const override {
+    cases::PartialAnswer ask(const Ball& ball, cases::Question) const override {
       const Answer answer = exact::answer(ball, polygon_);
       const double share = (ball.radius - answer.distance) / size_;
-      methods::PartialAnswer wrong;
+      cases::PartialAnswer wrong;
       wrong.contact = answer.contact() != (share >= low_ && share <= high_);
       return wrong;
     }
@@ -77,7 +78,7 @@ class WrongWithin : public methods::Method {
   };
   std::string_view name() const override { return "wrong-within"; }
   std::string_view summary() const override { return ""; }
-  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<Prepared>(polygon, low_, high_);
   }
 
@@ -86,11 +87,11 @@ class WrongWithin : public methods::Method {
 
 // Wrong between 2^-41 and 1.7 x 2^-20 of the size, right at the threshold itself: bisection from there finds nothing.
 TEST(WrongReach, IsFoundWhereItDoesNotBeginAtTheThreshold) {
-  const auto at = draw_at_threshold({stratum(Family::L, Threshold::Face), {}, 5, 0});
+  const auto at = draw_at_threshold({stratum(Family::L, cases::Threshold::Face), {}, 5, 0});
   ASSERT_TRUE(at);
   const double high = 1.7 * 0x1p-20;
   const WrongWithin wrong(0x1p-41, high);
-  const WrongReach reach = wrong_reach(*at, *static_cast<const methods::Method&>(wrong).prepare(at->polygon), true,
+  const WrongReach reach = wrong_reach(*at, *static_cast<const cases::Method&>(wrong).prepare(at->polygon), true,
                                        *method("filtered").prepare(at->polygon));
   for (std::size_t k = 0; k <= kMostExponent; ++k) {
     if (k == 41) continue;  // rounding decides
@@ -103,11 +104,11 @@ TEST(WrongReach, IsFoundWhereItDoesNotBeginAtTheThreshold) {
 }
 
 TEST(WrongReach, OfExactIsNothing) {
-  for (const Threshold threshold : all_thresholds()) {
-    if (threshold == Threshold::Tangent) continue;
+  for (const cases::Threshold threshold : cases::all_thresholds()) {
+    if (threshold == cases::Threshold::Tangent) continue;
     const auto at = draw_at_threshold({stratum(Family::Star, threshold), {}, 5, 1});
     ASSERT_TRUE(at);
-    EXPECT_EQ(at->moved_axis >= 0, !moves_radius(threshold));
+    EXPECT_EQ(at->moved_axis >= 0, !cases::moves_radius(threshold));
     const WrongReach reach =
         wrong_reach(*at, *method("exact").prepare(at->polygon), true, *method("filtered").prepare(at->polygon));
     EXPECT_FALSE(reach.furthest) << word(threshold);
@@ -118,7 +119,7 @@ TEST(WrongReach, OfExactIsNothing) {
 // A climb only ever goes further, and stays a case of its kind.
 TEST(Climb, GoesFurtherAndStaysOfItsKind) {
   int further = 0;
-  for (const Threshold threshold : {Threshold::Face, Threshold::Edge, Threshold::Vertex, Threshold::FootEdge}) {
+  for (const cases::Threshold threshold : {cases::Threshold::Face, cases::Threshold::Edge, cases::Threshold::Vertex, cases::Threshold::FootEdge}) {
     const auto start = draw_at_threshold({stratum(Family::E, threshold), {}, 5, 2});
     ASSERT_TRUE(start);
     const WrongReach before =
@@ -130,7 +131,7 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
     EXPECT_EQ(at.polygon.vertex_count(), start->polygon.vertex_count());
     const Feature::Kind kind = exact::answer(start->ball, start->polygon).nearest.kind;
     const Answer answer = exact::answer(at.ball, at.polygon);
-    if (moves_radius(threshold)) {
+    if (cases::moves_radius(threshold)) {
       EXPECT_EQ(answer.nearest.kind, kind) << word(threshold);
       EXPECT_EQ(answer.distance, at.ball.radius) << word(threshold);
     } else {
@@ -146,7 +147,7 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
 TEST(Climb, KeepsTheKindOfTheNearestFeature) {
   for (std::uint64_t n = 0; n < 6; ++n)
     for (const auto& [threshold, kind] :
-         {std::pair{Threshold::Edge, Feature::Kind::Edge}, std::pair{Threshold::Vertex, Feature::Kind::Vertex}}) {
+         {std::pair{cases::Threshold::Edge, Feature::Kind::Edge}, std::pair{cases::Threshold::Vertex, Feature::Kind::Vertex}}) {
       const auto start = draw_at_threshold({stratum(Family::Star, threshold), {.origin_distance = 1e6}, 5, n});
       ASSERT_TRUE(start);
       const Climbed climbed = climb(*start, method("thesis-signed"), workloads::Random(1, n));
@@ -165,12 +166,12 @@ TEST(Search, ReportsCasesThatAreWrong) {
     const auto& [share, n, doubles, line] = worst.all[i];
     if (onsets.all[i].furthest.empty()) continue;
     EXPECT_GE(share, onsets.all[i].furthest.front().share);
-    const judge::Case read = judge::read_case(line);
-    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << line;
-    const auto& shapes = std::get<judge::Shapes>(read.content);
-    const auto meets = [&](const methods::Method& asked) {
-      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, methods::Question::Answer);
-      return judge::differences(*read.expected, judge::object_of(answer)).empty();
+    const cases::Case read = cases::read_case(line);
+    ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << line;
+    const auto& shapes = std::get<cases::Shapes>(read.content);
+    const auto meets = [&](const cases::Method& asked) {
+      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Answer);
+      return cases::differences(*read.expected, cases::object_of(answer)).empty();
     };
     EXPECT_TRUE(meets(method("exact"))) << line;
     EXPECT_FALSE(meets(*setting.methods[i % 2])) << line;
@@ -192,7 +193,7 @@ statistics::Limits rate(const Settings& settings, const Onsets& onsets, Family f
                         std::size_t k) {
   const auto regions = search_regions(settings.families);
   std::size_t r = 0;
-  while (regions[r].stratum != stratum(family, Threshold::Face) || regions[r].origin_distance != distance) ++r;
+  while (regions[r].stratum != stratum(family, cases::Threshold::Face) || regions[r].origin_distance != distance) ++r;
   const Onset& onset = onsets.all[r * settings.methods.size() + m];
   return statistics::clopper_pearson(onset.wrong[k], onset.samples, 0.999);
 }

@@ -55,7 +55,7 @@ class SceneCommand : public testing::Test {
     write("roof.off", kRoof);
   }
   std::string write(const std::string& name, const std::string& text) const {
-    run::write_file(scratch.path / name, text);
+    harness::write_file(scratch.path / name, text);
     return path(name);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
@@ -424,7 +424,7 @@ TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
   EXPECT_EQ(::write(writer, "x", 1), 1);
   ::close(writer);
   reader.join();
-  EXPECT_EQ(run.status, run::kInterrupted) << run.err;
+  EXPECT_EQ(run.status, harness::kInterrupted) << run.err;
   const auto record = nlohmann::json::parse(text_of(path("results/run.json")));
   const auto asked = record["samples_asked"].get<int>(), done = record["samples_done"].get<int>();
   EXPECT_EQ(record["interrupted"], true);

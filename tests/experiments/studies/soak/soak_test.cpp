@@ -35,13 +35,13 @@ using run_tests::text_of;
 using run_tests::kAlone;
 using run_tests::kNeverStop;
 
-run::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
+harness::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
   return {scratch.path / "checkpoint.json", checkpoint_settings(settings)};
 }
 
 /// What a run of these settings goes on from.
-Tally resumed(const run::Checkpoint& checkpoint, const Settings& settings) {
-  return run::begin(checkpoint, kAlone, true, settings.cases, Tally(), [](const Tally& held) { return held.cases(); });
+Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
+  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally(), [](const Tally& held) { return held.cases(); });
 }
 
 /// What a whole run of these cases gives.
@@ -52,24 +52,24 @@ Tally whole(const Settings& settings, const Contestant& contestant = {}) {
   return tally;
 }
 
-std::string line_of(const Case& c) { return judge::to_line(judge::case_of("", c.ball, c.polygon, {})); }
+std::string line_of(const adversarial::Case& c) { return cases::to_line(cases::case_of("", c.ball, c.polygon, {})); }
 
 TEST(SoakCases, AreLegalAndOfTheirFamily) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
-    const Case c = draw_case(5, index);
+    const adversarial::Case c = adversarial::draw_case(5, index);
     EXPECT_FALSE(find_fault(c.ball)) << "index " << index;
     EXPECT_FALSE(exact::validate(c.polygon)) << "index " << index;
-    EXPECT_EQ(c.family == Family::Outline, index % 10 == 9) << "index " << index;
-    EXPECT_TRUE(c.family == Family::Outline || c.triangle()) << "index " << index;
+    EXPECT_EQ(c.family == adversarial::Family::Outline, index % 10 == 9) << "index " << index;
+    EXPECT_TRUE(c.family == adversarial::Family::Outline || c.triangle()) << "index " << index;
   }
 }
 
 TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
   std::set<std::string> seen;
   for (std::uint64_t index = 0; index < 200; ++index) {
-    const std::string line = line_of(draw_case(1, index));
-    EXPECT_EQ(line, line_of(draw_case(1, index))) << "index " << index;
-    EXPECT_NE(line, line_of(draw_case(2, index))) << "index " << index;
+    const std::string line = line_of(adversarial::draw_case(1, index));
+    EXPECT_EQ(line, line_of(adversarial::draw_case(1, index))) << "index " << index;
+    EXPECT_NE(line, line_of(adversarial::draw_case(2, index))) << "index " << index;
     seen.insert(line);
   }
   EXPECT_EQ(seen.size(), 200U);
@@ -77,10 +77,10 @@ TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
 
 // Hard where they say so: every family but Anywhere has contacts and misses, ties where it promises them.
 TEST(SoakCases, StandAtTheirThresholds) {
-  std::array<std::uint64_t, static_cast<std::size_t>(Family::Outline) + 1> touching{}, separate{}, overlapping{},
+  std::array<std::uint64_t, static_cast<std::size_t>(adversarial::Family::Outline) + 1> touching{}, separate{}, overlapping{},
       boundary{};
   for (std::uint64_t index = 0; index < 3000; ++index) {
-    const Case c = draw_case(3, index);
+    const adversarial::Case c = adversarial::draw_case(3, index);
     const Answer answer = exact::answer(c.ball, c.polygon);
     const auto family = static_cast<std::size_t>(c.family);
     touching[family] += answer.relation == Relation::Touching ? 1 : 0;
@@ -88,22 +88,22 @@ TEST(SoakCases, StandAtTheirThresholds) {
     overlapping[family] += answer.relation == Relation::Overlapping ? 1 : 0;
     boundary[family] += answer.foot == FootPlace::Boundary ? 1 : 0;
   }
-  for (const Family family : all_families()) {
+  for (const adversarial::Family family : adversarial::all_families()) {
     const auto f = static_cast<std::size_t>(family);
     EXPECT_GT(separate[f], 10U) << word(family);
     EXPECT_GT(overlapping[f], 10U) << word(family);
   }
-  for (const Family family :
-       {Family::Lattice, Family::Tangent, Family::Point, Family::Exponents, Family::Scaled, Family::Outline})
+  for (const adversarial::Family family :
+       {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Point, adversarial::Family::Exponents, adversarial::Family::Scaled, adversarial::Family::Outline})
     EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << word(family);
-  for (const Family family : {Family::Lattice, Family::Tangent, Family::Foot, Family::Point})
+  for (const adversarial::Family family : {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Foot, adversarial::Family::Point})
     EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << word(family);
 }
 
 TEST(Soak, CountsEveryCaseOnceEachWay) {
   const Tally tally = whole({.cases = 2000, .seed = 4});
   std::uint64_t triangles = 0, prepared = 0, answers = 0;
-  for (const Family family : all_families()) {
+  for (const adversarial::Family family : adversarial::all_families()) {
     for (const Way way : kWays) {
       const Outcomes& o = tally.at(family, way);
       std::uint64_t sum = 0;
@@ -200,13 +200,13 @@ void expect_found(const Contestant& wrong, const std::string& question) {
   EXPECT_GT(tally.differing(), 0U) << question;
   ASSERT_FALSE(tally.kept().empty()) << question;
   for (const Difference& difference : tally.kept()) {
-    const judge::Case read = judge::read_case(difference.line);
-    ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << difference.line;
+    const cases::Case read = cases::read_case(difference.line);
+    ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << difference.line;
     EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
-    const auto& [ball, polygon] = std::get<judge::Shapes>(read.content);
-    const auto truth = methods::PartialAnswer::of(exact::answer(ball, polygon), "");
-    EXPECT_TRUE(judge::differences(*read.expected, judge::object_of(truth)).empty()) << difference.line;
+    const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+    const auto truth = cases::PartialAnswer::of(exact::answer(ball, polygon), "");
+    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << difference.line;
   }
   // Asked again by its index alone, the first one differs again.
   const std::uint64_t index = tally.kept().front().index;
@@ -311,7 +311,7 @@ TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
 
   const std::string text = text_of(checkpoint.path());
   for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
-    run::write_file(checkpoint.path(), damaged);
+    harness::write_file(checkpoint.path(), damaged);
     expect_refused(scratch, settings, "is no checkpoint");
   }
 }
@@ -340,10 +340,10 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   std::string line;
   for (std::uint64_t index = 7; index < 12; ++index) {
     ASSERT_TRUE(std::getline(lines, line));
-    const judge::Case read = judge::read_case(line);
-    const Case drawn = draw_case(2, index);
+    const cases::Case read = cases::read_case(line);
+    const adversarial::Case drawn = adversarial::draw_case(2, index);
     EXPECT_EQ(read.id, "soak-s2-i" + std::to_string(index));
-    const auto& shapes = std::get<judge::Shapes>(read.content);
+    const auto& shapes = std::get<cases::Shapes>(read.content);
     EXPECT_EQ(shapes.ball.center, drawn.ball.center);
     EXPECT_EQ(shapes.ball.radius, drawn.ball.radius);
     EXPECT_EQ(shapes.polygon, drawn.polygon);

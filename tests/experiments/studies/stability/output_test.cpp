@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the study: worst cases, first failures, tables.
+#include "experiments/methods/registry.h"
 #include "experiments/studies/stability/output.h"
 
 #include <gtest/gtest.h>
@@ -32,13 +33,13 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
     for (const auto& worst : methods) {
       if (!worst) continue;
       ++found;
-      const judge::Case read = judge::read_case(worst->line);
-      ASSERT_TRUE(std::holds_alternative<judge::Shapes>(read.content)) << worst->line;
-      const auto& shapes = std::get<judge::Shapes>(read.content);
+      const cases::Case read = cases::read_case(worst->line);
+      ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << worst->line;
+      const auto& shapes = std::get<cases::Shapes>(read.content);
       const auto differences = [&](std::string_view name) {
         const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
-        return judge::differences(*read.expected,
-                                  judge::object_of(prepared->ask(shapes.ball, methods::Question::Answer)));
+        return cases::differences(*read.expected,
+                                  cases::object_of(prepared->ask(shapes.ball, cases::Question::Answer)));
       };
       const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
       EXPECT_TRUE(differences("exact").empty()) << worst->line;
@@ -60,7 +61,7 @@ TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
       int furthest = 0;
       for (const auto& [cell, tally] : summary.failures) {
         const auto& [of_axis, nearness, test, method, level] = cell;
-        if (of_axis == axis && method == m && test == judge::Test::Contact && tally.wrong > 0)
+        if (of_axis == axis && method == m && test == cases::Test::Contact && tally.wrong > 0)
           furthest = std::max(furthest, 1 + static_cast<int>(nearness));
       }
       const auto& worst = summary.worst[axis][m];

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/stability/onset.h"
 #include "experiments/studies/stability/study.h"
 #include "experiments/studies/stability/summary.h"

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/studies/stability/output.h"
 #include "tests/experiments/support/run_command.h"
@@ -25,39 +26,39 @@ namespace touchstone::stability {
 namespace {
 
 namespace fs = std::filesystem;
-using methods::PartialAnswer;
-using methods::Question;
+using cases::PartialAnswer;
+using cases::Question;
 using run_tests::Scratch;
 using run_tests::text_of;
-using Tested = judge::Test;  // within TEST, Test is GoogleTest's
+using Tested = cases::Test;  // within TEST, Test is GoogleTest's
 
 using run_tests::kAlone;
 using run_tests::kNeverStop;
 using run_tests::kSilent;
 
 /// `filtered`, but for what a test replaces.
-class Planted : public methods::Method {
+class Planted : public cases::Method {
  public:
   using Change = std::function<PartialAnswer(PartialAnswer, Question)>;
   explicit Planted(Change change) : change_(std::move(change)) {}
 
   std::string_view name() const override { return "planted"; }
   std::string_view summary() const override { return ""; }
-  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<Prepared>(methods::find_method("filtered")->prepare(polygon), change_);
   }
 
  private:
-  class Prepared : public methods::PreparedMethod {
+  class Prepared : public cases::PreparedMethod {
    public:
-    Prepared(std::unique_ptr<methods::PreparedMethod> right, const Change& change)
+    Prepared(std::unique_ptr<cases::PreparedMethod> right, const Change& change)
         : right_(std::move(right)), change_(change) {}
     PartialAnswer ask(const Ball& ball, Question question) const override {
       return change_(right_->ask(ball, question), question);
     }
 
    private:
-    std::unique_ptr<methods::PreparedMethod> right_;
+    std::unique_ptr<cases::PreparedMethod> right_;
     const Change& change_;
   };
 
@@ -242,7 +243,7 @@ void write_all(const fs::path& folder, const Settings& setting) {
   const Summary summary = whole(setting);
   const Known known{onset_of({"fast", "thesis"}, 20, setting.threads),
                     count_contractions(20, setting.seed),
-                    {measure_false_area(thesis_figures::find_outline("L"), 100, setting.seed)}};
+                    {measure_false_area(stability::find_outline("L"), 100, setting.seed)}};
   write_failures(folder, setting, summary);
   write_errors(folder, setting, summary);
   write_bounds(folder, setting, summary);

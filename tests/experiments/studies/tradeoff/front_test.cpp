@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using methods::Question;
+using cases::Question;
 using workloads::Family;
 using workloads::Placement;
 

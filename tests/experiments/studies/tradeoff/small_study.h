@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/errors.h"
 #include "tests/experiments/support/unwatched.h"
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/studies/tradeoff/band.h"
@@ -29,8 +30,8 @@ namespace touchstone::tradeoff {
 namespace {
 
 namespace fs = std::filesystem;
-using methods::PartialAnswer;
-using methods::Question;
+using cases::PartialAnswer;
+using cases::Question;
 using run_tests::Scratch;
 using workloads::Family;
 using workloads::Placement;
@@ -42,32 +43,32 @@ using run_tests::kSilent;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// `exact` with something changed in the ball or the answer.
-class Changed final : public methods::Method {
+class Changed final : public cases::Method {
  public:
-  using Change = std::function<PartialAnswer(const methods::PreparedMethod& exact, const Ball&, Question)>;
+  using Change = std::function<PartialAnswer(const cases::PreparedMethod& exact, const Ball&, Question)>;
   explicit Changed(Change change) : change_(std::move(change)) {}
   std::string_view name() const override { return "changed"; }
   std::string_view summary() const override { return ""; }
-  std::unique_ptr<methods::PreparedMethod> prepare(const Polygon& polygon) const override {
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<Prepared>(methods::find_method("exact")->prepare(polygon), change_);
   }
 
  private:
-  class Prepared final : public methods::PreparedMethod {
+  class Prepared final : public cases::PreparedMethod {
    public:
-    Prepared(std::unique_ptr<methods::PreparedMethod> exact, Change change)
+    Prepared(std::unique_ptr<cases::PreparedMethod> exact, Change change)
         : exact_(std::move(exact)), change_(std::move(change)) {}
     PartialAnswer ask(const Ball& ball, Question question) const override { return change_(*exact_, ball, question); }
 
    private:
-    std::unique_ptr<methods::PreparedMethod> exact_;
+    std::unique_ptr<cases::PreparedMethod> exact_;
     Change change_;
   };
   Change change_;
 };
 
 /// What one method did in all strata of a placement whose threshold is crossed by the radius.
-MethodErrors errors_of(const methods::Method& method, Placement placement = Placement::Rotated) {
+MethodErrors errors_of(const cases::Method& method, Placement placement = Placement::Rotated) {
   const Settings one{{&method}, {Family::Star}, 2, 7, 1};
   return whole(one).sum(strata_of(std::nullopt, placement, true), 0);
 }
@@ -199,13 +200,13 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
   std::ifstream lines(scratch.path / "1" / "worst.jsonl");
   int cases = 0;
   for (std::string line; std::getline(lines, line); ++cases) {
-    const judge::Case read = judge::read_case(line);
-    const auto& shapes = std::get<judge::Shapes>(read.content);
+    const cases::Case read = cases::read_case(line);
+    const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
-    EXPECT_TRUE(judge::differences(*read.expected, judge::object_of(truth)).empty()) << *read.id;
+    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << *read.id;
     const std::string method = nlohmann::json::parse(line)["tags"][0];
     const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, Question::Answer);
-    EXPECT_FALSE(judge::differences(*read.expected, judge::object_of(given)).empty()) << *read.id;
+    EXPECT_FALSE(cases::differences(*read.expected, cases::object_of(given)).empty()) << *read.id;
   }
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include "experiments/harness/timing/output.h"
+#include "experiments/statistics/percent.h"
+
+namespace touchstone::timing {
+namespace {
+
+/// Three digits or so.
+std::string number(double value) {
+  if (value >= 99.95) return fmt::format("{:.0f}", value);
+  if (value >= 9.995) return fmt::format("{:.1f}", value);
+  return value >= 0.0995 ? fmt::format("{:.2f}", value) : fmt::format("{:.4f}", value);
+}
+
+std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(q.lower), number(q.upper)); }
+
+/// Half the distance of the quartiles, in % of the median.
+std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
+
+std::string goal_text(const Goal& goal) {
+  return fmt::format("{} {}", goal.at_most ? "<=" : ">=", fmt::format("{:g}", goal.ratio));
+}
+
+std::string wrong_text(const Wrong& wrong) {
+  if (wrong.count == 0) return fmt::format("0 of {}", wrong.of);
+  return fmt::format("{}% of {}", statistics::percent_to_digits(statistics::share_of(wrong.count, wrong.of), 3),
+                     wrong.of);
+}
+
+std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
+                 const std::string& ratio, const std::string& goal, const std::string& wrong) {
+  std::string text =
+      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<17}{}", name, asked, ns, deviation, ratio, goal, wrong);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string row(const Measured& m) {
+  const Quartiles ns = quartiles(m.nanoseconds);
+  std::string ratio, goal;
+  if (!m.ratios.empty()) {
+    const Quartiles q = quartiles(m.ratios);
+    ratio = fmt::format("{:>7} {} x {}", number(q.median), spread(q), m.comparison->base);
+    if (const auto& wanted = m.comparison->goal)
+      goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
+  }
+  return line(m.name, std::to_string(m.queries), number(ns.median), deviation(ns), ratio, goal,
+              m.wrong ? wrong_text(*m.wrong) : "");
+}
+
+std::string title(const Result& result) {
+  return result.name.empty() ? result.family : result.family + ", " + result.name;
+}
+
+}  // namespace
+
+std::string table(const Result& result) {
+  std::string text = "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n";
+  text += line("", "asked", "ns/" + result.unit, "", "  ratio", "goal", "wrong");
+  for (const Measured& m : result.contestants)
+    if (!m.nanoseconds.empty()) text += row(m);
+  return text;
+}
+
+std::string goals(const std::vector<Result>& results) {
+  std::string missed;
+  std::size_t met = 0, all = 0;
+  for (const Result& result : results)
+    for (const Measured& m : result.contestants) {
+      if (m.ratios.empty() || !m.comparison->goal) continue;
+      const double median = quartiles(m.ratios).median;
+      ++all;
+      if (m.comparison->goal->met_by(median))
+        ++met;
+      else
+        missed += fmt::format("  {}: {} is {} x {}, not {}\n", title(result), m.name, number(median),
+                              m.comparison->base, goal_text(*m.comparison->goal));
+    }
+  return fmt::format("{} of {} goals met{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed);
+}
+
+std::string legend() {
+  return R"(
+Contestants take turns in every repetition, each about the first so many ("asked") of the same distinct queries: all of
+them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the distance of the quartiles
+or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ from exact's, not timed; in
+"answer" the decisions count, not the numbers.
+)";
+}
+
+}  // namespace touchstone::timing

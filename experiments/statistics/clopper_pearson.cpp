@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/statistics/clopper_pearson.h"
+
+#include <boost/math/special_functions/beta.hpp>
+
+namespace touchstone::statistics {
+
+Limits clopper_pearson(std::uint64_t failures, std::uint64_t trials, double confidence) {
+  const auto failed = static_cast<double>(failures), passed = static_cast<double>(trials - failures);
+  const double tail = (1 - confidence) / 2;
+  return {failures == 0 ? 0 : boost::math::ibeta_inv(failed, passed + 1, tail),
+          failures == trials ? 1 : boost::math::ibetac_inv(failed + 1, passed, tail)};
+}
+
+}  // namespace touchstone::statistics

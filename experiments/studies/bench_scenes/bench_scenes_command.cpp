@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+#include <malloc.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/harness/timing/output.h"
+#include "experiments/studies/bench_scenes/output.h"
+#include "experiments/studies/bench_scenes/study.h"
+#include "experiments/harness/interrupt.h"
+#include "experiments/harness/options.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/standard_output.h"
+#include "experiments/harness/whole_number.h"
+#include "experiments/harness/write_file.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace bench_scenes;
+using namespace timing;
+
+struct SceneOptions {
+  SceneSettings settings;
+  std::size_t most_triangles = 1'000'000;
+  std::string meshes;  ///< a folder; empty: no real meshes
+  std::string output = "results/bench-scenes";
+  bool force = false, no_pictures = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+std::string command_line(const SceneOptions& options) {
+  const SceneSettings& settings = options.settings;
+  std::string line = fmt::format("touchstone bench-scenes --samples {} --repetitions {} --seed {} --max-faces {}",
+                                 settings.samples, settings.repetitions, settings.seed, options.most_triangles);
+  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
+  line += " --output " + harness::shell_quoted(options.output);
+  return options.no_pictures ? line + " --no-pictures" : line;
+}
+
+/// The scenes, from the smallest of a kind to the largest; made one after the other, since they are large.
+std::vector<std::function<NamedScene()>> all_scenes(const SceneOptions& options) {
+  constexpr std::size_t kSmallest = 1000;
+  std::vector<std::function<NamedScene()>> scenes;
+  for (std::size_t size = kSmallest; size <= options.most_triangles; size *= 10)
+    scenes.push_back([size] { return NamedScene{"torus", torus(size)}; });
+  if (options.meshes.empty()) return scenes;
+  const auto machine = std::make_shared<const Machine>(options.meshes);
+  const std::size_t once = machine->triangle_count();
+  if (once <= options.most_triangles)
+    scenes.push_back([machine, once] { return NamedScene{"machine", machine->replicated(once)}; });
+  for (std::size_t size = kSmallest; size <= options.most_triangles; size *= 10)
+    if (size > once) scenes.push_back([machine, size] { return NamedScene{"machine", machine->replicated(size)}; });
+  return scenes;
+}
+
+Json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return Json::parse(file);
+}
+
+void write(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped, double seconds) {
+  const std::filesystem::path folder = options.output;
+  write_scene_tables(folder, results);
+  const std::uint64_t samples = options.settings.samples;
+  harness::write_run_record(folder, {.command = command_line(options),
+                                 .seed = options.settings.seed,
+                                 .samples_asked = samples,
+                                 .samples_done = stopped ? 0 : samples,
+                                 .seconds = seconds,
+                                 .interrupted = stopped});
+  Json all = {{"run", read_json(folder / "run.json")},
+              {"processor_features", processor_features()},
+              {"absent", absent_libraries()}};
+  all.update(json(results));
+  harness::write_file(folder / "bench.json", all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+int exit_status(const SceneOptions& options, const std::vector<SceneResult>& results, bool stopped) {
+  bool disputed = false;
+  for (const SceneResult& result : results)
+    for (const std::string& dispute : result.disputes) {
+      fmt::print(stderr, "touchstone: the exact scene and brute force differ: {}\n", dispute);
+      disputed = true;
+    }
+  if (disputed) return 1;
+  if (!stopped) return 0;
+  fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
+  return harness::kInterrupted;
+}
+
+int measure_scenes(const SceneOptions& options) {
+  const harness::OutputFolder held(options.output, command_line(options), {.force = options.force});
+  const auto scenes = all_scenes(options);
+  const harness::Interrupt interrupt;
+  const auto& stop = interrupt.requested();
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<Library> libraries = all_libraries();
+  const auto print = [](const std::string& text) {
+    fmt::print("{}", text);
+    harness::flush_standard_output();
+  };
+
+  std::vector<SceneResult> results;
+  for (const auto& make : scenes) {
+    if (stop) break;
+    results.push_back(measure_scene(
+        make(), libraries, options.settings, stop, [&](const SceneResult& result) { print(builds_table(result)); },
+        [&](const SceneContest& contest) { print(table(contest.result)); }));
+    ::malloc_trim(0);  // the next, larger scene needs it
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write(options, results, stop, seconds);
+
+  const std::string exact = libraries.front().name;
+  print(growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact));
+  for (const std::string& absent : absent_libraries())
+    fmt::print("Built without {}: it is no contestant here.\n", absent);
+  fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
+             options.settings.repetitions, options.settings.seed, seconds, options.output);
+  harness::flush_standard_output();
+  if (!stop && !options.no_pictures) harness::draw_pictures("bench_scene", held);
+  return exit_status(options, results, stop);
+}
+
+}  // namespace
+
+void add_bench_scenes(CLI::App& app, int& status) {
+  constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
+  constexpr std::uint64_t kMostSamples = 10'000'000;
+  auto* command = app.add_subcommand("bench-scenes", "Time scenes of 1000 and more triangles beside other libraries");
+  auto options = std::make_shared<SceneOptions>();
+  command->add_option("--samples", options->settings.samples, "Distinct balls, up to 10000000")
+      ->check(harness::whole_number(1, kMostSamples), "COUNT")
+      ->capture_default_str();
+  command->add_option("--repetitions", options->settings.repetitions, "How often each library takes its turn")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  harness::add_seed(*command, options->settings.seed, "Any number; the same gives the same balls");
+  command
+      ->add_option("--max-faces", options->most_triangles,
+                   "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)")
+      ->check(harness::whole_number(kFewest, kMost))
+      ->capture_default_str();
+  command->add_option("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated");
+  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
+  harness::add_no_pictures(*command, options->no_pictures);
+  harness::add_force(*command, options->force);
+  command->callback([options, &status] { status = harness::run_alone([&] { return measure_scenes(*options); }); });
+}
+
+}  // namespace touchstone::commands
