@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: site_filter.py FILE
 
-Prints a page or a header as Doxygen takes it, which calls this for each of its inputs from the root of the sources.
+Prints a page or a header in the form that Doxygen expects. Doxygen calls this script for each of its inputs, from the root
+of the sources.
 
-A page gets a table of contents, anchors at its headings, and links that lead to them within the site; a link to a file
-that is no page becomes its path, of which Doxygen makes a link if it has the file. In a header, numbered guarantees
+A page gets a table of contents, anchors at its headings, and links that lead to them within the site. A link to a file
+that is not a page becomes the file's path, which Doxygen links if it knows the file. In a header, numbered guarantees
 become lists.
 """
 
@@ -16,15 +17,16 @@ FENCE = re.compile(r"^(```.*?^```$)", re.MULTILINE | re.DOTALL)
 HEADING = re.compile(r"^(#+) +(.+?)$", re.MULTILINE)
 CODE = re.compile(r"(`+)(.+?)\1")
 LINK = re.compile(r"(?<!!)\[([^][]+)\]\(([^()\s]+)\)")
+IMAGE = re.compile(r"!\[([^][]+)\]\(([^()\s]+)\)")
 
 
 def slug(heading):
-    """The anchor that a host of git repositories gives a heading."""
+    """The anchor of a heading, as hosts of git repositories name it."""
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
 def page_name(path):
-    """What the site calls a page: `robust-proofs` of robust/proofs/README.md; its file is that with `.html`."""
+    """The site's name of a page, such as `robust-proofs` for robust/proofs/README.md. Its file adds `.html`."""
     name = "-".join(path.with_suffix("").parts).lower()
     return "index" if name == "readme" else name.removesuffix("-readme")
 
@@ -36,7 +38,7 @@ def target(page, link):
 
 
 def quotable(text):
-    """Code with a quote stands between two backticks: after one, Doxygen takes it for the end."""
+    """Puts code with a quote between double backticks: between single ones, Doxygen takes the quote for the end."""
     return CODE.sub(lambda code: f"``{code[2]}``" if "'" in code[2] else code[0], text)
 
 
@@ -55,8 +57,11 @@ def site_page(page, text):
         words = " ".join(match[1].split())  # Doxygen wants them on one line
         return f"[{words}](@ref {page_name(path)}{'-' + anchor if anchor else ''})"
 
+    def image(match):
+        return f"![{' '.join(match[1].split())}]({target(page, match[2])[0].name})"
+
     parts = FENCE.split(text)
-    parts[::2] = [quotable(LINK.sub(link, HEADING.sub(heading, part))) for part in parts[::2]]
+    parts[::2] = [quotable(IMAGE.sub(image, LINK.sub(link, HEADING.sub(heading, part)))) for part in parts[::2]]
     return "".join(parts)
 
 

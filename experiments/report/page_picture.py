@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: page_picture.py TOUCHSTONE ROOT [--write]
 
-Makes the README's picture from a small study: where methods put the foot around a reflex vertex, a square a double. Compares
-it with the one that stands there (exit status 1 if it differs), or writes it there. Lines of text, no library: the same
-bytes on every machine.
+Draws the README's picture from a small study: where methods place the foot around a reflex vertex, one double per square.
+Compares it with the stored picture (exit status 1 if it differs), or writes it. It uses no drawing library, so the bytes
+are the same on every machine.
 """
 import pathlib
 import subprocess
@@ -14,8 +14,8 @@ import tempfile
 from pictures.near_edge import TRUTH, WRONG, read_map
 
 PICTURE = "docs/reflex-vertex.svg"
-PANELS = {"filtered": "ours, certified", "fast": "ours, plain doubles", "thesis": "the thesis of 2008",
-          "thesis-signed": "its angles signed"}
+PANELS = {"filtered": "ours, certified", "fast": "ours, plain doubles", "thesis": "the 2008 thesis",
+          "thesis-signed": "with signed angles"}
 SQUARE, GAP, TOP, BOTTOM = 2, 16, 46, 46
 
 
@@ -31,7 +31,7 @@ def colour_of(truth, verdict):
 
 
 def squares(truth, verdicts, left):
-    """A path of each colour: runs of squares of the same colour in a row."""
+    """One path per colour, of runs of squares in a row."""
     runs = {}
     for y, (truths, row) in enumerate(zip(truth, verdicts)):
         colours = [colour_of(t, v) for t, v in zip(truths, row)]
@@ -45,12 +45,12 @@ def squares(truth, verdicts, left):
 
 
 def legend(letters, y):
-    """Of what there is."""
+    """The colours that occur."""
     verdicts = {v for method in PANELS for row in letters[method] for v in row}
     words = [TRUTH[t][:2] for t in "iob" if (letters["truth"] == t).any()] + [WRONG[v][:2] for v in "-+b" if v in verdicts]
     x, text = GAP, ""
     for colour, meaning in words:
-        meaning = meaning.replace("wrong: says", "wrongly").replace("wrong: inside and boundary confused", "inside and boundary confused")
+        meaning = meaning.replace("right:", "correctly").replace("wrong: says", "wrongly").replace("wrong: inside and boundary confused", "inside and boundary confused")
         text += (f'<rect x="{x}" y="{y}" width="9" height="9" fill="{colour}" stroke="#888" stroke-width=".5"/>'
                  f'<text x="{x + 13}" y="{y + 8}">{meaning}</text>\n')
         x += 26 + 5.6 * len(meaning)
@@ -67,12 +67,12 @@ def picture(touchstone):
     for i, (method, words) in enumerate(PANELS.items()):
         left = GAP + i * (side + GAP)
         wrong = sum(v in WRONG for row in letters[method] for v in row)
-        count = f"{wrong:,} of {size * size:,} wrong" if wrong else f"none of {size * size:,} wrong"
+        count = f"{wrong:,} of {size * size:,} wrong" if wrong else f"0 of {size * size:,} wrong"
         text += (f'<text x="{left}" y="20"><tspan font-family="monospace" font-weight="bold">{method}</tspan> {words}</text>'
                  f'<text x="{left}" y="36">{count}</text>\n' + squares(letters["truth"], letters[method], left) +
                  f'<rect x="{left}" y="{TOP}" width="{side}" height="{side}" fill="none" stroke="#888" stroke-width=".5"/>\n')
-    return text + legend(letters, TOP + side + 14) + (f'<text x="{GAP}" y="{height - 8}" fill="#555">A square is a double of either coordinate of the ball\'s '
-                                             f'centre; in the middle its foot is the reflex vertex of an L.</text>\n</svg>\n')
+    return text + legend(letters, TOP + side + 14) + (f'<text x="{GAP}" y="{height - 8}" fill="#555">Each square moves the ball\'s centre by one double. At the '
+                                             f'middle square the foot is the reflex vertex of an L.</text>\n</svg>\n')
 
 
 def main(touchstone, root, *options):
@@ -81,7 +81,7 @@ def main(touchstone, root, *options):
         path.parent.mkdir(exist_ok=True)
         path.write_text(made)
     elif not path.exists() or path.read_text() != made:
-        print(f"{path}: is not what the study gives; page_picture.py --write mends it")
+        print(f"{path}: differs from what the study gives; page_picture.py --write updates it")
         return 1
     return 0
 

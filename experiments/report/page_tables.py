@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: page_tables.py TOUCHSTONE ROOT [--write]
 
-Makes the tables of pages from small studies (seeds as they stand, the same on every machine with this C library).
-Compares each with the one between its page's markers (exit status 1 if one differs), or writes them there.
+Generates the tables of pages from small studies with fixed seeds. They are the same on every machine with this C
+library. Compares each with the one between its page's markers (exit status 1 if one differs), or writes them there.
+Tables of times are made by cost_tables.py.
 """
 
 import collections
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+import markers
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
 from readings.engines import families_of
@@ -100,8 +102,8 @@ def engines_by_family_table(touchstone):
 
 
 TABLES = [  # page, name in its markers, what makes it
-    ("README.md", "near-edge", near_edge_table),
-    ("README.md", "engines", engines_table),
+    ("docs/methods.md", "near-edge", near_edge_table),
+    ("docs/judging.md", "engines", engines_table),
     ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),
 ]
 
@@ -115,17 +117,14 @@ def main(touchstone, root, *options):
     status = 0
     for page, name, make in TABLES:
         path = pathlib.Path(root, page)
-        before, begin, rest = path.read_text().partition(f"<!-- {name} table: begin -->\n")
-        old, end, after = rest.partition(f"<!-- {name} table: end -->\n")
-        if not begin or not end:
-            raise SystemExit(f"{path}: no markers of the table '{name}'")
+        before, old, after = markers.split(path, name)
         new = make(touchstone)
         if "--write" in options:
             if absent_engines(touchstone):
                 raise SystemExit(f"this build lacks {', '.join(sorted(absent_engines(touchstone)))}")
-            path.write_text(before + begin + new + end + after)
+            path.write_text(before + new + after)
         elif new != without_lines_of(absent_engines(touchstone), old):
-            print(f"{path}: the table '{name}' is not what the study gives; page_tables.py --write mends it:\n{new}")
+            print(f"{path}: the table '{name}' differs from what the study gives; page_tables.py --write updates it:\n{new}")
             status = 1
     return status
 

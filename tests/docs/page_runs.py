@@ -2,11 +2,11 @@
 """Usage: page_runs.py PAGE --samples              prints the page's programs in C++ as one program
        page_runs.py PAGE TOUCHSTONE [SAMPLES] [--without-python] [--write]
 
-What a page tells the reader to run prints what the page says that it prints: the blocks of `text`. Each belongs to the
-program in C++ (`cpp`; SAMPLES is what was compiled from them), the commands (`sh`) or the script (`python`) before it;
-commands that no `text` follows are shown only. A block after "`NAME`:" is a file of that name. All is run in one folder
-that is empty at first, in the order of the page. Exit status 1 where something else is printed, which --write puts into
-the page.
+Runs the samples of a page and compares what they print with the page's `text` blocks. A `text` block belongs to the C++
+program (`cpp`; SAMPLES is the program compiled from all of them), the commands (`sh`) or the script (`python`) before it.
+Commands without a `text` block are not run. A block after "`NAME`:" is written to a file of that name. Everything runs in
+one folder, empty at first, in the order of the page. Exit status 1 if a sample prints something else; --write puts that
+into the page.
 """
 
 import argparse
@@ -26,7 +26,7 @@ class Block:
         self.language, self.text, self.span = match[1], match[2], match.span(2)
         name = re.search(r"`([\w.-]+)`:\n\n$", before)
         self.file = name[1] if name else None
-        self.output = None  # the block of text that says what it prints
+        self.output = None  # the `text` block
 
 
 def blocks_of(page):
@@ -37,12 +37,12 @@ def blocks_of(page):
         if block.language != "text":
             blocks.append(block)
         elif not blocks or blocks[-1].output or blocks[-1].language not in PROGRAMS:
-            sys.exit(f"nothing prints this:\n{block.text}")
+            sys.exit(f"{sys.argv[1]}: no sample prints this:\n{block.text}")
         else:
             blocks[-1].output = block
     for block in blocks:
         if block.language in ("cpp", "python") and not block.output and not block.file:
-            sys.exit(f"the page does not say what this prints:\n{block.text}")
+            sys.exit(f"{sys.argv[1]}: the page does not say what this sample prints:\n{block.text}")
     return blocks
 
 
@@ -59,7 +59,7 @@ def samples(blocks):
 
 
 def run(blocks, options, folder):
-    """What each block with an output prints."""
+    """Yields each block that has a `text` block, with what it prints."""
     environment = dict(os.environ, PATH=f"{pathlib.Path(options.touchstone).resolve().parent}:{os.environ['PATH']}")
     number_of_sample = 0
     for block in blocks:
@@ -107,8 +107,8 @@ def main():
             page = page[:begin] + printed + page[end:]
         options.page.write_text(page)
     for block, printed in wrong:
-        print(f"The page says that\n{block.text}\nprints\n{block.output.text}\nIt prints\n{printed}")
-    print(f"{len(results)} outputs, {len(wrong)} not as the page says")
+        print(f"{options.page}: the sample\n{block.text}\nshould print\n{block.output.text}\nIt prints\n{printed}")
+    print(f"{len(results)} outputs, {len(wrong)} differ from the page")
     return 1 if wrong or not results else 0
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: references.py SOURCE
 
-What the pages refer to is there: files and headings that links lead to, entries of the bibliography, files that studies
-write. Every page is reached from README.md by links, and is in the site. Exit status 1 otherwise.
+Everything that the pages refer to exists: files and headings that links lead to, pictures, entries of the bibliography,
+files that studies write. Links lead from README.md to every page, every page is in the site, and a page shows every
+drawing. Exit status 1 otherwise.
 """
 
 import os
@@ -16,33 +17,40 @@ def main(source):
     sys.path.append("docs")
     import site_filter
 
-    folders = ("experiments", "geometry", "papers", "python", "robust", "tests")
+    folders = ("docs", "experiments", "geometry", "papers", "python", "robust", "tests")
     pages = [*pathlib.Path().glob("*.md"), *(page for folder in folders for page in pathlib.Path(folder).rglob("*.md"))]
     prose = {page: "".join(site_filter.FENCE.split(page.read_text())[::2]) for page in pages}
     anchors = {page: {site_filter.slug(heading) for _, heading in site_filter.HEADING.findall(text)}
                for page, text in prose.items()}
     site = pathlib.Path("docs/Doxyfile").read_text()
 
-    faults, leads_to, links = [], {page: set() for page in pages}, 0
+    faults, leads_to, links, shown = [], {page: set() for page in pages}, 0, set()
     for page, text in prose.items():
         if not re.search(rf"^[^#]* {re.escape(str(page))}( |$)", site, re.MULTILINE):
-            faults.append(f"{page}: is no page of the site, docs/Doxyfile")
+            faults.append(f"{page}: not a page of the site, docs/Doxyfile")
         for _, link in site_filter.LINK.findall(text):
             if re.match(r"\w+:", link):
                 continue
             links += 1
             path, anchor = site_filter.target(page, link)
             if not path.exists():
-                faults.append(f"{page}: {link}: there is no {path}")
+                faults.append(f"{page}: {link}: no such file: {path}")
             elif anchor and anchor not in anchors.get(path, ()):
                 faults.append(f"{page}: {link}: {path} has no such heading")
             leads_to[page].add(path)
+        for _, link in site_filter.IMAGE.findall(text):
+            path, _ = site_filter.target(page, link)
+            shown.add(path)
+            if not path.exists():
+                faults.append(f"{page}: {link}: no such picture: {path}")
+    drawings = set(pathlib.Path("docs").rglob("*.svg"))
+    faults += [f"{drawing}: no page shows it" for drawing in sorted(drawings - shown)]
 
     reached, found = {pathlib.Path("README.md")}, [pathlib.Path("README.md")]
     while found:
         found = [page for page in leads_to[found.pop()] & set(pages) - reached] + found
         reached.update(found)
-    faults += [f"{page}: no links lead there from README.md" for page in pages if page not in reached]
+    faults += [f"{page}: no links from README.md lead to it" for page in pages if page not in reached]
 
     entries = set(re.findall(r"^@\w+\{(\w+),", pathlib.Path("papers/references.bib").read_text(), re.MULTILINE))
     cited = 0
@@ -58,8 +66,8 @@ def main(source):
     tables = set(re.findall(r"`([\w-]+\.(?:csv|jsonl|txt))`", prose[formats].partition("## Tables of studies")[2]))
     faults += [f"{formats}: nothing writes {name}" for name in sorted(tables) if f'"{name}"' not in sources]
 
-    print("\n".join(faults) or f"{len(pages)} pages, {links} links, {cited} citations, {len(tables)} tables")
-    return 1 if faults or min(links, cited, len(tables)) == 0 else 0
+    print("\n".join(faults) or f"{len(pages)} pages, {links} links, {len(shown)} pictures, {cited} citations, {len(tables)} tables")
+    return 1 if faults or min(links, cited, len(shown), len(tables)) == 0 else 0
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: site.py FOLDER
 
-Every link, menu entry and picture within the site that Doxygen made leads to a file there, and to a place in it; every
-namespace of a header has a page, without which its functions are nowhere. Exit status 1 otherwise.
+Every link, menu entry and picture of the site that Doxygen made leads to an existing file, and to an existing place in it.
+Every namespace of a header has a page; without one, the site would not show its functions. Exit status 1 otherwise.
 """
 
 import html.parser
@@ -37,14 +37,14 @@ def main(folder):
             file, _, place = link.partition("#")
             links += 1
             if file and not (folder / file).exists():
-                faults.append(f"{name}: {link}: there is no such file")
+                faults.append(f"{name}: {link}: no such file")
             elif place and (file or name) in pages and place not in pages[file or name].places:
-                faults.append(f"{name}: {link}: there is no such place")
+                faults.append(f"{name}: {link}: no such place")
     for name, page in pages.items():
         if "](<a " in page.text:
-            faults.append(f"{name}: a link was not understood")
+            faults.append(f"{name}: Doxygen did not understand a link")
         for namespace in re.findall(r"namespace </span>(\w[\w:]*) {", page.text if "_8h_source" in name else ""):
-            faults.append(f"{name}: namespace {namespace} has no comment, and so no page")
+            faults.append(f"{name}: namespace {namespace} has no comment, so the site has no page for it")
     print("\n".join(sorted(faults)) or f"{len(pages)} pages, {links} links")
     return 1 if faults or not links else 0
 

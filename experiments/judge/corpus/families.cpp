@@ -194,11 +194,11 @@ const std::vector<Family>& all_families() {
       {"point", "radius zero or nearly so, centres on the triangle or within some doubles of it", point},
       {"off-plane", "loops that are off their plane: the lift matters", off_plane},
       {"holes", "an edge or a vertex of a hole is nearest", holes},
-      {"real-meshes", "faces of robots and a milling centre that others modelled, at which methods are farthest wrong",
+      {"real-meshes", "faces of third-party models of robots and a milling centre, on which methods err the most",
        [] { return given_text("real-meshes"); }},
       {"gripper", "the sphere of the thesis's gripper and the faces that it comes near to in its cell",
        [] { return given_text("gripper"); }},
-      {"planted-bugs", "found for bugs that were planted on purpose and that no other case told of; the tags name them",
+      {"planted-bugs", "found for planted bugs that no other case detects; the tags name the bugs",
        [] { return given_text("planted-bugs"); }},
   };
   return families;

@@ -13,37 +13,37 @@ namespace {
 
 constexpr const char* kPage = R"(# The corpus
 
-Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must give.
-`touchstone corpus make --force` writes all of this folder's `.jsonl` files, `corpus.json` (version and counts) and this
-page, the same bytes again; `touchstone corpus check` derives every answer anew, by `exact` and by a program of its own over
-GMP's rationals, which shares no arithmetic, rounding or sweep with it.
+Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
+`touchstone corpus make --force` generates all `.jsonl` files of this folder, `corpus.json` (version and counts) and
+this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
+separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it.
 
 {table}
-The methods' columns say about how many of the cases each is wrong in a key that says yes or no, which or how many:
-plain doubles (`fast`), floats and double-doubles, the thesis's method, and CGAL's kernel of doubles. Such cases carry
-the tag `fails:METHOD`. CGAL's is asked without the lift, which is why it fails off the plane.
+The columns of the methods count the cases on which each is wrong in a decisive key, one that is not a rounded number:
+plain doubles (`fast`), floats, double-doubles, the thesis's method, and CGAL's kernel of doubles. These cases carry the
+tag `fails:METHOD`. CGAL's kernel answers without the lift, so it fails on polygons that are not planar.
 
-A case has, besides the keys of the contract, `tags` and an `origin`: the command that draws it again, or where it was
-found. `rejections` holds its lines as they were written, since they are about how cases are written. Cases that are
-drawn were chosen: the first of their kind about which one of the methods above is wrong. Those that cannot be drawn
-again lie in `experiments/judge/corpus/given`, where a new one is added; then `make` completes it. Whoever adds, changes or
-takes out a case raises the version in `experiments/judge/corpus/families.h`.
+Besides the keys of the contract, a case has `tags` and an `origin`: the command that draws it again, or the place where
+it was found. `rejections` keeps its lines exactly as they were written, because they test how cases are written. Drawn
+cases are a selection: the first of their kind on which one of the methods above is wrong. Cases that cannot be drawn
+again lie in `experiments/judge/corpus/given`. Add a new case there, and `make` completes it. If you add, change or remove a
+case, raise the version in `experiments/judge/corpus/families.h`.
 
 ## Judging an engine of your own
 
     touchstone judge --exec './my-engine' tests/corpus/*.jsonl
 
-sends every case to a program that reads lines of JSON and writes verdicts, and ends with status 0 if all expectations
-are met; `experiments/judge/README.md` has engines of ten lines to begin with. `touchstone judge --method NAME` asks a
-method of this build.
+sends every case to a program that reads lines of JSON and writes verdicts. The exit status is 0 if all expectations are
+met. `experiments/judge/README.md` has engines of ten lines to start from. `touchstone judge --method NAME` judges a
+method of this program.
 
-A case on which a method fails, from here or from anywhere, becomes small by
+To make a case small on which a method fails, from this folder or any other, run
 
     touchstone corpus shrink CASE --method NAME
 
-with fewer loops and vertices, shorter numbers and smaller exponents. It goes on to fail in all the decisive keys in
-which it failed (`--key KEY`: in that one), with the same words where words are wrong; where only `point`, `distance` or
-`off_plane` were wrong, in those, and in nothing decisive.
+It reduces the numbers of loops and vertices, the lengths of the numbers and their exponents. The small case still fails
+in all the decisive keys in which the original failed (with `--key KEY`, in that key), with the same wrong words. If
+only `point`, `distance` or `off_plane` were wrong, the small case fails in those and in no decisive key.
 )";
 
 std::size_t sum(const std::vector<FileCounts>& files, auto of) {
