@@ -11,15 +11,15 @@ namespace touchstone::commands {
 void add_judge(CLI::App& app, int& status);
 void add_methods(CLI::App& app);
 void add_near_edge(CLI::App& app, int& status);
-void add_mesh_contact(CLI::App& app, int& status);
-void add_merge(CLI::App& app, int& status);
+void add_meshes(CLI::App& app, int& status);
+void add_merging(CLI::App& app, int& status);
 void add_cases(CLI::App& app);
 void add_bench(CLI::App& app, int& status);
 void add_bench_scenes(CLI::App& app, int& status);
 void add_soak(CLI::App& app, int& status);
 void add_tradeoff(CLI::App& app, int& status);
 void add_stability(CLI::App& app, int& status);
-void add_scene(CLI::App& app, int& status);
+void add_scenes(CLI::App& app, int& status);
 void add_cell(CLI::App& app, int& status);
 void add_regress(CLI::App& app, int& status);
 void add_corpus(CLI::App& app, int& status);

@@ -60,15 +60,15 @@ int run(int argc, char** argv) {
   touchstone::commands::add_judge(app, status);
   touchstone::commands::add_methods(app);
   touchstone::commands::add_near_edge(app, status);
-  touchstone::commands::add_mesh_contact(app, status);
-  touchstone::commands::add_merge(app, status);
+  touchstone::commands::add_meshes(app, status);
+  touchstone::commands::add_merging(app, status);
   touchstone::commands::add_cases(app);
   touchstone::commands::add_bench(app, status);
   touchstone::commands::add_bench_scenes(app, status);
   touchstone::commands::add_soak(app, status);
   touchstone::commands::add_tradeoff(app, status);
   touchstone::commands::add_stability(app, status);
-  touchstone::commands::add_scene(app, status);
+  touchstone::commands::add_scenes(app, status);
   touchstone::commands::add_cell(app, status);
   touchstone::commands::add_regress(app, status);
   touchstone::commands::add_corpus(app, status);

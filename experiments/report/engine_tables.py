@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cells of tables of engines, in pages of Markdown and in the report."""
 from names import ENGINES
-from readings.engines import Standing, families_of, rows_by_engine
+from readings.regress import Standing, families_of, rows_by_engine
 from shares import unless_whole
 
 

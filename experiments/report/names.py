@@ -47,7 +47,7 @@ def of_method(name):
     return f"{NAMED[name]} (<code>{name}</code>)"
 
 
-# bench --scene
+# bench-scenes
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
 BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}
 

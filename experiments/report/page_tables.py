@@ -19,7 +19,7 @@ import tempfile
 import markers
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
-from readings.engines import families_of
+from readings.regress import families_of
 from shares import unless_whole
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]

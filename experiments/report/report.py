@@ -11,14 +11,14 @@ import re
 import sys
 
 import studies
-from chapters import bench, cell, cell_area, engines, merging, near_edge, real_input, scenes, soak, stability, thesis, tradeoff
+from chapters import bench, cell, cell_area, merging, meshes, near_edge, bench_scenes, regress, soak, stability, thesis, tradeoff
 from chapters.opening import glance, never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, rounded, words
 from replacing import replacing
 from results import DataError, study_in
 
-CHAPTERS = {"real-input": real_input, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "engines": engines, "soak": soak,
-            "bench-scene": scenes, "merge": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
+CHAPTERS = {"meshes": meshes, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "regress": regress, "soak": soak,
+            "bench-scenes": bench_scenes, "merging": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
 
 STYLE = """
 header p.lead { font-size: 1.12rem; }

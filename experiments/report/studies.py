@@ -33,13 +33,13 @@ THESIS = "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed"
 NEAR_EDGE = ["near-edge", "--method", "filtered,fast,fast-float,thesis,thesis-signed"]
 
 STUDIES = [
-    Study("real-input", "every face of real meshes",
-          **same(["mesh-contact", MESHES, "--skip-bad", "--method", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
+    Study("meshes", "every face of real meshes",
+          **same(["meshes", MESHES, "--skip-bad", "--method", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
     Study("cell", "the manufacturing cell",
           **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"])),
     Study("thesis", "the thesis's figures",
           full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]]),
-    Study("engines", "engines of others", **same(["regress", "--output", OUTPUT])),
+    Study("regress", "engines of others", **same(["regress", "--output", OUTPUT])),
     Study("near-edge", "random polygons, double by double", resumes=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]],
           quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]]),
@@ -51,13 +51,13 @@ STUDIES = [
     Study("soak", "the certified path under attack", resumes=True,
           full=[["soak", "--output", OUTPUT]], quick=[["soak", "--cases", "100000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
-    Study("merge", "coplanar faces as polygons", full=[["merge", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
           full=[["bench", "--json", f"{OUTPUT}/bench.json"]],
           paper=[["bench", "--repetitions", "7", "--json", f"{OUTPUT}/bench.json"]]),
-    Study("bench-scene", "whole scenes beside five libraries",
-          full=[["bench", "--scene", "--meshes", "cache/meshes", "--output", OUTPUT]],
-          paper=[["bench", "--scene", "--most-faces", "100000", "--repetitions", "3", "--output", OUTPUT]]),
+    Study("bench-scenes", "whole scenes beside five libraries",
+          full=[["bench-scenes", "--meshes", "cache/meshes", "--output", OUTPUT]],
+          paper=[["bench-scenes", "--max-faces", "100000", "--repetitions", "3", "--output", OUTPUT]]),
 ]
 
 

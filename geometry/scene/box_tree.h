@@ -20,7 +20,7 @@ namespace touchstone {
 /// The tree is a function of the boxes alone, whatever rounding mode and flush-to-zero setting its caller has. Source:
 /// [wald2007] (binned surface area heuristic).
 ///
-/// Why not another's: see `touchstone bench --scene`. With a million triangles and small balls near them a scene of it
+/// Why not another's: see `touchstone bench-scenes`. With a million triangles and small balls near them a scene of it
 /// took 0.9 to 1.05 of the time of Embree 3, whose boxes are floats that exact answers cannot rest on, less than half
 /// of that of Boost's R-tree, a twentieth of that of CGAL's AABB tree; with balls anywhere, where hardly more than
 /// boxes is looked at, 1.3 times Embree's. It takes 90 bytes a triangle, with the triangle; they take 117, 65 and 136

@@ -64,17 +64,17 @@ FILES = {
                            ("not-right", "all", "rotated", ["fast", "fast-long-double", "fast-double-double", "fast-mpfr-101"], 100, 90, 110, 0.2,
                             0.1, 0.3, 0.2, 0, 8, "on"),
                            ("not-right", "all", "rotated", "filtered", 300, 290, 310, 0, 0, 0.3, 0, 0, 8, "on"))},
-    "engines": {
+    "regress": {
         "standing.csv": table("method family wrong unsure cases first_offset_exponent", ("filtered", ["star", "u"], 0, 0, 8, ""),
                               ("fast", ["star", "u"], 1, 0, 8, 28), ("cgal-epeck-distance", ["star", "u"], 0, 0, 8, ""),
                               ("fcl", ["star", "u"], 2, 0, 8, 8))},
     "soak": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",
                                (["general", "all"], ["triangle", "answer"], 4, 3, 2, 1, 1, 1, 0))},
-    "real-input": {
+    "meshes": {
         "meshes.csv": table("mesh faces rejected method place test trials wrong",
                             ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),
                             ("arm", 4, 1, ["fast", "thesis"], ["face", "edge", "vertex"], "contact", 8, 1))},
-    "bench-scene": {
+    "bench-scenes": {
         "queries.csv": table("scene triangles balls question library nanoseconds wrong checked",
                              ("torus", [100, 1000], "near", ["any", "all", "nearest"], ["Scene", "Embree 3"], 500, 0, 8),
                              ("torus", 1000, ["anywhere", "touching"], "any", "Scene", 300, 0, 8),

@@ -67,7 +67,7 @@ def data_make_the_numbers(root, results, output, scratch):
     again = scratch / "again"
     build(root, results, again, "--no-latex")
     expect(files_below(output) == files_below(again), "the same data make other bytes")
-    edit(results / "engines/standing.csv", "cgal-epeck-distance,u,0,0,8,", "cgal-epeck-distance,u,1,0,8,52")
+    edit(results / "regress/standing.csv", "cgal-epeck-distance,u,0,0,8,", "cgal-epeck-distance,u,1,0,8,52")
     build(root, results, again, "--no-latex")
     expect(r"\defineval{engines/never-wrong-count}{0}" in (again / "values.tex").read_text(), "a wrong answer changes nothing")
 
@@ -87,7 +87,7 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("soak: not run", lambda at: shutil.rmtree(at / "soak"))
     spoiled("soak/run.json: interrupted", run_says("interrupted", True))
     spoiled("studies of different programs", run_says("commit", "fedcba"))
-    for study in ("engines", "bench-scene"):
+    for study in ("regress", "bench-scenes"):
         spoiled(f"{study}/run.json: the program was built without fcl, bullet-float, which the paper is about",
                 lambda at: edit(at / f"{study}/run.json", '"fcl", "libccd", "bullet", "ode", "bullet-float"', '"libccd", "bullet", "ode"'))
         spoiled(f"{study}/run.json: the program was built without embree, fcl,", lambda at: edit(at / f"{study}/run.json", '"engines"', '"others"'))
@@ -95,8 +95,8 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("rates.csv: line 2: failures cannot be", lambda at: edit(at / "near-edge/rates.csv", ",1,4,", ",-1,4,"))
     spoiled("soak: ValueError: 1 answers of filtered differ", lambda at: edit(at / "soak/soak.csv", "1,1,1,0", "1,1,1,1"))
     spoiled("stability: ValueError: filtered failed", lambda at: edit(at / "stability/failures.csv", "filtered,1,0,4", "filtered,1,1,4"))
-    spoiled("real-input: ValueError: filtered differs", lambda at: edit(at / "real-input/meshes.csv", "8,0", "8,1"))
-    spoiled("bench-scene: ValueError: Scene is wrong", lambda at: edit(at / "bench-scene/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
+    spoiled("meshes: ValueError: filtered differs", lambda at: edit(at / "meshes/meshes.csv", "8,0", "8,1"))
+    spoiled("bench-scene: ValueError: Scene is wrong", lambda at: edit(at / "bench-scenes/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
     spoiled("thesis: ValueError: unknown status: better", lambda at: edit(at / "thesis/entries.csv", "not computable", "better"))
     spoiled("bench/bench.json", lambda at: (at / "bench/bench.json").write_text("{"))
 

@@ -128,7 +128,7 @@ class Checks:
 def check_meshes(checks):
     for name, content in MESHES.items():
         checks.write(name, content)
-        for command in ("scene", "--random", "1"), ("merge", "--force"), ("mesh-contact", "--method", "fast", "--force"):
+        for command in ("scenes", "--random", "1"), ("merging", "--force"), ("meshes", "--method", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
             echo = (SHOWN, b"END")
             checks.run(arguments, *arguments, echoes=echo)
@@ -140,23 +140,23 @@ def check_names(checks):
     for what, content in ("sound", TRIANGLE), ("bad", bad), ("broken", b"f 7 8 9\n"):
         name = NAME + what.encode() + b".obj"
         checks.write(name, content)
-        for command in ("scene", "--random", "1"), ("merge", "--compare", "3", "--force"), ("mesh-contact", "--method", "fast", "--force"):
+        for command in ("scenes", "--random", "1"), ("merging", "--compare", "3", "--force"), ("meshes", "--method", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
-            echo = (b"END",) if what != "sound" or command[0] != "scene" else ()
+            echo = (b"END",) if what != "sound" or command[0] != "scenes" else ()
             checks.run(arguments, *arguments, status=(0,) if what == "sound" else (2,), echoes=echo,
-                       json_lines=command[0] == "scene")
+                       json_lines=command[0] == "scenes")
             checks.run((*arguments, "--skip-bad"), *arguments, "--skip-bad", status=(0, 2), echoes=echo,
-                       json_lines=command[0] == "scene")
+                       json_lines=command[0] == "scenes")
     for arguments in (("judge", NAME), ("corpus", "check", NAME), ("corpus", "shrink", NAME, "--method", "fast"),
-                      ("scene", NAME + b".obj", "--random", "1"), ("merge", NAME + b".xyz" + NAME, "--force"),
+                      ("scenes", NAME + b".obj", "--random", "1"), ("merging", NAME + b".xyz" + NAME, "--force"),
                       ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--method", NAME)):
         checks.run(arguments, *arguments, status=(1, 2, *range(100, 120)),
                    echoes=(SHOWN,) if len(arguments) > 1 else ())
     checks.write("a.obj", TRIANGLE)
-    checks.run("object", "scene", "a.obj", "--objects", NAME, "--random", "1", echoes=(SHOWN,))
+    checks.run("object", "scenes", "a.obj", "--objects", NAME, "--random", "1", echoes=(SHOWN,))
     checks.write("balls", b"0 0 0 x\n")
     os.rename(os.path.join(checks.folder, "balls"), os.path.join(os.fsencode(checks.folder), NAME))
-    checks.run("balls", "scene", "a.obj", "--balls", NAME, echoes=(SHOWN,))
+    checks.run("balls", "scenes", "a.obj", "--balls", NAME, echoes=(SHOWN,))
 
 
 def check_cases(checks):
@@ -181,7 +181,7 @@ def check_balls(checks):
     checks.write("a.obj", TRIANGLE)
     for what, content in BALLS.items():
         checks.write("balls", content)
-        checks.run(what, "scene", "a.obj", "--balls", "balls")
+        checks.run(what, "scenes", "a.obj", "--balls", "balls")
 
 
 def check_baselines(checks):

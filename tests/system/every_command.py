@@ -28,16 +28,16 @@ COMMANDS = {
     "judge": [["--method", "fast", "case.jsonl"]],
     "methods": [[]],
     "near-edge": [["--method", "fast", "--families", "l", "--samples", "1", "--search", "0", "--no-pictures", "--output", OUTPUT]],
-    "mesh-contact": [["mesh.obj", "--method", "fast", "--output", OUTPUT]],
-    "merge": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
+    "meshes": [["mesh.obj", "--method", "fast", "--output", OUTPUT]],
+    "merging": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
     "cases": [["--count", "3"]],
-    "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"],
-              ["--scene", "--most-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
+    "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"]],
+    "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "soak": [["--cases", "5", "--output", OUTPUT], ["--cases", "5", "--print"]],
     "tradeoff": [["--method", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
                   "--output", OUTPUT]],
     "stability": [["--method", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
-    "scene": [["mesh.obj", "--random", "2"], ["mesh.obj", "--random", "2", "--output", OUTPUT]],
+    "scenes": [["mesh.obj", "--random", "2"], ["mesh.obj", "--random", "2", "--output", OUTPUT]],
     "cell show": [[CELL], [CELL, "--output", OUTPUT]],
     "cell run": [[CELL, "--method", "fast", "--output", OUTPUT]],
     "cell area": [[CELL, "--angle-step", "90", "--length-step", "2000", "--no-pictures", "--output", OUTPUT]],
@@ -123,7 +123,7 @@ class EveryCommand(unittest.TestCase):
         has its folder."""
         pipe = SCRATCH / f"{folder.name}.balls"
         os.mkfifo(pipe)
-        process = subprocess.Popen([TOUCHSTONE, "scene", "mesh.obj", "--balls", str(pipe), "--output", str(folder)], cwd=SCRATCH,
+        process = subprocess.Popen([TOUCHSTONE, "scenes", "mesh.obj", "--balls", str(pipe), "--output", str(folder)], cwd=SCRATCH,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
@@ -142,7 +142,7 @@ class EveryCommand(unittest.TestCase):
                         done = self.run_in([*call, *more], folder, stdout=subprocess.PIPE)
                         self.assertEqual(done.returncode, 2, done.stderr)
                         self.assertIn(f"{folder}: another run writes there: process {process.pid} on ", done.stderr)
-                        self.assertIn("Z: touchstone scene 'mesh.obj' --balls ", done.stderr)
+                        self.assertIn("Z: touchstone scenes 'mesh.obj' --balls ", done.stderr)
                         self.assertEqual(content(folder), before)
             balls.write("0 0 0 1\n")
         self.assertEqual(process.wait(PATIENCE), 0)

@@ -153,8 +153,8 @@ def check_processes(together, mpirun):
 
 def check_alone(program, mpirun, folder):
     """Commands that know of no other processes refuse them, and write nothing."""
-    for command in ["mesh-contact", "bench"]:
-        asked = {"mesh-contact": ["no-such-mesh.stl"], "bench": ["--json", f"{folder}/bench.json"]}.get(command, [])
+    for command in ["meshes", "bench"]:
+        asked = {"meshes": ["no-such-mesh.stl"], "bench": ["--json", f"{folder}/bench.json"]}.get(command, [])
         asked += [] if command == "bench" else ["--output", f"{folder}/{command}"]
         refused = run(launcher(mpirun, 2) + [program, command] + asked, expected=2)
         if "this command works in one process only" not in refused.stderr:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chapter of `touchstone merge`: a mesh's coplanar faces as polygons."""
+"""The chapter of `touchstone merging`: a mesh's coplanar faces as polygons."""
 import math
 
 from page import count, counted, escaped, multiple, percent, rounded, table, upper_limit, words

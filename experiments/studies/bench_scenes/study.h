@@ -12,7 +12,7 @@
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 
-/// Time of a query against the number of triangles: `touchstone bench --scene`.
+/// Time of a query against the number of triangles: `touchstone bench-scenes`.
 namespace touchstone::bench_scenes {
 
 enum class SceneQuestion { Any, All, Nearest };

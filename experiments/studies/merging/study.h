@@ -14,7 +14,7 @@
 #include "geometry/shapes/mesh.h"
 #include "robust/mesh/merge.h"
 
-/// The study of meshes whose coplanar faces are merged into polygons: `touchstone merge`.
+/// The study of meshes whose coplanar faces are merged into polygons: `touchstone merging`.
 namespace touchstone::merging {
 
 struct Settings {

@@ -10,7 +10,7 @@
 #include "geometry/shapes/polygon.h"
 #include "robust/exact/exact.h"
 
-/// The study of wrong answers on the faces of meshes that others made: `touchstone mesh-contact`.
+/// The study of wrong answers on the faces of meshes that others made: `touchstone meshes`.
 namespace touchstone::meshes {
 
 /// What a ball is near to.

@@ -199,8 +199,8 @@ class Report(unittest.TestCase):
         self.assertIn("Not all studies were made by the same commit", self.changed().text)
 
     def test_missing_data_are_an_error_that_names_the_file(self):
-        for file in ("near-edge/rates.csv", "real-input/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "engines/standing.csv",
-                     "soak/soak.csv", "cell/moves.csv", "cell/cell.html", "thesis/entries.csv", "merge/merge.csv", "bench-scene/queries.csv",
+        for file in ("near-edge/rates.csv", "meshes/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "regress/standing.csv",
+                     "soak/soak.csv", "cell/moves.csv", "cell/cell.html", "thesis/entries.csv", "merging/merge.csv", "bench-scenes/queries.csv",
                      "bench/bench.json", "cell-area/plan.csv"):
             with self.subTest(file=file):
                 aside = self.results / "aside"
@@ -246,7 +246,7 @@ class Report(unittest.TestCase):
                 self.assertIn(f"{path}: {key} cannot be {json.dumps(value)}", self.complaint())
 
     def test_data_that_do_not_fit_together_are_an_error_that_names_the_study(self):
-        for file in ("near-edge/rates.csv", "near-edge/bands.csv", "engines/standing.csv"):
+        for file in ("near-edge/rates.csv", "near-edge/bands.csv", "regress/standing.csv"):
             path = self.results / file
             whole = path.read_text()
             path.write_text(whole.splitlines(keepends=True)[0])  # cut behind the names
@@ -264,7 +264,7 @@ class Report(unittest.TestCase):
         self.assertIn(f"{self.results}: holds no study's run.json", self.complaint())
 
     def test_the_verdict_on_real_input_is_in_the_data(self):
-        path = self.results / "real-input/meshes.csv"
+        path = self.results / "meshes/meshes.csv"
         trials = sum(int(row["trials"]) for row in rows_of(path) if row["method"] == "fast" and row["test"] == "contact")
         self.assertIn(f"of {trials:,} final answers were wrong", self.page.text)
         edited(path, lambda row: row.update(wrong="0") if row["test"] == "contact" and row["method"] == "fast" and row["place"] != "edge" else None)
@@ -301,10 +301,10 @@ class Report(unittest.TestCase):
             self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, max(outlines.values()))
 
     def test_what_is_compared_with_itself_is_not_counted(self):
-        cases = sum(int(row["cases"]) for row in rows_of(self.results / "engines/standing.csv") if row["method"] == "filtered")
+        cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/standing.csv") if row["method"] == "filtered")
         row = f"Other engines on the same questions{cases:,}10 polygons0"
         self.assertIn(row, self.page.text)
-        edited(self.results / "engines/standing.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
+        edited(self.results / "regress/standing.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
         self.assertNotIn(row, self.changed().text)
 
     def test_a_failure_of_what_must_not_fail_is_said_first(self):

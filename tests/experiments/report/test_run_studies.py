@@ -76,18 +76,18 @@ class Studies(unittest.TestCase):
     def test_other_meshes_run_again_what_they_are_asked_in(self):
         self.run_all()
         (self.folder / "cache/meshes/a.obj").write_text("v 1 0 0\n")
-        self.assertEqual([call.split()[0] for call in self.run_all()], ["mesh-contact"])
+        self.assertEqual([call.split()[0] for call in self.run_all()], ["meshes"])
 
     def test_without_meshes_the_others_run(self):
         shutil.rmtree(self.folder / "cache")
         calls = self.run_all()
         self.assertEqual(len(calls), self.quick_calls() - 1)
-        self.assertFalse((self.folder / "results/real-input").exists())
+        self.assertFalse((self.folder / "results/meshes").exists())
 
     def test_full_runs_anew_and_quick_keeps_it(self):
         self.run_all()
         full = self.run_all("--full")
-        self.assertTrue(any(call.startswith("bench --scene") for call in full))
+        self.assertTrue(any(call.startswith("bench-scenes") for call in full))
         self.assertFalse(any("--quick" in call or "--samples" in call for call in full))
         self.assertEqual(self.run_all(), [])
 
@@ -140,7 +140,7 @@ class Studies(unittest.TestCase):
         self.assertTrue(any(call.startswith("stability") and call.endswith("--resume") for call in self.run_all("--full")))
 
     def test_two_runs_in_one_folder_are_refused_while_the_first_ones_study_lives(self):
-        (self.folder / "waits").write_text("mesh-contact")
+        (self.folder / "waits").write_text("meshes")
         first = self.start()
         self.addCleanup(os.kill, self.wait_for("waiting", first), signal.SIGKILL)
         first.kill()  # its study lives on

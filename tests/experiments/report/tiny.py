@@ -16,7 +16,7 @@ PICTURES = {
     "near-edge": ["rates-lattice-frame", "rates-rotated", "maps-vertex", "maps-reflex-vertex", "onset"],
     "stability": ["failures-close", "failures-ample", "onset", "tightness"],
     "tradeoff": ["front-not-right", "front-distance"],
-    "bench-scene": ["queries-torus"],
+    "bench-scenes": ["queries-torus"],
     "cell-area": ["cell-area-plan", "cell-area-heights"],
 }
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBox="0 0 72 36"><path d="M0 0L72 36"/></svg>'
@@ -25,17 +25,17 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBo
 def calls(source, mesh):
     cell = str(source / "experiments/cell/cells/aristo.json")
     return {
-        "real-input": ["mesh-contact", mesh, "--method", "exact,filtered,fast,cgal-double,thesis"],
+        "meshes": ["meshes", mesh, "--method", "exact,filtered,fast,cgal-double,thesis"],
         "near-edge": ["near-edge", "--method", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
         "stability": ["stability", "--method", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
         "tradeoff": ["tradeoff", "--method", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                      "--repetitions", "1", "--no-pictures"],
-        "engines": ["regress", "--method", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
+        "regress": ["regress", "--method", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
         "soak": ["soak", "--cases", "200"],
         "cell": ["cell", "run", cell, "--method", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
-        "merge": ["merge", mesh, "--compare", "10", "--repetitions", "1"],
-        "bench-scene": ["bench", "--scene", "--most-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"],
+        "merging": ["merging", mesh, "--compare", "10", "--repetitions", "1"],
+        "bench-scenes": ["bench-scenes", "--max-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"],
         "thesis": ["thesis", "--quick", "--samples", "100", "--no-pictures"],
     }
 

@@ -3,7 +3,7 @@
 from chapters.tradeoff import times
 from names import DISTANCES
 from page import bar, code, count, percent, share_of_size, table
-from readings import near_edge, real_input, tradeoff
+from readings import near_edge, meshes, tradeoff
 
 
 def near_cell(row):
@@ -12,7 +12,7 @@ def near_cell(row):
 
 def table_of(found):
     """Of the methods that real input, or else random polygons, are asked by."""
-    real = real_input.asked(found["real-input"]) if "real-input" in found else {}
+    real = meshes.asked(found["meshes"]) if "meshes" in found else {}
     edge = near_edge.Data(found["near-edge"]) if "near-edge" in found else None
     cost = tradeoff.Data(found["tradeoff"]) if "tradeoff" in found else None
     methods = list(real) or (edge.methods if edge else cost.methods if cost else [])

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The verdict: what fails, how far from contact, what never failed, what that costs."""
-from chapters import bench, engines, near_edge, real_input, stability, thesis, tradeoff
+from chapters import bench, meshes, near_edge, regress, stability, thesis, tradeoff
 from chapters.opening import never_failed
 from page import code, count
 
-BEFORE = (("real-input", real_input), ("near-edge", near_edge), ("stability", stability))
-BEHIND = (("tradeoff", tradeoff), ("bench", bench), ("engines", engines), ("thesis", thesis))
+BEFORE = (("meshes", meshes), ("near-edge", near_edge), ("stability", stability))
+BEHIND = (("tradeoff", tradeoff), ("bench", bench), ("regress", regress), ("thesis", thesis))
 
 
 def headline(asked):

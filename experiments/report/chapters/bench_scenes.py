@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chapter of `touchstone bench --scene`: whole scenes, beside other libraries."""
+"""The chapter of `touchstone bench-scenes`: whole scenes, beside other libraries."""
 from names import BALLS, QUESTIONS
 from page import code, count, escaped, multiple, percent, picture, rounded, smaller, table, words
-from readings.scenes import OURS, Data
+from readings.bench_scenes import OURS, Data
 
 TITLE = "Whole scenes"
 

@@ -32,11 +32,11 @@ struct Options {
   std::vector<std::string> methods{"all"};
   Settings settings{.threads = harness::all_threads()};
   bool skip_bad = false, force = false;
-  std::string output = "results/mesh-contact";
+  std::string output = "results/meshes";
 };
 
 std::string command_line(const Options& options) {
-  std::string line = "touchstone mesh-contact";
+  std::string line = "touchstone meshes";
   for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   std::string names;
   for (const std::string& name : options.methods) names.append(names.empty() ? "" : ",").append(name);
@@ -73,7 +73,7 @@ int run(Options& options) {
 
   const harness::Interrupt interrupt;
   const Result result = [&] {
-    harness::ProgressLine line("mesh-contact", block_count(settings, meshes.read));
+    harness::ProgressLine line("meshes", block_count(settings, meshes.read));
     return run_study(settings, meshes.read, interrupt.requested(), [&](std::uint64_t done) { line(done); });
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -108,9 +108,9 @@ int run(Options& options) {
 
 }  // namespace
 
-void add_mesh_contact(CLI::App& app, int& status) {
+void add_meshes(CLI::App& app, int& status) {
   auto* command =
-      app.add_subcommand("mesh-contact", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
+      app.add_subcommand("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
   harness::add_meshes(*command, options->files, "Mesh files");
   harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");

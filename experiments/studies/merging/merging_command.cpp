@@ -33,11 +33,11 @@ struct MergeOptions {
   std::vector<std::string> files;
   Settings settings;
   bool skip_bad = false, force = false;
-  std::string output = "results/merge";
+  std::string output = "results/merging";
 };
 
 std::string command_line(const MergeOptions& options) {
-  std::string line = "touchstone merge";
+  std::string line = "touchstone merging";
   for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   const Settings& s = options.settings;
   line += fmt::format(" --tolerance {} --compare {} --least {} --repetitions {} --seed {} --output {}", s.tolerance,
@@ -78,7 +78,7 @@ int run(const MergeOptions& options) {
   bool all_right = true;
   std::size_t done = 0;  // files, those too that cannot be read
   {
-    harness::ProgressLine line("merge", options.files.size());
+    harness::ProgressLine line("merging", options.files.size());
     for (const std::string& file : options.files) {
       if (interrupt.requested()) break;
       try {
@@ -125,9 +125,9 @@ int run(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& status) {
+void add_merging(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
-      "merge", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
+      "merging", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
   auto options = std::make_shared<MergeOptions>();
   Settings& settings = options->settings;
   harness::add_meshes(*command, options->files, "Mesh files");

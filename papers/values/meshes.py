@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faces of real meshes, with balls at single doubles from contact."""
-from readings.real_input import Data
+from readings.meshes import Data
 from values.latex import count, percent
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Others' engines on the cases of `touchstone regress`."""
 from names import ENGINES
-from readings.engines import Standing, polygons_of, rows_by_engine, rows_of
+from readings.regress import Standing, polygons_of, rows_by_engine, rows_of
 from values.latex import count, escaped, never, percent, table
 
 OWN = ("filtered", "fast", "thesis")

@@ -50,7 +50,7 @@ struct SceneOptions {
 };
 
 std::string command_line(const SceneOptions& options) {
-  std::string line = "touchstone scene";
+  std::string line = "touchstone scenes";
   for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
   if (options.balls.empty())
     line += fmt::format(" --random {} --seed {}", options.random, options.seed);
@@ -247,7 +247,7 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  harness::ProgressLine progress("scene", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
+  harness::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
   for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
     std::vector<NamedBall> part;
     for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
@@ -312,9 +312,9 @@ int run(const SceneOptions& options) {
 
 }  // namespace
 
-void add_scene(CLI::App& app, int& status) {
+void add_scenes(CLI::App& app, int& status) {
   auto* command = app.add_subcommand(
-      "scene", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
+      "scenes", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
   auto options = std::make_shared<SceneOptions>();
   harness::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
   auto* source = command->add_option_group("balls");

@@ -5,7 +5,7 @@ import re
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
 from page import code, count, counted, escaped, power, table, words
-from readings.engines import asked, cases_of, polygons_of, rows_by_engine, rows_of
+from readings.regress import asked, cases_of, polygons_of, rows_by_engine, rows_of
 
 TITLE = "Other engines on the same questions"
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chapter of `touchstone mesh-contact`: every face of meshes of real machines."""
+"""The chapter of `touchstone meshes`: every face of meshes of real machines."""
 from names import NAMED, of_method
 from page import bar, code, count, counted, escaped, percent, table, words
-from readings.real_input import Data, asked
+from readings.meshes import Data, asked
 
 TRUTH = "exact"  # with which all are compared, itself included
 TITLE = "Real input: every face of a robot cell"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Queries against the largest scene."""
-from readings.scenes import OURS, Data
+from readings.bench_scenes import OURS, Data
 from values.latex import count, escaped, table
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures of `touchstone bench --scene`, of queries.csv and builds.csv.
+"""Pictures of `touchstone bench-scenes`, of queries.csv and builds.csv.
 
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `touchstone scene`: answers are those of the scene, settings decide every byte, and what is wrong is named.
+// `touchstone scenes`: answers are those of the scene, settings decide every byte, and what is wrong is named.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -32,7 +32,7 @@ using run_tests::Scratch;
 using run_tests::text_of;
 
 Ran touchstone_scene(std::vector<std::string> arguments) {
-  return run_tests::run_captured(commands::add_scene, "scene", std::move(arguments));
+  return run_tests::run_captured(commands::add_scenes, "scenes", std::move(arguments));
 }
 
 std::vector<nlohmann::json> lines_of(const Ran& run) {
@@ -368,7 +368,7 @@ TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
   ::dup2(full, STDOUT_FILENO);
   std::string said;
   try {
-    (void)run_tests::run_command(commands::add_scene, "scene", {mesh, "--balls", balls});
+    (void)run_tests::run_command(commands::add_scenes, "scenes", {mesh, "--balls", balls});
   } catch (const std::exception& error) {
     said = error.what();
   }
