@@ -3,7 +3,7 @@
 
 // What every answer rests on: IEEE-754 doubles, evaluated as doubles, by a compiler that rewrites nothing.
 // Contraction to fused multiply-add cannot be seen from here; the build sets -ffp-contract=off. For flags that a
-// compiler defines no macro for, see robust/sound_arithmetic.h.
+// compiler defines no macro for, see robust/detail/sound_arithmetic.h.
 
 #include <cfloat>
 #include <limits>

@@ -15,7 +15,7 @@
 #include "experiments/cell/run_options.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {

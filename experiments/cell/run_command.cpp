@@ -19,7 +19,7 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/processes.h"
 #include "experiments/run/run_record.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {

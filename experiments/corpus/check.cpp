@@ -10,7 +10,7 @@
 
 #include "experiments/corpus/corpus_case.h"
 #include "experiments/corpus/rational_answer.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::corpus {
 namespace {

@@ -26,7 +26,7 @@
 #include "experiments/run/output_folder.h"
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "experiments/judge/strict_json.h"
 #include "experiments/judge/verdict.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::judge {

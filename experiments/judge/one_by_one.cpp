@@ -9,7 +9,7 @@
 #include "experiments/judge/engine_trial.h"
 #include "experiments/judge/input_lines.h"
 #include "experiments/judge/proceedings.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {

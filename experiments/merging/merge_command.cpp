@@ -22,7 +22,7 @@
 #include "experiments/run/run_record.h"
 #include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {

@@ -19,7 +19,7 @@
 #include "experiments/run/standard_output.h"
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {

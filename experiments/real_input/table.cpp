@@ -8,7 +8,7 @@
 #include "experiments/real_input/output.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::real_input {
 namespace {

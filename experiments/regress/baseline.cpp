@@ -13,7 +13,7 @@
 
 #include "experiments/judge/json_fault.h"
 #include "experiments/judge/strict_json.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::regress {
 namespace {

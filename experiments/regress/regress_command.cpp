@@ -22,7 +22,7 @@
 #include "experiments/run/whole_number.h"
 #include "experiments/run/write_file.h"
 #include "experiments/statistics/percent.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::commands {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "experiments/run/whole_number.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::run {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "experiments/run/run_record.h"
 #include "experiments/run/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::run {
 namespace {

@@ -31,7 +31,7 @@
 #include "experiments/scenes/ask.h"
 #include "experiments/scenes/output.h"
 #include "experiments/scenes/unit.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {

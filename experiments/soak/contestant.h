@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::soak {
@@ -41,11 +41,11 @@ class Contestant {
   }
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_engine().plain.contact(ball, polygon.parts(), none);
+    return filtered::baseline_engine().plain.contact(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual Answer plain_answer(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_engine().plain.answer(ball, polygon.parts(), none);
+    return filtered::baseline_engine().plain.answer(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual filtered::ClosestPoint plain_closest(const Eigen::Vector3d& center,
                                                              const Triangle& triangle) const {

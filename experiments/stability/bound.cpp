@@ -10,10 +10,10 @@
 
 #include "experiments/stability/measure.h"
 #include "geometry/contact/fast.h"
-#include "robust/filtered/exact_edges.h"
-#include "robust/filtered/frame_query.h"
-#include "robust/filtered/sign_kind.h"
-#include "robust/filtered/sign_ladder.h"
+#include "robust/filtered/detail/exact_edges.h"
+#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/detail/sign_ladder.h"
 
 namespace touchstone::stability {
 namespace {
@@ -215,7 +215,7 @@ BoundTrial::BoundTrial(const Polygon& polygon)
 void BoundTrial::observe(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                          std::vector<Observation>& observations) const {
   observe_signs_in_doubles(ball, edge, mode, bound_factor, observations);
-  const auto& frame = prepared_.parts().frame;
+  const auto& frame = parts_of(prepared_).frame;
   if (frame && std::max(largest(ball.center), ball.radius) <= frame->reachable) {
     observe_frame(ball, edge, mode, bound_factor, observations);
     observe_prepared_signs(ball, edge, bound_factor, observations);
@@ -250,7 +250,7 @@ void BoundTrial::observe_signs_in_doubles(const Ball& ball, std::size_t edge, co
 /// As ExactEdges asks them: in the frame's unit of length, lifted.
 void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, double bound_factor,
                                         std::vector<Observation>& observations) const {
-  const auto& parts = prepared_.parts();
+  const auto& parts = parts_of(prepared_);
   filtered::NoCounts none;
   const filtered::ExactEdges edges(ball, parts, none);
   if (!edges.scales()) return;
@@ -281,7 +281,7 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
 
 void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                                std::vector<Observation>& observations) const {
-  const filtered::Frame& frame = *prepared_.parts().frame;
+  const filtered::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
     const Environment environment(frame.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
     return quantities_in_frame(ball, frame, edge);

@@ -7,7 +7,7 @@
 #include "experiments/stability/rational.h"
 #include "experiments/workloads/doubles.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/signs.h"
+#include "robust/filtered/detail/signs.h"
 
 namespace touchstone::stability {
 namespace {

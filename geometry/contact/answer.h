@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/floating_point.h"
-#include "geometry/same_number.h"
+#include "../floating_point.h"
+#include "../same_number.h"
 
 /// What is asked about: balls, polygons, triangles, meshes and poses; and what an answer consists of. Each way to
 /// answer is a namespace of its own.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/contact/fast_definitions.h"
+#include "geometry/contact/detail/fast_definitions.h"
 
 namespace touchstone::fast {
 
-#define TOUCHSTONE_INSTANTIATE(Scalar)                                                           \
-  template class PreparedPolygon<Scalar>;                                                        \
-  template bool contact(const Ball&, const PreparedPolygon<Scalar>&);                            \
-  template Relation relation(const Ball&, const PreparedPolygon<Scalar>&);                       \
-  template PlaneSide plane_side(const Ball&, const PreparedPolygon<Scalar>&);                    \
-  template FootPlace foot(const Ball&, const PreparedPolygon<Scalar>&);                          \
-  template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<Scalar>&);      \
+#define TOUCHSTONE_INSTANTIATE(Scalar)                                                      \
+  template class PreparedPolygon<Scalar>;                                                   \
+  template bool contact(const Ball&, const PreparedPolygon<Scalar>&);                       \
+  template Relation relation(const Ball&, const PreparedPolygon<Scalar>&);                  \
+  template PlaneSide plane_side(const Ball&, const PreparedPolygon<Scalar>&);               \
+  template FootPlace foot(const Ball&, const PreparedPolygon<Scalar>&);                     \
+  template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<Scalar>&); \
   template Answer answer(const Ball&, const PreparedPolygon<Scalar>&);
 
 TOUCHSTONE_INSTANTIATE(float)

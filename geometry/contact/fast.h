@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/plane.h"
-#include "geometry/shapes/polygon.h"
+#include "../shapes/ball.h"
+#include "../shapes/plane.h"
+#include "../shapes/polygon.h"
+#include "answer.h"
 
 /// The three tests of the thesis and the whole answer in plain floating point, as well as a careful engineer writes
 /// them: differences of the input before products, no root or division that a test does not need, touching counts.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/triangle.h"
+#include "../shapes/ball.h"
+#include "../shapes/triangle.h"
 
 namespace touchstone::fast {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/required.h"
+#include "geometry/detail/required.h"
 
 namespace touchstone::thesis {
 namespace {
@@ -145,9 +145,8 @@ template <class Scalar>
 bool contact(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   if (plane_side(ball, polygon) != PlaneSide::Intersects) return false;
   if (foot(ball, polygon) == FootPlace::Inside) return true;
-  return std::any_of(polygon.edges().begin(), polygon.edges().end(), [&](const Edge<Scalar>& edge) {
-    return hits<Scalar>(ball, edge, polygon.options().comparison);
-  });
+  return std::any_of(polygon.edges().begin(), polygon.edges().end(),
+                     [&](const Edge<Scalar>& edge) { return hits<Scalar>(ball, edge, polygon.options().comparison); });
 }
 
 template class PreparedPolygon<float>;

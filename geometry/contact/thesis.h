@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
+#include "../shapes/ball.h"
+#include "../shapes/polygon.h"
+#include "answer.h"
 
 /// The thesis's own method, as it was: the historical reference, with no tolerance and no care added.
 ///

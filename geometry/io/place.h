@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <string>
 
-#include "geometry/io/legible.h"
-
 /// How files are read.
 namespace touchstone::io {
 
@@ -18,9 +16,6 @@ struct Place {
 };
 
 /// `arm.stl: line 12: reason`.
-[[nodiscard]] inline std::string sentence(const std::string& file, Place place, const std::string& reason) {
-  return all_legible(file) + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) +
-         ": " + reason;
-}
+[[nodiscard]] std::string sentence(const std::string& file, Place place, const std::string& reason);
 
 }  // namespace touchstone::io

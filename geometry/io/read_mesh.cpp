@@ -11,11 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/io/legible.h"
-#include "geometry/io/mesh_builder.h"
-#include "geometry/io/mesh_formats.h"
-#include "geometry/io/mesh_source.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/mesh_builder.h"
+#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_source.h"
 
 namespace touchstone {
 namespace {

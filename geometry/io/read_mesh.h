@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/io/place.h"
-#include "geometry/shapes/mesh.h"
+#include "../shapes/mesh.h"
+#include "place.h"
 
 namespace touchstone {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "geometry/floating_point.h"
-#include "geometry/shapes/rejection.h"
+#include "../floating_point.h"
+#include "rejection.h"
 
 namespace touchstone {
 
@@ -13,7 +13,7 @@ namespace touchstone {
 ///
 /// Centre and radius are exact real numbers in one unit of length, that of the polygon asked about. Requires finite
 /// coordinates and a finite radius >= 0: what `find_fault` accepts. The contact functions do not look again; a debug
-/// build asserts it (geometry/required.h).
+/// build asserts it (geometry/detail/required.h).
 struct Ball {
   Eigen::Vector3d center;  ///< c
   double radius;           ///< r

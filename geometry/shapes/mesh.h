@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/floating_point.h"
+#include "../floating_point.h"
 
 namespace touchstone {
 

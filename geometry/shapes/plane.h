@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "geometry/floating_point.h"
+#include "../floating_point.h"
 
 namespace touchstone {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/floating_point.h"
-#include "geometry/shapes/rejection.h"
+#include "../floating_point.h"
+#include "rejection.h"
 
 namespace touchstone {
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "geometry/floating_point.h"
-#include "geometry/same_number.h"
+#include "../floating_point.h"
+#include "../same_number.h"
 
 namespace touchstone {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "geometry/floating_point.h"
+#include "../floating_point.h"
 
 namespace touchstone {
 
@@ -11,7 +11,7 @@ namespace touchstone {
 ///
 /// Coordinates are exact real numbers. Requires finite coordinates and vertices that are not collinear: what
 /// `exact::validate` accepts of the polygon with these three vertices. The contact functions do not look again; a debug
-/// build asserts what geometry/required.h says.
+/// build asserts what geometry/detail/required.h says.
 struct Triangle {
   /// @{
   /// Vertices 0, 1 and 2.

@@ -10,11 +10,11 @@
 #include <array>
 #include <cassert>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/required.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/nearest_double.h"
-#include "robust/sound_arithmetic.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/required.h"
+#include "robust/detail/sound_arithmetic.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::exact {
 namespace {
@@ -77,13 +77,15 @@ struct PreparedPolygon::Lifted {
   Vector normal;
   Number normal_squared;
   int dropped_axis;
-  Number scale;                   // > 0: what all lengths below are multiplied by
-  std::vector<Vector> vertices;   // lifted
+  Number scale;                  // > 0: what all lengths below are multiplied by
+  std::vector<Vector> vertices;  // lifted
   std::vector<std::size_t> next;
   double off_plane;
 
   explicit Lifted(const Polygon& polygon);
 };
+
+const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon) { return *polygon.lifted_; }
 
 PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0) {
   normal = newell_normal(polygon);
@@ -136,7 +138,7 @@ CGAL::Comparison_result compare(const Squared& a, const Squared& b) {
 /// A ball in the scaled space of a polygon.
 struct Query {
   Query(const Ball& ball, const PreparedPolygon& prepared)
-      : polygon(prepared.lifted()),
+      : polygon(lifted(prepared)),
         center(polygon.scale * vector(required(ball).center)),
         radius_squared(CGAL::square(polygon.scale * Number(ball.radius))),
         height(polygon.normal * (center - polygon.vertices[0])) {}
@@ -279,9 +281,7 @@ PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;
 PreparedPolygon& PreparedPolygon::operator=(PreparedPolygon&&) noexcept = default;
 PreparedPolygon::~PreparedPolygon() = default;
 
-bool contact(const Ball& ball, const PreparedPolygon& polygon) {
-  return relation(ball, polygon) != Relation::Separate;
-}
+bool contact(const Ball& ball, const PreparedPolygon& polygon) { return relation(ball, polygon) != Relation::Separate; }
 
 Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
@@ -310,15 +310,16 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
   const Query query(ball, polygon);
   const FootPlace place = foot(query);
   const auto [feature, distance] = nearest_feature(query, place);
-  return {.plane = plane_side(query),
-          .plane_tangent = query.against_radius(query.plane_distance()) == CGAL::EQUAL,
-          .foot = place,
-          .edges_hit = edges_hit(query),
-          .relation = relation(query, distance),
-          .nearest = feature,
-          .point = closest_point(query, feature),
-          .distance = rounded(distance.numerator, distance.denominator * CGAL::square(query.polygon.scale), nearest_root),
-          .off_plane = query.polygon.off_plane};
+  return {
+      .plane = plane_side(query),
+      .plane_tangent = query.against_radius(query.plane_distance()) == CGAL::EQUAL,
+      .foot = place,
+      .edges_hit = edges_hit(query),
+      .relation = relation(query, distance),
+      .nearest = feature,
+      .point = closest_point(query, feature),
+      .distance = rounded(distance.numerator, distance.denominator * CGAL::square(query.polygon.scale), nearest_root),
+      .off_plane = query.polygon.off_plane};
 }
 
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }

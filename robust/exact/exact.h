@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
+#include "../../geometry/contact/answer.h"
+#include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/polygon.h"
 
 /// The statement of the truth: the questions of `fast` over a CGAL exact kernel.
 ///
@@ -52,11 +52,10 @@ class PreparedPolygon {
   /// @}
   ~PreparedPolygon();
 
-  struct Lifted;
-  /// What was prepared; for the functions of this namespace.
-  [[nodiscard]] const Lifted& lifted() const { return *lifted_; }
+  struct Lifted;  ///< what was prepared, for the functions of this namespace: exact.cpp
 
  private:
+  friend const Lifted& lifted(const PreparedPolygon& polygon);
   std::unique_ptr<const Lifted> lifted_;
 };
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/edge_sweep.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::exact {
 namespace {
@@ -41,9 +41,9 @@ std::optional<Rejection> validate(const Polygon& polygon) {
 
   for (std::size_t loop = 1; loop < polygon.loop_count(); ++loop)
     if (!is_inside(loops, polygon.loop_begin(loop), 0, polygon.loop_end(0)))
-      return Rejection{RejectionCode::HoleOutside, loop_name(loop) + ": vertex " +
-                                                       std::to_string(polygon.loop_begin(loop)) +
-                                                       " is not inside the outer loop"};
+      return Rejection{
+          RejectionCode::HoleOutside,
+          loop_name(loop) + ": vertex " + std::to_string(polygon.loop_begin(loop)) + " is not inside the outer loop"};
   return std::nullopt;
 }
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/rejection.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/rejection.h"
 
 namespace touchstone::exact {
 

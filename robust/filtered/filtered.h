@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/triangle.h"
-#include "robust/filtered/stage.h"
+#include "../../geometry/contact/answer.h"
+#include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/triangle.h"
+#include "stage.h"
 
 /// The answers of `exact` at about the price of `fast`.
 ///
@@ -26,7 +26,8 @@
 ///  (1) each answer equals that of the function of the same name in `exact`, and so keeps all its identities;
 ///  (2) a batch gives what single questions give, in the same order;
 ///  (3) the answers are the same with and without vector instructions; only stages and times differ.
-/// Bounds: robust/filtered/bounds.h, proved in robust/proofs. Source: [shewchuk1997], [melquiond2007], [joldes2017].
+/// Bounds: robust/filtered/detail/bounds.h, proved in robust/proofs. Source: [shewchuk1997], [melquiond2007],
+/// [joldes2017].
 namespace touchstone::filtered {
 
 /// A polygon with all that does not depend on the ball: exact normal, an isometric frame in its plane with proved
@@ -47,11 +48,10 @@ class PreparedPolygon {
   /// @}
   ~PreparedPolygon();
 
-  struct Parts;
-  /// What was prepared; for the functions of this library.
-  [[nodiscard]] const Parts& parts() const { return *parts_; }
+  struct Parts;  ///< what was prepared, for the library's own functions: detail/prepared.h
 
  private:
+  friend const Parts& parts_of(const PreparedPolygon& polygon);
   std::unique_ptr<const Parts> parts_;
 };
 

@@ -14,13 +14,13 @@
 #include <utility>
 #include <variant>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/edge_sweep.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/validate.h"
-#include "robust/mesh/face_graph.h"
-#include "robust/mesh/face_plane.h"
-#include "robust/mesh/parts.h"
+#include "robust/mesh/detail/face_graph.h"
+#include "robust/mesh/detail/face_plane.h"
+#include "robust/mesh/detail/parts.h"
 #include "robust/mesh/weld.h"
 
 namespace touchstone::mesh {

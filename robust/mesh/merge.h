@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/shapes/mesh.h"
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/rejection.h"
+#include "../../geometry/shapes/mesh.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/rejection.h"
 
 /// What is made of meshes as they come, before balls are held against them: welded vertices, polygons of coplanar
 /// faces, objects of scenes.

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/shapes/mesh.h"
-#include "robust/mesh/merge.h"
-#include "robust/scene/scene.h"
+#include "../../geometry/shapes/mesh.h"
+#include "../scene/scene.h"
+#include "merge.h"
 
 namespace touchstone::mesh {
 

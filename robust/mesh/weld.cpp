@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 
 namespace touchstone::mesh {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/shapes/mesh.h"
+#include "../../geometry/shapes/mesh.h"
 
 namespace touchstone::mesh {
 

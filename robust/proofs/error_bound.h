@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "robust/filtered/vector3.h"
+#include "robust/filtered/detail/vector3.h"
 
 /// The error calculus in rationals: a number type whose operations carry the bounds that bounds.h's model gives.
 namespace touchstone::filtered::proofs {

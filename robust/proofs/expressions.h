@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/edge_frame.h"
-#include "robust/filtered/signs.h"
-#include "robust/filtered/vector3.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/edge_frame.h"
+#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/vector3.h"
 
 /// The one list of what is proved: every expression of signs.h and edge_frame.h with its inputs, its constant and the
 /// maxima that the constant is multiplied by, and what double_double.h makes of its operations. Records, error calculus

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/double_double.h"
 
 namespace touchstone::filtered::proofs {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robust/filtered/stage.h"
+#include "../filtered/stage.h"
 
 namespace touchstone::scene {
 

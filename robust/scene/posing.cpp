@@ -6,13 +6,13 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/nearest_double.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/numbers/double_double.h"
-#include "robust/filtered/numbers/permanent.h"
-#include "robust/scene/rounded_sum.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/scene/detail/rounded_sum.h"
 
 namespace touchstone::scene {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/pose.h"
-#include "geometry/shapes/triangle.h"
-#include "robust/filtered/stage.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/pose.h"
+#include "../../geometry/shapes/triangle.h"
+#include "../filtered/stage.h"
 
 /// Faces under a pose: every coordinate of R p + t is computed exactly and rounded once, to the nearest double, ties to
 /// even. The same bits on every machine, whatever the caller's rounding mode and flush-to-zero setting, which are left

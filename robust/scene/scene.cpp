@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/required.h"
-#include "robust/scene/engine.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/required.h"
+#include "robust/scene/detail/walks.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {

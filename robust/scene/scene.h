@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/pose.h"
-#include "geometry/shapes/triangle.h"
-#include "robust/scene/counts.h"
+#include "../../geometry/contact/answer.h"
+#include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/pose.h"
+#include "../../geometry/shapes/triangle.h"
+#include "counts.h"
 
 /// Many faces at once: exact contact questions about whole scenes, at a price that grows with what a ball is near.
 ///

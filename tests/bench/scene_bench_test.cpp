@@ -13,7 +13,7 @@
 #include "experiments/bench/scene/brute_force.h"
 #include "experiments/bench/scene/output.h"
 #include "experiments/commands.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/bench/run_bench.h"

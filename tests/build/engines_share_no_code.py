@@ -12,7 +12,7 @@ member, engine, shared = None, [], []
 for line in symbols.stdout.splitlines():
     if line.endswith(":"):
         member = line[:-1]
-    elif member == "engine_avx2.cpp.o" and line.strip():
+    elif member and member.endswith("_avx2.cpp.o") and line.strip():
         kind, name = line.split(None, 2)[1:]
         if kind in "TWVu":
             engine.append(name)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/exact/dropped_axis.h"
+#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/contact/hand_cases.h"
 #include "tests/contact/printing.h"

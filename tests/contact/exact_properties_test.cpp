@@ -9,7 +9,7 @@
 #include <map>
 
 #include "experiments/workloads/doubles.h"
-#include "robust/exact/dropped_axis.h"
+#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/contact/generators.h"
 #include "tests/contact/printing.h"

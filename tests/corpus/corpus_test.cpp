@@ -11,7 +11,7 @@
 #include "experiments/workloads/doubles.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/contact/environment.h"
 #include "tests/corpus/stored.h"
 

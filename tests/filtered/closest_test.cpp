@@ -8,7 +8,7 @@
 
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/contact/printing.h"
 #include "tests/filtered/hard_cases.h"
 

@@ -7,7 +7,7 @@
 
 #include "experiments/workloads/doubles.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/bounds.h"
+#include "robust/filtered/detail/bounds.h"
 #include "tests/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {

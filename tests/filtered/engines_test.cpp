@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/contact/printing.h"
 #include "tests/filtered/hard_cases.h"
 
@@ -42,7 +42,7 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
 template <class Counts>
 void expect_exact_answers(const filtered::Questions<Counts>& ask, const Case& c, const Answer& truth) {
   const filtered::PreparedPolygon prepared(c.polygon);
-  const auto& parts = prepared.parts();
+  const auto& parts = parts_of(prepared);
   Counts counts;
   RC_ASSERT(ask.answer(c.ball, parts, counts) == truth);
   RC_ASSERT(ask.contact(c.ball, parts, counts) == truth.contact());
@@ -61,7 +61,7 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnPolygons, ()) {
     const filtered::PreparedPolygon prepared(c.polygon);
     const std::vector<Ball> balls(7, c.ball);
     std::array<bool, 7> found{};
-    engine->balls_contact(balls, prepared.parts(), found);
+    engine->balls_contact(balls, parts_of(prepared), found);
     RC_ASSERT(std::count(std::begin(found), std::end(found), truth.contact()) == 7);
   }
 }

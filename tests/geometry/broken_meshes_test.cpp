@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/io/mesh_formats.h"
+#include "geometry/io/detail/mesh_formats.h"
 #include "tests/geometry/mesh_fixture.h"
 #include "tests/run/address_sanitizer.h"
 

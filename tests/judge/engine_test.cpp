@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "tests/judge/run_judge.h"
 
 namespace touchstone::judge_tests {

@@ -12,7 +12,7 @@
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/contact/environment.h"
 #include "tests/lattice/lattice_case.h"
 
@@ -66,8 +66,8 @@ class Examiner {
 
   void ask(const Questions& questions, int mode) {
     for (const filtered::Engine* engine : engines()) {
-      const auto foot = [&](const Ball& ball) { return engine->plain.foot(ball, prepared_.parts(), none_); };
-      const auto relation = [&](const Ball& ball) { return engine->plain.relation(ball, prepared_.parts(), none_); };
+      const auto foot = [&](const Ball& ball) { return engine->plain.foot(ball, parts_of(prepared_), none_); };
+      const auto relation = [&](const Ball& ball) { return engine->plain.relation(ball, parts_of(prepared_), none_); };
       hold(questions, mode, foot, relation, engine == engines().front() ? "baseline" : "fastest");
     }
     tally_.questions += 1 + questions.radii.size();

@@ -8,7 +8,7 @@
 #include "experiments/workloads/doubles.h"
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
-#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/mesh/weld.h"
 #include "tests/contact/signed_zeros.h"
 

@@ -6,9 +6,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/closest_point.h"
-#include "robust/filtered/signs.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/proofs/rationals.h"
 

@@ -7,8 +7,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/edge_frame.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/edge_frame.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/proofs/rationals.h"
 

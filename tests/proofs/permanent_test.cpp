@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bound that Permanent carries, in exact rationals over the same expressions.
-#include "robust/filtered/numbers/permanent.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

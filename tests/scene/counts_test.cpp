@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/engine.h"
-#include "robust/filtered/unlimited_sign.h"
+#include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/scene/adversarial_scenes.h"
 
 namespace touchstone::scene_tests {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/floating_point_state.h"
-#include "robust/scene/engine.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/scene/detail/walks.h"
 #include "tests/contact/printing.h"
 #include "tests/scene/adversarial_scenes.h"
 

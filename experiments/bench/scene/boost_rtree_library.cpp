@@ -9,8 +9,8 @@
 
 #include "experiments/bench/ericson.h"
 #include "experiments/bench/scene/library.h"
+#include "geometry/bvh/box.h"
 #include "geometry/contact/fast_triangle.h"
-#include "geometry/scene/box.h"
 
 namespace touchstone::bench {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "experiments/judge/comparison.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/lifted_box.h"
+#include "robust/scene/detail/lifted_box.h"
 
 namespace touchstone::cell {
 namespace {

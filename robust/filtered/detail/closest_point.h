@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "robust/filtered/detail/exact_edges.h"
+
+/// The closest point and the distance, correctly rounded: double-doubles with a rounding test, unlimited integers where
+/// that is ambiguous.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// A double-double and how far it may be from what it stands for: 0, or at least 2 u |low|, u = 2^-53. Every error here
+/// that is not 0 holds two units of the value's size (bounds::kDoubleDoubleUnit), and so more than that.
+struct Enclosed {
+  DoubleDouble value;
+  double error;
+};
+
+/// Do all numbers within the error of high + low round to high? Requires |low| <= ulp(high) / 2, an error as in
+/// Enclosed, and round to nearest. Shown in toy arithmetic for all operands: the sums are rounded, too, and twice such
+/// an error pays for that.
+template <class Number>
+constexpr bool surely_nearest(const Number& high, const Number& low, const Number& error) {
+  const Number wide = error + error;
+  return high + (low + wide) == high && high + (low - wide) == high;  // compared as rounded
+}
+
+/// The double nearest to the number times 2^exponent, if every number within the error rounds to it, as a normal
+/// double or as an exact zero.
+inline std::optional<double> rounded(const Enclosed& number, int exponent) {
+  const double high = number.value.high, low = number.value.low;
+  if (high == 0 && low == 0 && number.error == 0) return 0.0;            // exact
+  assert(number.error == 0 || number.error >= 0x1p-52 * std::abs(low));  // exact
+  if (!surely_nearest(high, low, number.error)) return std::nullopt;
+  const double result = std::ldexp(high, exponent);
+  if (!(std::abs(result) >= 0x1p-1020 && std::abs(result) < 0x1p1023)) return std::nullopt;
+  return result;
+}
+
+// Below these sizes squares or steps may underflow, and what is said of errors does not hold. Above them what underflow
+// makes of a step, of its direction's components too, is less than the two units of the result leave over.
+inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
+
+/// A coordinate of the feature's point that is closest to the centre, as the nearest double, zeros as +0. `edges` are
+/// those of a prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
+///
+/// Requires that a component of a direction is known relatively to itself, but for what is lifted and for kNormalError:
+/// a coordinate that the step hardly moves is known better than the step is long.
+template <class Edges>
+double closest_point(const Edges& edges, const Feature& feature, int axis) {
+  const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
+  const bool moved = edges.lifts(axis);
+  if (vertex && !moved) return edges.given_vertex(feature.index, axis) + 0.0;  // -0 becomes +0
+
+  const auto in_doubles = [&]() -> std::optional<double> {
+    if (!edges.scales()) return std::nullopt;
+    const int exponent = edges.exponent();
+    DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
+    if (moved && !face) start = start + edges.lift(feature.index);
+    const double lift_error = moved ? 2 * bounds::kLift : 0;
+    if (vertex) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
+
+    // The start and a share of a direction.
+    const auto seen = edges.seen(feature.index);
+    using Seen = decltype(seen);
+    const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
+    const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+    if (maximum < kShortestDirection) return std::nullopt;
+    if (!moved && direction[axis].high == 0) {  // exact
+      if (!face || seen.no_normal(axis)) return rounded({start, 0}, exponent);
+      if (Seen::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
+    }
+    const DoubleDouble length_squared = dot(direction, direction);
+    const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
+    const DoubleDouble value = face ? start - step : start + step;
+    if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
+    const double share = std::abs(direction[axis].high) / length_squared.high +
+                         (face ? Seen::kNormalError / std::sqrt(length_squared.high) : 0);
+    const double error = bounds::kClosest * (seen.maxima.from * maximum * share) +
+                         bounds::kClosest * (seen.lifted ? seen.maxima.edge : 0) +
+                         2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
+    return rounded({value, error}, exponent);
+  };
+  if (const auto result = in_doubles()) {
+    edges.counts().count(Stage::DoubleDouble);
+    return *result;
+  }
+  edges.counts().count(Stage::Unlimited);
+  return edges.unlimited_point(feature, axis);
+}
+
+/// The distance of the ball's centre from the feature's plane, line or point, as the nearest double.
+template <class Edges>
+double distance(const Edges& edges, const Feature& feature) {
+  const auto in_doubles = [&]() -> std::optional<double> {
+    if (!edges.scales()) return std::nullopt;
+    const auto seen = edges.seen(feature.index);
+    const auto enclosed = [&]() -> Enclosed {
+      if (feature.kind == Feature::Kind::Vertex) {
+        const DoubleDouble value = sqrt(dot(seen.from, seen.from));
+        return {value, bounds::kClosest * (value.high + (seen.lifted ? seen.maxima.from : 0))};
+      }
+      const bool face = feature.kind == Feature::Kind::Face;
+      const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
+      const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+      if (maximum < kShortestDirection) return {};
+      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(seen.normal, seen.from);
+      const auto moment = cross(seen.from, seen.edge);
+      const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
+      const DoubleDouble value = product / length;
+      return {value, bounds::kClosest * (seen.maxima.from * maximum / length.high + value.high)};
+    }();
+    if (is_zero(seen.from) && !seen.lifted) return 0;
+    if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
+    return rounded(enclosed, edges.exponent());
+  };
+  if (const auto result = in_doubles()) {
+    edges.counts().count(Stage::DoubleDouble);
+    return *result;
+  }
+  edges.counts().count(Stage::Unlimited);
+  return edges.unlimited_distance(feature);
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

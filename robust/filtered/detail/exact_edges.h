@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/sign_ladder.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// The edges of a prepared polygon as seen from a ball, for signs that the frame could not tell.
+///
+/// Requires a frame, round to nearest and no flush-to-zero while it lives.
+template <class Counts>
+class ExactEdges {
+ public:
+  ExactEdges(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts)
+      : ball_(ball), parts_(parts), counts_(counts), radius_(scaled(ball.radius)), usable_(restores(ball.radius)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      center_[axis] = scaled(ball.center[axis]);
+      usable_ = usable_ && restores(ball.center[axis]);
+    }
+  }
+
+  [[nodiscard]] Counts& counts() const { return counts_; }
+
+  /// The centre in the frame's unit of length, 2^exponent, exact where `scales`.
+  [[nodiscard]] double center(int axis) const { return center_[axis]; }
+  [[nodiscard]] bool scales() const { return usable_; }
+  [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
+  /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length; and as it was given.
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
+  [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
+  /// Are vertices lifted along this axis? How far, to bounds::kLift.
+  [[nodiscard]] bool lifts(int axis) const {
+    return !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
+  }
+  [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
+
+  /// The last word on closest points and distances.
+  [[nodiscard]] double unlimited_point(const Feature& feature, int axis) const {
+    return parts_.unlimited.point(ball_, feature, axis);
+  }
+  [[nodiscard]] double unlimited_distance(const Feature& feature) const {
+    return parts_.unlimited.distance(ball_, feature);
+  }
+
+  template <SignKind kind>
+  [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
+    const auto unlimited = [&] { return parts_.unlimited.sign(kind, ball_, edge, axis); };
+    if (!usable_) {
+      counts_.count(Stage::Unlimited);
+      return unlimited();
+    }
+    return exact_sign<kind>(seen(edge).question(axis), counts_, unlimited);
+  }
+
+  /// Distance to the edge against the radius: > is +, = is 0, < is -.
+  [[nodiscard]] int distance_sign(std::size_t edge) const {
+    if (sign<SignKind::Along>(edge) <= 0) return sign<SignKind::Vertex>(edge);
+    if (sign<SignKind::Beyond>(edge) >= 0) return sign<SignKind::Vertex>(parts_.polygon.next(edge));
+    return sign<SignKind::Line>(edge);
+  }
+
+  /// An edge as seen from the ball.
+  struct Seen {
+    Vector3<DoubleDouble> from, edge;
+    const Vector3<DoubleDouble>& normal;
+    double radius;
+    Maxima maxima;
+    bool lifted, exact_normal;
+
+    [[nodiscard]] EdgeInQuestion question(int axis) const {
+      return {from, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
+    }
+    /// Is this component of the normal zero?
+    [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
+    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum: not at all, for
+    /// LiftedPolygon knows each of them relatively to itself.
+    static constexpr double kNormalError = 0;
+  };
+
+  [[nodiscard]] Seen seen(std::size_t edge) const {
+    const std::size_t next = parts_.polygon.next(edge);
+    const LiftedPolygon& lifted = parts_.lifted;
+    const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
+    Seen s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
+           {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
+            two_difference(vertex(next, 2), p[2])},
+           lifted.normal,
+           radius_,
+           {radius_, 0, lifted.normal_maximum},
+           !lifted.lifts.empty(),
+           lifted.exact_normal};
+    s.maxima.edge = largest(s.edge);
+    if (s.lifted) {
+      s.maxima.from = std::max(s.maxima.from, bounds::kLiftedMaximum);
+      s.maxima.edge *= bounds::kLiftedMaximum;
+      const int k = parts_.unlimited.dropped_axis();
+      DoubleDouble& from_k = k == 0 ? s.from.x : k == 1 ? s.from.y : s.from.z;
+      DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
+      from_k = from_k - lifted.lifts[edge];
+      edge_k = edge_k - dot(lifted.normal, s.edge) / lifted.normal[k];
+    }
+    s.maxima.from = std::max(s.maxima.from, largest(s.from));
+    s.maxima.edge = std::max(s.maxima.edge, largest(s.edge));
+    return s;
+  }
+
+ private:
+  static double largest(const Vector3<DoubleDouble>& v) {
+    return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
+  }
+  [[nodiscard]] double scaled(double length) const { return length * parts_.frame->scale[0] * parts_.frame->scale[1]; }
+  [[nodiscard]] bool restores(double length) const {
+    return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
+  }
+
+  const Ball& ball_;
+  const PreparedPolygon::Parts& parts_;
+  Counts& counts_;
+  double center_[3], radius_;
+  bool usable_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

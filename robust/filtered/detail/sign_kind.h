@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/signs.h"
+
+namespace touchstone::filtered {
+
+/// The signs of signs.h by name, so that every stage can be asked for the same one.
+enum class SignKind { Vertex, Along, Beyond, Line, Front, Plane, Side, Above };
+
+inline namespace TOUCHSTONE_TARGET {
+
+/// The largest magnitudes of the components of `from` (and of r), `edge` and `normal`.
+struct Maxima {
+  double from, edge, normal;
+};
+
+/// The sign's expression over the numbers of an edge as seen from a ball: `from`, `edge`, `normal`, `radius`, and for
+/// Above the coordinate that it is about.
+template <SignKind kind, class View>
+constexpr auto expression(const View& view) {
+  if constexpr (kind == SignKind::Vertex) return signs::vertex(view.from(), view.radius());
+  if constexpr (kind == SignKind::Along) return signs::along(view.from(), view.edge());
+  if constexpr (kind == SignKind::Beyond) return signs::beyond(view.from(), view.edge());
+  if constexpr (kind == SignKind::Line) return signs::line(view.from(), view.edge(), view.radius());
+  if constexpr (kind == SignKind::Front) return signs::front(view.normal(), view.from());
+  if constexpr (kind == SignKind::Plane) return signs::plane(view.normal(), view.from(), view.radius());
+  if constexpr (kind == SignKind::Side) return signs::side(view.normal(), view.edge(), view.from());
+  if constexpr (kind == SignKind::Above) {
+    const auto from = view.from();
+    const auto normal = view.normal();
+    return signs::above(normal, from, normal[view.axis()], from[view.axis()]);
+  }
+}
+
+/// The sign of the expression over numbers that have an exact `sign`.
+template <class View>
+int expression_sign(SignKind kind, const View& view) {
+  switch (kind) {
+    case SignKind::Vertex: return sign(expression<SignKind::Vertex>(view));
+    case SignKind::Along: return sign(expression<SignKind::Along>(view));
+    case SignKind::Beyond: return sign(expression<SignKind::Beyond>(view));
+    case SignKind::Line: return sign(expression<SignKind::Line>(view));
+    case SignKind::Front: return sign(expression<SignKind::Front>(view));
+    case SignKind::Plane: return sign(expression<SignKind::Plane>(view));
+    case SignKind::Side: return sign(expression<SignKind::Side>(view));
+    case SignKind::Above: break;
+  }
+  return sign(expression<SignKind::Above>(view));
+}
+
+/// How far the expression may be off, in units of relative rounding, but for kTiny.
+template <SignKind kind>
+constexpr double bound(const Maxima& m) {
+  switch (kind) {
+    case SignKind::Vertex: return bounds::kVertex * (m.from * m.from);
+    case SignKind::Along: return bounds::kAlong * (m.from * m.edge);
+    case SignKind::Beyond: return bounds::kBeyond * (m.edge * (m.from > m.edge ? m.from : m.edge));
+    case SignKind::Line: return bounds::kLine * (m.from * m.edge) * (m.from * m.edge);
+    case SignKind::Front: return bounds::kFront * (m.normal * m.from);
+    case SignKind::Plane: return bounds::kPlane * (m.normal * m.from) * (m.normal * m.from);
+    case SignKind::Side: return bounds::kSide * (m.normal * m.edge * m.from);
+    case SignKind::Above: return bounds::kAbove * (m.normal * m.normal * m.from);
+  }
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

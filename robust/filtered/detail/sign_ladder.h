@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/integer.h"
+#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/stage.h"
+
+/// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, unlimited.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// An edge as seen from a ball, in double-doubles.
+///
+/// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to
+/// bounds::kNormal times that (the input that bounds.h asks for).
+struct EdgeInQuestion {
+  const Vector3<DoubleDouble>&from, &edge, &normal;
+  double radius;
+  int axis;       ///< of SignKind::Above
+  Maxima maxima;  ///< each at most bounds::kLargest
+  bool lifted;    ///< some vertex is not where its double says
+  /// Where the normal comes from, if it is that of a triangle: two edges; else the normal's bits are all in `normal`
+  /// or `exact_normal` is false.
+  const Vector3<DoubleDouble>* normal_edges;
+  bool exact_normal;
+};
+
+struct DoubleDoubleView {
+  const EdgeInQuestion& question;
+  [[nodiscard]] const Vector3<DoubleDouble>& from() const { return question.from; }
+  [[nodiscard]] const Vector3<DoubleDouble>& edge() const { return question.edge; }
+  [[nodiscard]] const Vector3<DoubleDouble>& normal() const { return question.normal; }
+  [[nodiscard]] DoubleDouble radius() const { return question.radius; }
+  [[nodiscard]] int axis() const { return question.axis; }
+};
+
+/// The doubles nearest to the differences and to the normal.
+struct PermanentView {
+  const EdgeInQuestion& question;
+  using Vector = Vector3<Permanent<1>>;
+
+  /// Half a unit in the last place is u |high|; what a double-double may be off is far below u 2^-40 of its maximum.
+  static Vector rounded(const Vector3<DoubleDouble>& v, double maximum) {
+    const auto component = [slack = 0x1p-40 * maximum](const DoubleDouble& x) {
+      return Permanent<1>{x.high, std::abs(x.high) + slack};
+    };
+    return {component(v.x), component(v.y), component(v.z)};
+  }
+  [[nodiscard]] Vector from() const { return rounded(question.from, question.lifted ? question.maxima.from : 0); }
+  [[nodiscard]] Vector edge() const { return rounded(question.edge, question.lifted ? question.maxima.edge : 0); }
+  [[nodiscard]] Vector normal() const { return rounded(question.normal, question.maxima.normal); }
+  [[nodiscard]] Permanent<0> radius() const { return exact_double(question.radius); }
+  [[nodiscard]] int axis() const { return question.axis; }
+};
+
+/// Everything times a power of two, as integers of at most Bits bits (the normal: 2 Bits + 1).
+template <int Bits>
+class IntegerView {
+ public:
+  /// Requires that nothing is lifted.
+  explicit IntegerView(const EdgeInQuestion& question) : question_(question), scale_(0), fits_(false) {
+    if (!short_enough(question.from) || !short_enough(question.edge)) return;
+    // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
+    int shift = Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge));
+    if (question.normal_edges == nullptr) shift = std::min(shift, (2 * Bits - exponent(question.maxima.normal)) >> 1);
+    if (shift > 400) return;
+    scale_ = power_of_two(shift);
+    fits_ = whole(question.from) && whole(question.edge) && whole(question.radius, scale_) && whole_normal();
+  }
+
+  /// Are all of them whole numbers after the scaling?
+  [[nodiscard]] bool fits() const { return fits_; }
+
+  using Vector = Vector3<Integer<Bits>>;
+  using Normal = Vector3<Integer<2 * Bits + 1>>;
+  [[nodiscard]] Vector from() const { return integers(question_.from); }
+  [[nodiscard]] Vector edge() const { return integers(question_.edge); }
+  [[nodiscard]] Normal normal() const {
+    if (question_.normal_edges != nullptr)
+      return signs::normal(integers(question_.normal_edges[0]), integers(question_.normal_edges[1]));
+    const auto integer = [scale = scale_ * scale_](const DoubleDouble& x) {
+      using Storage = typename Integer<2 * Bits + 1>::Storage;
+      return Integer<2 * Bits + 1>(static_cast<Storage>(x.high * scale) + static_cast<Storage>(x.low * scale));
+    };
+    return {integer(question_.normal.x), integer(question_.normal.y), integer(question_.normal.z)};
+  }
+  [[nodiscard]] Integer<Bits> radius() const { return integer(question_.radius); }
+  [[nodiscard]] int axis() const { return question_.axis; }
+
+ private:
+  static int exponent(double normal) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(normal) >> 52 & 0x7ff) - 1023;
+  }
+  static double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  }
+  /// No component has more than Bits bits, and none a tail: what most numbers fail at once.
+  static bool short_enough(const Vector3<DoubleDouble>& v) {
+    if (v.x.low != 0 || v.y.low != 0 || v.z.low != 0) return false;  // exact: tails of error-free differences
+    constexpr std::uint64_t rest = Bits < 53 ? (std::uint64_t{1} << (53 - std::min(Bits, 53))) - 1 : 0;
+    const auto bits = [](const DoubleDouble& x) { return std::bit_cast<std::uint64_t>(x.high); };
+    return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
+  }
+  static bool whole(double value) {
+    // From 2^53 on every double is whole.
+    return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
+  }
+  /// Whole after the scaling, which must not have made a zero of it.
+  static bool whole(double length, double scale) {
+    const double scaled = length * scale;
+    return whole(scaled) && (scaled != 0 || length == 0);  // exact
+  }
+  [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
+    return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);
+  }
+  [[nodiscard]] bool whole_normal() const {
+    if (question_.normal_edges != nullptr) {
+      const auto &u = question_.normal_edges[0], &v = question_.normal_edges[1];
+      return short_enough(u) && short_enough(v) && whole(u) && whole(v);
+    }
+    const double scale = scale_ * scale_;
+    const auto component = [scale](const DoubleDouble& x) { return whole(x.high, scale) && whole(x.low, scale); };
+    return question_.exact_normal && component(question_.normal.x) && component(question_.normal.y) &&
+           component(question_.normal.z);
+  }
+  [[nodiscard]] Integer<Bits> integer(double value) const {
+    return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
+  }
+  [[nodiscard]] Vector integers(const Vector3<DoubleDouble>& v) const {
+    return {integer(v.x.high), integer(v.y.high), integer(v.z.high)};
+  }
+
+  const EdgeInQuestion& question_;
+  double scale_;
+  bool fits_;
+};
+
+/// The sign of double-doubles where their bound is sure of it, else 0.
+template <SignKind kind>
+int sure_sign(const EdgeInQuestion& question) {
+  const double value = expression<kind>(DoubleDoubleView{question}).high;
+  // high is within half a unit of its last place of the double-double, whose sign it has; each constant pays
+  // for that and for the rounding of the bound.
+  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(question.maxima) + bounds::kTiny;
+  return (value > largest) - (value < -largest);
+}
+
+[[nodiscard]] inline bool is_zero(const Vector3<DoubleDouble>& v) {
+  return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
+}
+
+/// The centre is at the edge's start, and every product is with zero.
+template <SignKind kind>
+bool vanishes(const EdgeInQuestion& question) {
+  if (question.lifted || !is_zero(question.from)) return false;
+  constexpr bool linear =
+      kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side || kind == SignKind::Above;
+  return linear || (kind != SignKind::Beyond && question.radius == 0);
+}
+
+/// The exact sign. `unlimited()` is asked last. Requires round to nearest, without flush-to-zero.
+template <SignKind kind, class Unlimited, class Counts>
+int exact_sign(const EdgeInQuestion& question, Counts& counts, const Unlimited& unlimited) {
+  if (const int sign = sure_sign(expression<kind>(PermanentView{question}), bounds::kTiny)) {
+    counts.count(Stage::Permanent);
+    return sign;
+  }
+  if (vanishes<kind>(question)) {
+    counts.count(Stage::DoubleDouble);
+    return 0;
+  }
+  if (!question.lifted) {
+    if (const IntegerView<30> view(question); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  if (const int sign = sure_sign<kind>(question)) {
+    counts.count(Stage::DoubleDouble);
+    return sign;
+  }
+  if (!question.lifted) {
+    if (const IntegerView<62> view(question); view.fits()) {
+      counts.count(Stage::FixedInteger);
+      return expression<kind>(view).sign();
+    }
+  }
+  counts.count(Stage::Unlimited);
+  return unlimited();
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

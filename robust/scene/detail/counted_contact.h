@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/shapes/polygon.h"
+#include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/sign_ladder.h"
+#include "robust/filtered/detail/triangle_contact.h"
+#include "robust/scene/detail/tally.h"
+
+/// The contact question about one face, and why its answer is what it is. The plain walks do not use it.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+using filtered::SignKind;
+using filtered::TriangleQuestion;
+
+/// The exact sign for edge i of a triangle. Requires round to nearest, without flush-to-zero.
+template <SignKind kind>
+int sign(const TriangleQuestion& question, int i) {
+  using Vector = filtered::Vector3<filtered::DoubleDouble>;
+  const auto unlimited = [&] { return filtered::unlimited_sign(kind, question, i); };
+  if (filtered::largest_number(question) > filtered::bounds::kLargest / 2) return unlimited();
+  const auto difference = [](const double* a, const double* b) -> Vector {
+    using filtered::two_difference;
+    return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
+  };
+  const auto edge = [&](int k) { return difference(question.vertex[(k + 1) % 3], question.vertex[k]); };
+  const auto largest = [](const Vector& v) {
+    return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
+  };
+  const Vector from = difference(question.center, question.vertex[i]), along = edge(i);
+  const Vector normal_edges[] = {edge(0), edge(1)};
+  const Vector normal = filtered::signs::normal(normal_edges[0], normal_edges[1]);
+  const double longest = std::max({largest(edge(0)), largest(edge(1)), largest(edge(2))});
+  const filtered::Maxima maxima{std::max(largest(from), question.radius()), longest, 2 * longest * longest};
+  filtered::NoCounts counts;
+  return filtered::exact_sign<kind>({from, along, normal, question.radius(), 0, maxima, false, normal_edges, false},
+                                    counts, unlimited);
+}
+
+/// Of a triangle that the ball does not touch.
+inline Fate fate_of_missed(const TriangleQuestion& question) {
+  if (sign<SignKind::Plane>(question, 0) > 0) return Fate::Slab;
+  for (int i = 0; i < 3; ++i)
+    if (sign<SignKind::Side>(question, i) < 0 && sign<SignKind::Line>(question, i) > 0) return Fate::Foot;
+  return Fate::Edges;
+}
+
+inline bool foot_outside(const TriangleQuestion& question) {
+  for (int i = 0; i < 3; ++i)
+    if (sign<SignKind::Side>(question, i) < 0) return true;
+  return false;
+}
+
+inline bool touches(const Ball& ball, const Triangle& triangle, Tally& tally) {
+  const TriangleQuestion question = filtered::question(ball, triangle);
+  filtered::StageCounts stages;
+  const bool touched = filtered::contact(question, stages);
+  const Fate fate = touched ? Fate::Touched : fate_of_missed(question);
+  const bool by_edges = fate == Fate::Edges || (touched && foot_outside(question));
+  tally.meet(fate, stages.last(), by_edges ? 3 : 0);
+  return touched;
+}
+
+/// How many edges the walk of filtered::contact through the polygon's hierarchy comes to: the same walk again.
+inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPolygon::Parts& parts) {
+  const double largest =
+      std::max({std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2]), ball.radius});
+  if (!parts.frame || largest > parts.frame->reachable) return parts.polygon.vertex_count();
+  const filtered::HeightQuery height(ball, *parts.frame);
+  if (height.plane_sign() > 0) return 0;
+  const filtered::FrameQuery query(height, *parts.frame);
+  const double reach = filtered::larger(query.sure_miss, query.near);
+  std::size_t edges = 0;
+  const auto look = [&](const filtered::EdgeTree::Leaf& leaf, const filtered::LeafView& view) {
+    edges += leaf.count;
+    const unsigned hit = negative_lanes(view.squared - filtered::all_lanes(query.sure_hit));
+    return (hit & ((1U << leaf.count) - 1)) != 0;
+  };
+  (void)filtered::walk(parts.frame->edges, query, reach, look);
+  return edges;
+}
+
+inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, Tally& tally) {
+  filtered::StageCounts stages;
+  const bool touched = filtered::contact(ball, polygon, stages);
+  const bool slab = !touched && filtered::plane_side(ball, polygon) != PlaneSide::Intersects;
+  const std::size_t edges = edges_looked_at(ball, parts_of(polygon));
+  const Fate fate = touched ? Fate::Touched : slab ? Fate::Slab : edges == 0 ? Fate::Foot : Fate::Edges;
+  tally.meet(fate, stages.last(), edges);
+  return touched;
+}
+
+/// Where the answer is known those who count go on, to see what is left.
+template <class Face>
+bool ends(const Ball& ball, const Face& face, Tally& tally) {
+  if (tally.answered())
+    tally.pass();
+  else if (touches(ball, face, tally))
+    tally.answer();
+  return false;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

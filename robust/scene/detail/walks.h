@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/shapes/ball.h"
+#include "robust/scene/detail/face_sets.h"
+#include "robust/scene/detail/nearest_search.h"
+#include "robust/scene/detail/tally.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scene {
+
+/// The walks through an object, for one way of counting (NoTally, Tally).
+///
+/// Requires round to nearest, without flush-to-zero.
+template <class T>
+struct Walks {
+  /// With a Tally the answer is `answered`, not what is returned: the walk goes on and counts what is left.
+  bool (*touches_triangle)(const Ball&, const TriangleSet&, T&);
+  bool (*touches_polygon)(const Ball&, const PolygonSet&, T&);
+  /// Adds the faces that the ball touches, in no order; the set's first face is given.
+  void (*touched_triangles)(const Ball&, const TriangleSet&, FaceId first, std::vector<FaceId>&, T&);
+  void (*touched_polygons)(const Ball&, const PolygonSet&, FaceId first, std::vector<FaceId>&, T&);
+  /// Shows every face to the search that is not farther than what it has found.
+  void (*nearest_triangle)(const TriangleSet&, NearestSearch&, T&);
+  void (*nearest_polygon)(const PolygonSet&, NearestSearch&, T&);
+};
+
+// Compiled once for each instruction set; all give the same answers.
+[[nodiscard]] const Walks<NoTally>& baseline_engine();
+[[nodiscard]] const Walks<NoTally>& avx2_engine();
+// In translation units of their own, so that counting changes nothing for those who do not count.
+[[nodiscard]] const Walks<Tally>& baseline_counted_engine();
+[[nodiscard]] const Walks<Tally>& avx2_counted_engine();
+
+/// The fastest engine that this machine can run.
+[[nodiscard]] const Walks<NoTally>& engine(NoTally);
+[[nodiscard]] const Walks<Tally>& engine(const Tally&);
+
+}  // namespace touchstone::scene
