@@ -64,7 +64,7 @@ class Questions {
                     [](const Ball& ball, const Prepared& asked) { return plane_side(ball, asked); });
   }
   static pybind11::object ask_foot(const pybind11::object& rows, const ValidPolygon& polygon) {
-    return ask_word(rows, polygon, Words<FootPlace>{},
+    return ask_word(rows, polygon, Words<PointLocation>{},
                     [](const Ball& ball, const Prepared& asked) { return foot(ball, asked); });
   }
 

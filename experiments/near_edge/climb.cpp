@@ -60,7 +60,7 @@ bool settle(AtThreshold& at, Feature::Kind kind) {
   }
   constexpr std::int64_t kReach = std::int64_t{1} << 34;  // a nudge moves a vertex by up to 2^31 doubles
   const auto crossing = find_foot_crossing(at.ball, at.moved_axis, kReach, [&](const Ball& ball) {
-    return filtered::foot(ball, polygon) == FootPlace::Outside;
+    return filtered::foot(ball, polygon) == PointLocation::Outside;
   });
   if (!crossing) return false;
   at.ball = crossing->last;

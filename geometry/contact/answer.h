@@ -17,7 +17,7 @@ namespace touchstone {
 enum class PlaneSide { InFront, Behind, Intersects };
 
 /// Where the foot of the perpendicular from the ball's centre lies with respect to the polygon.
-enum class FootPlace { Inside, Boundary, Outside };
+enum class PointLocation { Inside, Boundary, Outside };
 
 /// Ball against polygon: distance > r, = r, < r.
 enum class Relation { Separate, Touching, Overlapping };
@@ -39,7 +39,7 @@ struct Feature {
 struct Answer {
   PlaneSide plane;                     ///< the first test
   bool plane_tangent;                  ///< the centre is at distance r from the supporting plane
-  FootPlace foot;                      ///< the second
+  PointLocation foot;                  ///< the second
   std::vector<std::size_t> edges_hit;  ///< the third: edges at distance <= r from the centre, ascending
   Relation relation;                   ///< distance against radius
   Feature nearest;                     ///< which holds the closest point
@@ -59,7 +59,7 @@ struct Answer {
 /// @{
 /// The words of the contract, such as `in_front`, `boundary`, `touching`, `edge`.
 [[nodiscard]] std::string_view word(PlaneSide side);
-[[nodiscard]] std::string_view word(FootPlace place);
+[[nodiscard]] std::string_view word(PointLocation place);
 [[nodiscard]] std::string_view word(Relation relation);
 [[nodiscard]] std::string_view word(Feature::Kind kind);
 /// @}

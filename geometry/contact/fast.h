@@ -83,7 +83,7 @@ template <class Scalar>
 /// Test 2: the foot of the perpendicular against the loops by crossing number; `Boundary` where a rounded
 /// orientation is zero. Linear cost.
 template <class Scalar>
-[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon);
 
 /// Test 3: the edges at distance <= r from the centre, ascending. Linear cost, no division.
 template <class Scalar>
@@ -98,7 +98,7 @@ template <class Scalar>
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);
-[[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
 /// @}

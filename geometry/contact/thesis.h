@@ -102,7 +102,7 @@ template <class Scalar>
 
 /// Test 2 [T, 4.2.2]: step (3), `Inside` or `Outside`: this method knows no boundary. Linear cost, one acos an edge.
 template <class Scalar>
-[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon);
 
 /// Test 3 [T, 4.2.3]: step (4) for every edge, whatever the other tests say: indices, ascending. Linear cost, one root
 /// an edge.

@@ -191,7 +191,7 @@ PlaneSide plane_side(const Query& query) {
 
 /// Counts the edges that a ray from the foot crosses, in the plane with the dropped coordinate left out. The foot is
 /// q = c - (s / N.N) N; N.N q is compared, so nothing is divided.
-FootPlace foot(const Query& query) {
+PointLocation foot(const Query& query) {
   const Lifted& polygon = query.polygon;
   const int v = (polygon.dropped_axis + 2) % 3;
   const Number foot_v = polygon.normal_squared * query.center[v] - query.height * polygon.normal[v];
@@ -206,14 +206,14 @@ FootPlace foot(const Query& query) {
     const EdgeView edge(query, i);
     const CGAL::Sign side = CGAL::sign(polygon.normal * CGAL::cross_product(edge.direction, edge.from_start));
     if (side == CGAL::ZERO) {
-      if (!CGAL::is_negative(edge.along) && edge.along <= edge.length_squared) return FootPlace::Boundary;
+      if (!CGAL::is_negative(edge.along) && edge.along <= edge.length_squared) return PointLocation::Boundary;
       continue;
     }
     const bool upwards = start != CGAL::POSITIVE && end == CGAL::POSITIVE;
     const bool downwards = start == CGAL::POSITIVE && end != CGAL::POSITIVE;
     if ((upwards && side == CGAL::POSITIVE) || (downwards && side == CGAL::NEGATIVE)) inside = !inside;
   }
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 std::vector<std::size_t> edges_hit(const Query& query) {
@@ -236,8 +236,8 @@ std::pair<Feature, Squared> nearest_on_boundary(const Query& query) {
   return *nearest;
 }
 
-std::pair<Feature, Squared> nearest_feature(const Query& query, FootPlace place) {
-  if (place == FootPlace::Inside) return {{Feature::Kind::Face, 0}, query.plane_distance()};
+std::pair<Feature, Squared> nearest_feature(const Query& query, PointLocation place) {
+  if (place == PointLocation::Inside) return {{Feature::Kind::Face, 0}, query.plane_distance()};
   return nearest_on_boundary(query);
 }
 
@@ -295,7 +295,7 @@ PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
   return plane_side(Query(ball, polygon));
 }
 
-FootPlace foot(const Ball& ball, const PreparedPolygon& polygon) {
+PointLocation foot(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
   return foot(Query(ball, polygon));
 }
@@ -308,7 +308,7 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& poly
 Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
   const Query query(ball, polygon);
-  const FootPlace place = foot(query);
+  const PointLocation place = foot(query);
   const auto [feature, distance] = nearest_feature(query, place);
   return {
       .plane = plane_side(query),
@@ -325,7 +325,7 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }
 Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon)); }
 PlaneSide plane_side(const Ball& ball, const Polygon& polygon) { return plane_side(ball, PreparedPolygon(polygon)); }
-FootPlace foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
+PointLocation foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
 std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
   return edges_hit(ball, PreparedPolygon(polygon));
 }

@@ -62,7 +62,7 @@ class PreparedPolygon {
 /// Test 1: the ball against the supporting plane. Constant cost.
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon);
 /// Test 2: the foot of the perpendicular against the lifted loops.
-[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const PreparedPolygon& polygon);
 /// Test 3: the lifted edges at distance <= r from the centre, ascending.
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon);
 /// Every key of the contract.
@@ -73,7 +73,7 @@ class PreparedPolygon {
 [[nodiscard]] bool contact(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
-[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
+[[nodiscard]] PointLocation foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts);
 /// @}
@@ -83,7 +83,7 @@ class PreparedPolygon {
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);
-[[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
 /// @}

@@ -13,7 +13,7 @@ enum class Stage {
   Permanent,     ///< one sign in doubles, with a bound from the products that were formed
   DoubleDouble,  ///< one sign in 106-bit arithmetic on error-free differences
   FixedInteger,  ///< one sign in integers of fixed width
-  Unlimited,     ///< one sign, or one correctly rounded number, in integers of any size
+  BigInteger,    ///< one sign, or one correctly rounded number, in integers of any size
 };
 inline constexpr std::size_t kStages = 5;  ///< how many there are
 

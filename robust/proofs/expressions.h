@@ -49,7 +49,7 @@ struct Input {
 /// The inputs of all expressions; each expression takes those that it needs.
 template <class Number>
 struct Inputs {
-  Vector3<Number> from, edge;
+  Vector3<Number> to_center, edge;
   Number radius;
   Vector3<Number> first_edge, second_edge, normal;
   Vector3<Number> axis, from_origin;
@@ -67,7 +67,7 @@ Inputs<Number> make_inputs(Make make) {
     return make(Input{name, maximum, error});
   };
   using enum Maximum;
-  return {vector("from", Ball, 1),
+  return {vector("to_center", Ball, 1),
           vector("edge", Edge, 1),
           number("radius", Ball, 0),
           vector("first_edge", FirstEdge, 1),
@@ -138,12 +138,13 @@ void for_each_claim(Visit visit) {
   using namespace bounds;
   using enum Maximum;
   visit(Claim{"kVertex", "", kVertex, 1, {Ball, Ball}},
-        [](const auto& in) { return signs::vertex(in.from, in.radius); });
-  visit(Claim{"kAlong", "", kAlong, 1, {Ball, Edge}}, [](const auto& in) { return signs::along(in.from, in.edge); });
+        [](const auto& in) { return signs::vertex(in.to_center, in.radius); });
+  visit(Claim{"kAlong", "", kAlong, 1, {Ball, Edge}},
+        [](const auto& in) { return signs::along(in.to_center, in.edge); });
   visit(Claim{"kBeyond", "", kBeyond, 1, {BallOrEdge, Edge}},
-        [](const auto& in) { return signs::beyond(in.from, in.edge); });
+        [](const auto& in) { return signs::beyond(in.to_center, in.edge); });
   visit(Claim{"kLine", "", kLine, 1, {Ball, Ball, Edge, Edge}},
-        [](const auto& in) { return signs::line(in.from, in.edge, in.radius); });
+        [](const auto& in) { return signs::line(in.to_center, in.edge, in.radius); });
   visit(Claim{"kNormal", "x", kNormal, 2, {FirstEdge, SecondEdge}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).x; });
   visit(Claim{"kNormal", "y", kNormal, 2, {FirstEdge, SecondEdge}},
@@ -151,17 +152,17 @@ void for_each_claim(Visit visit) {
   visit(Claim{"kNormal", "z", kNormal, 2, {FirstEdge, SecondEdge}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).z; });
   visit(Claim{"kFront", "", kFront, 1, {Normal, Ball}},
-        [](const auto& in) { return signs::front(in.normal, in.from); });
+        [](const auto& in) { return signs::front(in.normal, in.to_center); });
   visit(Claim{"kPlane", "", kPlane, 1, {Normal, Normal, Ball, Ball}},
-        [](const auto& in) { return signs::plane(in.normal, in.from, in.radius); });
+        [](const auto& in) { return signs::plane(in.normal, in.to_center, in.radius); });
   visit(Claim{"kSide", "", kSide, 1, {Normal, Edge, Ball}},
-        [](const auto& in) { return signs::side(in.normal, in.edge, in.from); });
+        [](const auto& in) { return signs::side(in.normal, in.edge, in.to_center); });
   visit(Claim{"kAbove", "x", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.x, in.from.x); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.x, in.to_center.x); });
   visit(Claim{"kAbove", "y", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.y, in.from.y); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.y, in.to_center.y); });
   visit(Claim{"kAbove", "z", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.z, in.from.z); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.z, in.to_center.z); });
   visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}},
         [](const auto& in) { return frame::coordinate(in.axis, in.from_origin); });
   visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {

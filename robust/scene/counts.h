@@ -15,7 +15,7 @@ namespace touchstone::scene {
 /// Slab to Touched are decided exactly: they depend on the ball and the face alone, but for Foot and Edges of polygons,
 /// which depend on the polygon's own hierarchy too. For `nearest` the ball is the one about the centre that has shrunk
 /// to little more than the distance of the nearest face met so far.
-enum class Fate {
+enum class CullOutcome {
   Box,      ///< never come to: some box of the object's hierarchy misses the ball
   Known,    ///< no box misses the ball, but the answer was known by then (`touches` alone)
   Slab,     ///< the ball does not reach the face's supporting plane
@@ -25,10 +25,10 @@ enum class Fate {
   Edges,    ///< the foot is outside, and the edges that were looked at are out of the ball
   Touched,  ///< the ball touches the face; for `nearest` it was a candidate then
 };
-inline constexpr std::size_t kFates = 6;  ///< how many there are
+inline constexpr std::size_t kCullOutcomes = 6;  ///< how many there are
 
 /// `box`, `known`, `slab`, `foot`, `edges`, `touched`.
-[[nodiscard]] std::string_view word(Fate fate);
+[[nodiscard]] std::string_view word(CullOutcome outcome);
 
 /// What became of the faces that one question, or several in sum, were about.
 ///
@@ -43,9 +43,9 @@ class FaceCounts {
   /// Faces that were asked about: all of the objects.
   [[nodiscard]] std::uint64_t faces() const;
   /// Those of one fate.
-  [[nodiscard]] std::uint64_t faces(Fate fate) const { return fates_[static_cast<std::size_t>(fate)]; }
+  [[nodiscard]] std::uint64_t faces(CullOutcome outcome) const { return outcomes_[static_cast<std::size_t>(outcome)]; }
   /// Faces about which the contact question was asked.
-  [[nodiscard]] std::uint64_t tested() const { return faces() - faces(Fate::Box) - faces(Fate::Known); }
+  [[nodiscard]] std::uint64_t tested() const { return faces() - faces(CullOutcome::Box) - faces(CullOutcome::Known); }
   /// Of these, those whose slowest stage was this one: later stages were never entered for them.
   [[nodiscard]] std::uint64_t tested(filtered::Stage slowest) const {
     return stages_[static_cast<std::size_t>(slowest)];
@@ -63,7 +63,7 @@ class FaceCounts {
 
  private:
   friend class Tally;
-  std::array<std::uint64_t, kFates> fates_{};
+  std::array<std::uint64_t, kCullOutcomes> outcomes_{};
   std::array<std::uint64_t, filtered::kStages> stages_{};
   std::uint64_t edges_ = 0, edges_looked_at_ = 0;
 };

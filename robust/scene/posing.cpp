@@ -66,7 +66,7 @@ class Posing {
       if (in_doubles)
         rounded = rounded_sum(two_product(pose_.rotation(axis, 0), p[0]), two_product(pose_.rotation(axis, 1), p[1]),
                               two_product(pose_.rotation(axis, 2), p[2]), pose_.translation[axis]);
-      counts.count(rounded ? Stage::DoubleDouble : Stage::Unlimited);
+      counts.count(rounded ? Stage::DoubleDouble : Stage::BigInteger);
       result[axis] = rounded ? *rounded : rounded_by_integers(pose_, p, axis);
     }
     return result;
@@ -89,7 +89,7 @@ bool has_surely_normal(const Triangle& t) {
   const auto known = [](double difference) { return filtered::rounded_double(difference); };
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (filtered::sure_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
+    if (filtered::certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
       return true;
   }
   return false;

@@ -21,7 +21,7 @@ namespace touchstone::scene {
 /// coordinate where double-doubles leave the rounding unsure, which is one in 2^45 of those that are not made to be, or
 /// where numbers other than 0 lie beyond 2^-400 to 2^400 in R, 2^-500 to 2^500 in p, 2^1000 in t.
 [[nodiscard]] Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point);
-/// The same; `counts` is told of every coordinate whether double-doubles or unlimited integers rounded it.
+/// The same; `counts` is told of every coordinate whether double-doubles or integers of any size rounded it.
 [[nodiscard]] Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts);
 
 /// Throws Rejected for a triangle that `exact::validate` rejects as a polygon, with its code. Cost: about 10 ns.

@@ -127,7 +127,7 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
 template <class T>
 bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = engine(tally);
+  const auto& walks = fastest_walks(tally);
   return any_of(objects,
                 [&](std::uint32_t, const Object& object) {
                   return (object.has_triangles() && walks.touches_triangle(ball, object.triangles, tally)) ||
@@ -139,7 +139,7 @@ bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
 template <class T>
 std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = engine(tally);
+  const auto& walks = fastest_walks(tally);
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles())
@@ -158,9 +158,9 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   NearestSearch search(ball.center);
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    engine(tally).nearest_triangle(object.triangles, search, tally);
+    fastest_walks(tally).nearest_triangle(object.triangles, search, tally);
     search.enter(object.first_polygon(number));
-    engine(tally).nearest_polygon(object.polygons, search, tally);
+    fastest_walks(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
   if (auto found = search.nearest()) return found;

@@ -121,7 +121,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    ASSERT_EQ(filtered::closest(filtered::baseline_engine().plain, ball.center, *triangle, none), closest) << stored;
+    ASSERT_EQ(filtered::closest(filtered::baseline_kernels().plain, ball.center, *triangle, none), closest) << stored;
   }
 }
 

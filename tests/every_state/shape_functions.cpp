@@ -39,7 +39,7 @@ std::filesystem::path written(const Input& input) {
 }
 
 Answer answer_at(double x) {
-  return {PlaneSide::Behind, false, FootPlace::Inside, {}, Relation::Separate, {}, {x, 0, 0}, 1, 0};
+  return {PlaneSide::Behind, false, PointLocation::Inside, {}, Relation::Separate, {}, {x, 0, 0}, 1, 0};
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(Signs, OfPermanentsAreRightWhereSure) {
         drawn.ball, drawn.triangle, [](double p, double q) { return filtered::rounded_double(p - q); },
         [](double r) { return filtered::exact_double(r); },
         [&]<int Roundings>(std::size_t i, const filtered::Permanent<Roundings>& value) {
-          const int found = sure_sign(value, bounds::kTiny);
+          const int found = certain_sign(value, bounds::kTiny);
           const mpq_class bound = (Roundings + mpq_class(1, 8)) * exactly(0x1p-53) * exactly(value.permanent);
           EXPECT_LE(abs(exactly(value.value) - exact[i]), bound + exactly(bounds::kTiny))
               << kNames[i] << " of " << drawn.id;

@@ -56,7 +56,7 @@ std::size_t place_of(std::int64_t offset) {
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
 
-PartialAnswer foot(FootPlace place) {
+PartialAnswer foot(PointLocation place) {
   PartialAnswer answer;
   answer.foot = place;
   return answer;
@@ -73,7 +73,8 @@ TEST(NearEdgeComparison, FrontAndBehindCountAlike) {
 }
 
 TEST(NearEdgeComparison, ABoundaryIsAskedOfThoseWhoKnowTheWord) {
-  const auto inside = foot(FootPlace::Inside), boundary = foot(FootPlace::Boundary), outside = foot(FootPlace::Outside);
+  const auto inside = foot(PointLocation::Inside), boundary = foot(PointLocation::Boundary),
+             outside = foot(PointLocation::Outside);
   EXPECT_EQ(compare(Tested::Foot, boundary, boundary, true), Outcome::Right);
   EXPECT_EQ(compare(Tested::Foot, inside, boundary, true), Outcome::BoundaryMissed);
   EXPECT_EQ(compare(Tested::Foot, outside, boundary, true), Outcome::WronglyOut);
@@ -107,8 +108,8 @@ TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
       EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
       EXPECT_TRUE(*truths[place_of(1)].contact) << s;
     } else {
-      EXPECT_NE(truths[place_of(0)].foot, FootPlace::Outside) << s;
-      EXPECT_EQ(truths[place_of(1)].foot, FootPlace::Outside) << s;
+      EXPECT_NE(truths[place_of(0)].foot, PointLocation::Outside) << s;
+      EXPECT_EQ(truths[place_of(1)].foot, PointLocation::Outside) << s;
     }
     if (all_strata()[s].threshold == Threshold::Tangent) {
       EXPECT_TRUE(*truths[place_of(0)].contact) << s;
@@ -236,7 +237,7 @@ class WrongTruth : public methods::Method {
       PartialAnswer answer = exact_->ask(ball, question);
       if (answer.contact)
         answer.contact = exact_->ask(ball, methods::Question::Relation).relation == Relation::Overlapping;
-      if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+      if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
       return answer;
     }
 

@@ -134,7 +134,7 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
       EXPECT_EQ(answer.nearest.kind, kind) << word(threshold);
       EXPECT_EQ(answer.distance, at.ball.radius) << word(threshold);
     } else {
-      EXPECT_NE(answer.foot, FootPlace::Outside);
+      EXPECT_NE(answer.foot, PointLocation::Outside);
     }
     const auto [again, same] = climb(*start, method("fast"), workloads::Random(1, 2));
     EXPECT_EQ(same.share, reach.share) << "a climb is a function of its arguments";

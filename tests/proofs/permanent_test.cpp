@@ -43,7 +43,7 @@ TEST(Permanent, CountsTheRoundingsOfEverySign) {
   });
 }
 
-// The bound of sure_sign: the permanent and two operations may each have been rounded down.
+// The bound of certain_sign: the permanent and two operations may each have been rounded down.
 TEST(Permanent, SlackCoversSecondOrderTermsAndTheBoundsOwnRounding) {
   for (std::size_t k = 0; k <= 64; ++k) {
     const mpq_class error = power(1 + kU, k) - 1;

@@ -86,7 +86,7 @@ TEST(SoakCases, StandAtTheirThresholds) {
     touching[family] += answer.relation == Relation::Touching ? 1 : 0;
     separate[family] += answer.relation == Relation::Separate ? 1 : 0;
     overlapping[family] += answer.relation == Relation::Overlapping ? 1 : 0;
-    boundary[family] += answer.foot == FootPlace::Boundary ? 1 : 0;
+    boundary[family] += answer.foot == PointLocation::Boundary ? 1 : 0;
   }
   for (const Family family : all_families()) {
     const auto f = static_cast<std::size_t>(family);
@@ -171,9 +171,9 @@ class FarthestVertex : public Contestant {
 };
 
 class NoBoundary : public Contestant {
-  FootPlace foot(const Ball& ball, const Prepared& polygon) const override {
-    const FootPlace place = Contestant::foot(ball, polygon);
-    return place == FootPlace::Boundary ? FootPlace::Inside : place;
+  PointLocation foot(const Ball& ball, const Prepared& polygon) const override {
+    const PointLocation place = Contestant::foot(ball, polygon);
+    return place == PointLocation::Boundary ? PointLocation::Inside : place;
   }
 };
 

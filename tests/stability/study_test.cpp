@@ -130,7 +130,7 @@ TEST(StabilityStudy, FindsPlantedErrors) {
     return answer;
   });
   const Planted no_boundary([](PartialAnswer answer, Question) {
-    if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+    if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
     return answer;
   });
   const Planted throwing([](PartialAnswer answer, Question question) {

@@ -84,7 +84,7 @@ TEST(AngleSum, IsWhatTheMethodAddsUp) {
       const Eigen::Vector3d at = box.point(random);
       const AngleSum sum = angle_sum(outline, at);
       if (std::abs(sum.unsigned_sum - 0.99 * 360) < 1e-6) continue;
-      EXPECT_EQ(sum.unsigned_sum >= 0.99 * 360, thesis::foot(Ball{at, 1}, method) == FootPlace::Inside)
+      EXPECT_EQ(sum.unsigned_sum >= 0.99 * 360, thesis::foot(Ball{at, 1}, method) == PointLocation::Inside)
           << outline.name << ' ' << at.transpose();
       EXPECT_NEAR(std::abs(std::remainder(sum.signed_sum, 360)), 0, 1e-9);
     }

@@ -183,7 +183,7 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
       EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, Question::Contact).contact, false) << method->name();
     }
     // Engines of others answer one of these questions, ours all.
-    EXPECT_EQ(whole.foot.value_or(FootPlace::Inside), FootPlace::Inside) << method->name();
+    EXPECT_EQ(whole.foot.value_or(PointLocation::Inside), PointLocation::Inside) << method->name();
     EXPECT_EQ(whole.plane.value_or(PlaneSide::Intersects), PlaneSide::Intersects) << method->name();
     EXPECT_EQ(whole.edges_hit.value_or(std::vector<std::size_t>{}), std::vector<std::size_t>{}) << method->name();
   }

@@ -103,7 +103,7 @@ PlaneSide plane_side(Scalar height, const Sphere<Scalar>& sphere, const Prepared
 
 /// Counts the edges crossed by the ray from the foot along u, in the plane (u, v) that leaves the dropped axis out.
 template <class Scalar>
-FootPlace foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
+PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
   const int u = (polygon.dropped_axis() + 1) % 3, v = (polygon.dropped_axis() + 2) % 3;
   const Scalar drop = height / polygon.normal_squared();
   const Scalar down_u = drop * polygon.plane().normal[u], down_v = drop * polygon.plane().normal[v];
@@ -120,11 +120,11 @@ FootPlace foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygo
     if (side == 0) {  // a rounded zero is all that doubles can see of the boundary
       const Scalar along = -(start_u * edge.direction[u] + start_v * edge.direction[v]);
       const Scalar length = edge.direction[u] * edge.direction[u] + edge.direction[v] * edge.direction[v];
-      if (along >= 0 && along <= length) return FootPlace::Boundary;
+      if (along >= 0 && along <= length) return PointLocation::Boundary;
     }
     if ((upwards && side > 0) || (downwards && side < 0)) inside = !inside;
   }
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 template <class Scalar>
@@ -148,9 +148,9 @@ Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const Prepared
 }
 
 template <class Scalar>
-Nearest<Scalar> nearest_feature(Scalar height, FootPlace place, const Sphere<Scalar>& sphere,
+Nearest<Scalar> nearest_feature(Scalar height, PointLocation place, const Sphere<Scalar>& sphere,
                                 const PreparedPolygon<Scalar>& polygon) {
-  if (place == FootPlace::Inside) return {{Feature::Kind::Face, 0}, plane_distance(height, polygon)};
+  if (place == PointLocation::Inside) return {{Feature::Kind::Face, 0}, plane_distance(height, polygon)};
   return nearest_on_boundary(sphere, polygon);
 }
 
@@ -231,7 +231,7 @@ PlaneSide plane_side(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
 }
 
 template <class Scalar>
-FootPlace foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
+PointLocation foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const detail::Sphere<Scalar> sphere(ball);
   return detail::foot(detail::height(sphere, polygon), sphere, polygon);
 }
@@ -250,7 +250,7 @@ bool contact(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const detail::Sphere<Scalar> sphere(ball);
   const Scalar height = detail::height(sphere, polygon);
   if (detail::plane_side(height, sphere, polygon) != PlaneSide::Intersects) return false;
-  if (detail::foot(height, sphere, polygon) != FootPlace::Outside) return true;
+  if (detail::foot(height, sphere, polygon) != PointLocation::Outside) return true;
   for (std::size_t i = 0; i < polygon.edges().size(); ++i)
     if (detail::edge_distance(sphere, polygon, i).within(sphere.radius_squared)) return true;
   return false;
@@ -261,7 +261,7 @@ Relation relation(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const detail::Sphere<Scalar> sphere(ball);
   const Scalar height = detail::height(sphere, polygon);
   if (detail::plane_side(height, sphere, polygon) != PlaneSide::Intersects) return Relation::Separate;
-  const FootPlace place = detail::foot(height, sphere, polygon);
+  const PointLocation place = detail::foot(height, sphere, polygon);
   return detail::relation(detail::nearest_feature(height, place, sphere, polygon).distance, sphere.radius_squared);
 }
 
@@ -270,7 +270,7 @@ Answer answer(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   using detail::to_double;
   const detail::Sphere<Scalar> sphere(ball);
   const Scalar height = detail::height(sphere, polygon);
-  const FootPlace place = detail::foot(height, sphere, polygon);
+  const PointLocation place = detail::foot(height, sphere, polygon);
   const auto nearest = detail::nearest_feature(height, place, sphere, polygon);
   const auto plane = detail::plane_distance(height, polygon);
   const PlaneSide side = detail::plane_side(height, sphere, polygon);

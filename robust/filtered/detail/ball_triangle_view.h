@@ -4,7 +4,7 @@
 namespace touchstone::filtered {
 
 /// A triangle and a ball as plain numbers where they lie, to be handed over in registers.
-struct TriangleQuestion {
+struct BallTriangleView {
   const double (*vertex)[3];  ///< three of them
   const double* center;       ///< and after it the radius
 
@@ -12,7 +12,7 @@ struct TriangleQuestion {
 };
 
 /// What is sure of one sign in each lane, a bit a lane; where neither bit is set, doubles cannot tell.
-struct SureSigns {
+struct CertainSigns {
   unsigned positive, negative;
 
   /// +1, -1, or 0 where it is not sure.
@@ -22,14 +22,14 @@ struct SureSigns {
 };
 
 /// What the first stage has found of a triangle, lane i for edge i: every sign of signs.h that bears on a contact (the
-/// plane's is one sign, seen from three edges), and the maxima of `from`, with r, and of `edge`.
+/// plane's is one sign, seen from three edges), and the maxima of `to_center`, with r, and of `edge`.
 struct TriangleSigns {
-  SureSigns vertex, along, beyond, line, side, plane;
+  CertainSigns vertex, along, beyond, line, side, plane;
   unsigned reachable;  ///< lanes of the edges that the ball may touch
-  double from[4], edge[4];
+  double to_center[4], edge[4];
 };
 
-/// Beyond: some number is too large for the stage to be used at all.
-enum class Sure : unsigned char { No, Yes, Unsure, Beyond };
+/// OutOfRange: some number is too large for the stage to be used at all.
+enum class FilterResult : unsigned char { No, Yes, Unsure, OutOfRange };
 
 }  // namespace touchstone::filtered

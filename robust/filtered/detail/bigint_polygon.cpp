@@ -54,7 +54,7 @@ double rounded(const Quotient& quotient, Round round) {
 }  // namespace
 
 // As in `exact`, space is multiplied by |n N_k| where a vertex has to be lifted, so that no number is divided.
-struct UnlimitedPolygon::Numbers {
+struct BigIntPolygon::Numbers {
   explicit Numbers(const Polygon& loops);
 
   const Polygon& polygon;
@@ -76,7 +76,7 @@ struct UnlimitedPolygon::Numbers {
   }
 };
 
-UnlimitedPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(true), scale(1), off_plane(0) {
+BigIntPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(true), scale(1), off_plane(0) {
   const std::size_t outer = polygon.loop_end(0);
   Vector sum{Number(0), Number(0), Number(0)};
   normal = sum;
@@ -108,11 +108,11 @@ namespace {
 
 /// An edge as seen from a ball, in the scaled space.
 struct View {
-  Vector from_, edge_, normal_;
+  Vector to_center_, edge_, normal_;
   Number radius_;
   int axis_;
 
-  [[nodiscard]] const Vector& from() const { return from_; }
+  [[nodiscard]] const Vector& to_center() const { return to_center_; }
   [[nodiscard]] const Vector& edge() const { return edge_; }
   [[nodiscard]] const Vector& normal() const { return normal_; }
   [[nodiscard]] const Number& radius() const { return radius_; }
@@ -132,74 +132,74 @@ Quotient squared_distance(const Numbers& numbers, const Ball& ball, const Featur
   const View edge = view(numbers, ball, feature.index);
   switch (feature.kind) {
     case Feature::Kind::Face: {
-      const Number height = dot(edge.normal(), edge.from());
+      const Number height = dot(edge.normal(), edge.to_center());
       return {height * height, dot(edge.normal(), edge.normal())};
     }
     case Feature::Kind::Edge: {
-      const Vector moment = cross(edge.from(), edge.edge());
+      const Vector moment = cross(edge.to_center(), edge.edge());
       return {dot(moment, moment), dot(edge.edge(), edge.edge())};
     }
     case Feature::Kind::Vertex: break;
   }
-  return {dot(edge.from(), edge.from()), Number(1)};
+  return {dot(edge.to_center(), edge.to_center()), Number(1)};
 }
 
 }  // namespace
 
-UnlimitedPolygon::UnlimitedPolygon(const Polygon& polygon) : numbers_(std::make_unique<const Numbers>(polygon)) {}
-UnlimitedPolygon::UnlimitedPolygon(UnlimitedPolygon&&) noexcept = default;
-UnlimitedPolygon::~UnlimitedPolygon() = default;
+BigIntPolygon::BigIntPolygon(const Polygon& polygon) : numbers_(std::make_unique<const Numbers>(polygon)) {}
+BigIntPolygon::BigIntPolygon(BigIntPolygon&&) noexcept = default;
+BigIntPolygon::~BigIntPolygon() = default;
 
-int UnlimitedPolygon::dropped_axis() const { return numbers_->dropped_axis; }
-bool UnlimitedPolygon::planar() const { return numbers_->planar; }
-double UnlimitedPolygon::off_plane() const { return numbers_->off_plane; }
+int BigIntPolygon::dropped_axis() const { return numbers_->dropped_axis; }
+bool BigIntPolygon::planar() const { return numbers_->planar; }
+double BigIntPolygon::off_plane() const { return numbers_->off_plane; }
 
-DoubleDouble UnlimitedPolygon::normal(int axis, int exponent) const {
+DoubleDouble BigIntPolygon::normal(int axis, int exponent) const {
   return nearest_double_double(shifted(rational(numbers_->normal[axis]), exponent));
 }
 
-bool UnlimitedPolygon::normal_fits(int axis, int exponent) const {
+bool BigIntPolygon::normal_fits(int axis, int exponent) const {
   const DoubleDouble both = normal(axis, exponent);
   return mpq_class(both.high) + mpq_class(both.low) == shifted(rational(numbers_->normal[axis]), exponent);
 }
 
-DoubleDouble UnlimitedPolygon::plane_height(int exponent) const {
+DoubleDouble BigIntPolygon::plane_height(int exponent) const {
   return nearest_double_double(shifted(-rational(numbers_->height(0)) / rational(numbers_->vertices), exponent));
 }
 
-int UnlimitedPolygon::sign(SignKind kind, const Ball& ball, std::size_t edge, int axis) const {
+int BigIntPolygon::sign(SignKind kind, const Ball& ball, std::size_t edge, int axis) const {
   return expression_sign(kind, view(*numbers_, ball, edge, axis));
 }
 
-int UnlimitedPolygon::compare_distances(const Ball& ball, const Feature& first, const Feature& second) const {
+int BigIntPolygon::compare_distances(const Ball& ball, const Feature& first, const Feature& second) const {
   const Quotient a = squared_distance(*numbers_, ball, first), b = squared_distance(*numbers_, ball, second);
   return CGAL::compare(a.numerator * b.denominator, b.numerator * a.denominator);
 }
 
-double UnlimitedPolygon::point(const Ball& ball, const Feature& feature, int axis) const {
+double BigIntPolygon::point(const Ball& ball, const Feature& feature, int axis) const {
   const Number& scale = numbers_->scale;
   const View edge = view(*numbers_, ball, feature.index);
   switch (feature.kind) {
     case Feature::Kind::Face: {
       const Number length_squared = dot(edge.normal(), edge.normal());
-      return rounded(
-          {length_squared * scale * Number(ball.center[axis]) - dot(edge.normal(), edge.from()) * edge.normal()[axis],
-           length_squared * scale},
-          exact::nearest_double);
+      return rounded({length_squared * scale * Number(ball.center[axis]) -
+                          dot(edge.normal(), edge.to_center()) * edge.normal()[axis],
+                      length_squared * scale},
+                     exact::nearest_double);
     }
     case Feature::Kind::Edge: {
       const Number length_squared = dot(edge.edge(), edge.edge());
-      return rounded(
-          {length_squared * numbers_->vertex(feature.index)[axis] + dot(edge.from(), edge.edge()) * edge.edge()[axis],
-           length_squared * scale},
-          exact::nearest_double);
+      return rounded({length_squared * numbers_->vertex(feature.index)[axis] +
+                          dot(edge.to_center(), edge.edge()) * edge.edge()[axis],
+                      length_squared * scale},
+                     exact::nearest_double);
     }
     case Feature::Kind::Vertex: break;
   }
   return rounded({numbers_->vertex(feature.index)[axis], scale}, exact::nearest_double);
 }
 
-double UnlimitedPolygon::distance(const Ball& ball, const Feature& feature) const {
+double BigIntPolygon::distance(const Ball& ball, const Feature& feature) const {
   Quotient squared = squared_distance(*numbers_, ball, feature);
   squared.denominator = squared.denominator * numbers_->scale * numbers_->scale;
   return rounded(squared, exact::nearest_root);

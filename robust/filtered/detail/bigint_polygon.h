@@ -16,11 +16,11 @@ namespace touchstone::filtered {
 /// A lifted polygon in integers of any size: its exact normal and lift, and the last word on every sign and rounding.
 ///
 /// Throws Rejected with `zero-normal`. Keeps a reference to the polygon. Requires round to nearest throughout.
-class UnlimitedPolygon {
+class BigIntPolygon {
  public:
-  explicit UnlimitedPolygon(const Polygon& polygon);
-  UnlimitedPolygon(UnlimitedPolygon&&) noexcept;
-  ~UnlimitedPolygon();
+  explicit BigIntPolygon(const Polygon& polygon);
+  BigIntPolygon(BigIntPolygon&&) noexcept;
+  ~BigIntPolygon();
 
   [[nodiscard]] int dropped_axis() const;
   /// All vertices lie on the supporting plane: nothing is lifted.

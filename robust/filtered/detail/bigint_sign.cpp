@@ -13,23 +13,22 @@ Vector3<Number> difference(const double* a, const double* b) {
 }
 
 struct View {
-  const TriangleQuestion& question;
+  const BallTriangleView& view;
   int i;
 
-  [[nodiscard]] Vector3<Number> from() const { return difference(question.center, question.vertex[i]); }
-  [[nodiscard]] Vector3<Number> edge() const { return difference(question.vertex[(i + 1) % 3], question.vertex[i]); }
+  [[nodiscard]] Vector3<Number> to_center() const { return difference(view.center, view.vertex[i]); }
+  [[nodiscard]] Vector3<Number> edge() const { return difference(view.vertex[(i + 1) % 3], view.vertex[i]); }
   [[nodiscard]] Vector3<Number> normal() const {
-    return signs::normal(difference(question.vertex[1], question.vertex[0]),
-                         difference(question.vertex[2], question.vertex[1]));
+    return signs::normal(difference(view.vertex[1], view.vertex[0]), difference(view.vertex[2], view.vertex[1]));
   }
-  [[nodiscard]] Number radius() const { return Number(question.radius()); }
+  [[nodiscard]] Number radius() const { return Number(view.radius()); }
   [[nodiscard]] static int axis() { return 0; }
 };
 
 }  // namespace
 
-int unlimited_sign(SignKind kind, const TriangleQuestion& question, int edge) {
-  return expression_sign(kind, View{question, edge});
+int bigint_sign(SignKind kind, const BallTriangleView& view, int edge) {
+  return expression_sign(kind, View{view, edge});
 }
 
 }  // namespace touchstone::filtered

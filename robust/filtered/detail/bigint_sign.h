@@ -8,6 +8,6 @@ namespace touchstone::filtered {
 
 /// The exact sign for edge i of a triangle (Above: not asked of triangles), in integers of any size: for every finite
 /// input. Cost: 1 to 10 us.
-[[nodiscard]] int unlimited_sign(SignKind kind, const TriangleQuestion& question, int edge);
+[[nodiscard]] int bigint_sign(SignKind kind, const BallTriangleView& view, int edge);
 
 }  // namespace touchstone::filtered

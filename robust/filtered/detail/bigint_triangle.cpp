@@ -9,18 +9,16 @@ namespace {
 
 Eigen::Vector3d vector(const double* p) { return {p[0], p[1], p[2]}; }
 
-Polygon polygon(const TriangleQuestion& question) {
-  return Polygon({vector(question.vertex[0]), vector(question.vertex[1]), vector(question.vertex[2])});
+Polygon polygon(const BallTriangleView& view) {
+  return Polygon({vector(view.vertex[0]), vector(view.vertex[1]), vector(view.vertex[2])});
 }
 
-Ball ball(const TriangleQuestion& question) { return {vector(question.center), question.radius()}; }
+Ball ball(const BallTriangleView& view) { return {vector(view.center), view.radius()}; }
 
 }  // namespace
 
-Feature unlimited_nearest(const TriangleQuestion& question) {
-  const auto sign = [&question](SignKind kind, std::size_t i) {
-    return unlimited_sign(kind, question, static_cast<int>(i));
-  };
+Feature bigint_nearest(const BallTriangleView& view) {
+  const auto sign = [&view](SignKind kind, std::size_t i) { return bigint_sign(kind, view, static_cast<int>(i)); };
   bool inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
     if (sign(SignKind::Side, i) > 0) continue;
@@ -33,14 +31,14 @@ Feature unlimited_nearest(const TriangleQuestion& question) {
   return {Feature::Kind::Vertex, 2};
 }
 
-double unlimited_point(const TriangleQuestion& question, const Feature& feature, int axis) {
-  const Polygon triangle = polygon(question);
-  return UnlimitedPolygon(triangle).point(ball(question), feature, axis);
+double bigint_point(const BallTriangleView& view, const Feature& feature, int axis) {
+  const Polygon triangle = polygon(view);
+  return BigIntPolygon(triangle).point(ball(view), feature, axis);
 }
 
-double unlimited_distance(const TriangleQuestion& question, const Feature& feature) {
-  const Polygon triangle = polygon(question);
-  return UnlimitedPolygon(triangle).distance(ball(question), feature);
+double bigint_distance(const BallTriangleView& view, const Feature& feature) {
+  const Polygon triangle = polygon(view);
+  return BigIntPolygon(triangle).distance(ball(view), feature);
 }
 
 }  // namespace touchstone::filtered

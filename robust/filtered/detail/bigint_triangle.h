@@ -9,9 +9,9 @@
 namespace touchstone::filtered {
 
 /// The feature that holds it.
-[[nodiscard]] Feature unlimited_nearest(const TriangleQuestion& question);
+[[nodiscard]] Feature bigint_nearest(const BallTriangleView& view);
 /// A coordinate of the feature's point closest to the centre, and the distance, rounded to the nearest doubles.
-[[nodiscard]] double unlimited_point(const TriangleQuestion& question, const Feature& feature, int axis);
-[[nodiscard]] double unlimited_distance(const TriangleQuestion& question, const Feature& feature);
+[[nodiscard]] double bigint_point(const BallTriangleView& view, const Feature& feature, int axis);
+[[nodiscard]] double bigint_distance(const BallTriangleView& view, const Feature& feature);
 
 }  // namespace touchstone::filtered

@@ -7,11 +7,11 @@
 /// (underflow, flushed to zero or not). It holds for doubles in every rounding direction with `kUnit`, for fused and
 /// unfused products alike, and for double-doubles in round to nearest with `kDoubleDoubleUnit`.
 ///
-/// Input: m_w bounds the magnitudes of `from`'s computed components and of r, m_e those of `edge`, m_N those of the
-/// normal. Components of `from` and `edge` are known to unit m_w and unit m_e, those of the normal to kNormal unit m_N,
-/// r exactly. What a maximum bounds may exceed it by a factor of 1 + 2^-50: so the high parts of double-doubles have
-/// the maximum of the sums, and 2 m_u m_v serves as m_N as computed, in any rounding direction. Every maximum is at
-/// most `kLargest`, m_N at most 2 kLargest^2.
+/// Input: m_w bounds the magnitudes of `to_center`'s computed components and of r, m_e those of `edge`, m_N those of
+/// the normal. Components of `to_center` and `edge` are known to unit m_w and unit m_e, those of the normal to kNormal
+/// unit m_N, r exactly. What a maximum bounds may exceed it by a factor of 1 + 2^-50: so the high parts of
+/// double-doubles have the maximum of the sums, and 2 m_u m_v serves as m_N as computed, in any rounding direction.
+/// Every maximum is at most `kLargest`, m_N at most 2 kLargest^2.
 ///
 /// Then the computed value of a sign of signs.h differs from the exact one by less than
 ///   k... unit (product of maxima) + kTiny,
@@ -81,8 +81,8 @@ inline constexpr double kLiftedMaximum = 32;
 /// step along the normal is as long in coordinate k as N_k is large, so N_k must be known to kDoubleDoubleUnit |N_k|,
 /// and but for that to kNormalUnderflow.
 inline constexpr double kNormalUnderflow = 0x1p-1074;
-/// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.from D_k / D.D is
-/// known to kClosest m_w m_D |D_k| / D.D; for lifted edges, between whose ends the foot lies, and kClosest m_e more;
+/// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.to_center D_k / D.D
+/// is known to kClosest m_w m_D |D_k| / D.D; for lifted edges, between whose ends the foot lies, and kClosest m_e more;
 /// for computed normals and kClosest m_w m_N / |N| more. A distance from an edge or a plane is known to kClosest times
 /// m_w m_D / |D| and itself, one from a vertex to kClosest times itself and, where it is lifted, m_w. Computed values
 /// stand for exact ones in these bounds.

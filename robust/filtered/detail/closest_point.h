@@ -7,8 +7,8 @@
 
 #include "robust/filtered/detail/exact_edges.h"
 
-/// The closest point and the distance, correctly rounded: double-doubles with a rounding test, unlimited integers where
-/// that is ambiguous.
+/// The closest point and the distance, correctly rounded: double-doubles with a rounding test, integers of any size
+/// where that is ambiguous.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -64,23 +64,23 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     if (vertex) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
 
     // The start and a share of a direction.
-    const auto seen = edges.seen(feature.index);
-    using Seen = decltype(seen);
-    const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
-    const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+    const auto view = edges.edge_view(feature.index);
+    using EdgeView = decltype(view);
+    const Vector3<DoubleDouble>& direction = face ? view.normal : view.edge;
+    const double maximum = face ? view.maxima.normal : view.maxima.edge;
     if (maximum < kShortestDirection) return std::nullopt;
     if (!moved && direction[axis].high == 0) {  // exact
-      if (!face || seen.no_normal(axis)) return rounded({start, 0}, exponent);
-      if (Seen::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
+      if (!face || view.no_normal(axis)) return rounded({start, 0}, exponent);
+      if (EdgeView::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
     }
     const DoubleDouble length_squared = dot(direction, direction);
-    const DoubleDouble step = dot(direction, seen.from) / length_squared * direction[axis];
+    const DoubleDouble step = dot(direction, view.to_center) / length_squared * direction[axis];
     const DoubleDouble value = face ? start - step : start + step;
     if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
     const double share = std::abs(direction[axis].high) / length_squared.high +
-                         (face ? Seen::kNormalError / std::sqrt(length_squared.high) : 0);
-    const double error = bounds::kClosest * (seen.maxima.from * maximum * share) +
-                         bounds::kClosest * (seen.lifted ? seen.maxima.edge : 0) +
+                         (face ? EdgeView::kNormalError / std::sqrt(length_squared.high) : 0);
+    const double error = bounds::kClosest * (view.maxima.to_center * maximum * share) +
+                         bounds::kClosest * (view.lifted ? view.maxima.edge : 0) +
                          2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, exponent);
   };
@@ -88,8 +88,8 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     edges.counts().count(Stage::DoubleDouble);
     return *result;
   }
-  edges.counts().count(Stage::Unlimited);
-  return edges.unlimited_point(feature, axis);
+  edges.counts().count(Stage::BigInteger);
+  return edges.bigint_point(feature, axis);
 }
 
 /// The distance of the ball's centre from the feature's plane, line or point, as the nearest double.
@@ -97,23 +97,23 @@ template <class Edges>
 double distance(const Edges& edges, const Feature& feature) {
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const auto seen = edges.seen(feature.index);
+    const auto view = edges.edge_view(feature.index);
     const auto enclosed = [&]() -> Enclosed {
       if (feature.kind == Feature::Kind::Vertex) {
-        const DoubleDouble value = sqrt(dot(seen.from, seen.from));
-        return {value, bounds::kClosest * (value.high + (seen.lifted ? seen.maxima.from : 0))};
+        const DoubleDouble value = sqrt(dot(view.to_center, view.to_center));
+        return {value, bounds::kClosest * (value.high + (view.lifted ? view.maxima.to_center : 0))};
       }
       const bool face = feature.kind == Feature::Kind::Face;
-      const Vector3<DoubleDouble>& direction = face ? seen.normal : seen.edge;
-      const double maximum = face ? seen.maxima.normal : seen.maxima.edge;
+      const Vector3<DoubleDouble>& direction = face ? view.normal : view.edge;
+      const double maximum = face ? view.maxima.normal : view.maxima.edge;
       if (maximum < kShortestDirection) return {};
-      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(seen.normal, seen.from);
-      const auto moment = cross(seen.from, seen.edge);
+      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(view.normal, view.to_center);
+      const auto moment = cross(view.to_center, view.edge);
       const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
       const DoubleDouble value = product / length;
-      return {value, bounds::kClosest * (seen.maxima.from * maximum / length.high + value.high)};
+      return {value, bounds::kClosest * (view.maxima.to_center * maximum / length.high + value.high)};
     }();
-    if (is_zero(seen.from) && !seen.lifted) return 0;
+    if (is_zero(view.to_center) && !view.lifted) return 0;
     if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
     return rounded(enclosed, edges.exponent());
   };
@@ -121,8 +121,8 @@ double distance(const Edges& edges, const Feature& feature) {
     edges.counts().count(Stage::DoubleDouble);
     return *result;
   }
-  edges.counts().count(Stage::Unlimited);
-  return edges.unlimited_distance(feature);
+  edges.counts().count(Stage::BigInteger);
+  return edges.bigint_distance(feature);
 }
 
 }  // namespace TOUCHSTONE_TARGET

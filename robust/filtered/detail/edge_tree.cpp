@@ -54,11 +54,11 @@ Box box_along(std::span<const Edge> edges, std::span<const std::uint32_t> group,
           (most_across - least_across) / 2 + bounds::kBoxRounding};
 }
 
-Point farthest(std::span<const Edge> edges, std::span<const std::uint32_t> group, Point from) {
-  Point result = from;
+Point farthest(std::span<const Edge> edges, std::span<const std::uint32_t> group, Point to_center) {
+  Point result = to_center;
   double most = 0;
   for_each_point(edges, group, [&](const Point& p) {
-    const double squared = (p.x - from.x) * (p.x - from.x) + (p.y - from.y) * (p.y - from.y);
+    const double squared = (p.x - to_center.x) * (p.x - to_center.x) + (p.y - to_center.y) * (p.y - to_center.y);
     if (squared > most) most = squared, result = p;
   });
   return result;

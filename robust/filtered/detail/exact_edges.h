@@ -34,27 +34,23 @@ class ExactEdges {
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
   /// Are vertices lifted along this axis? How far, to bounds::kLift.
-  [[nodiscard]] bool lifts(int axis) const {
-    return !parts_.unlimited.planar() && axis == parts_.unlimited.dropped_axis();
-  }
+  [[nodiscard]] bool lifts(int axis) const { return !parts_.bigint.planar() && axis == parts_.bigint.dropped_axis(); }
   [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
 
   /// The last word on closest points and distances.
-  [[nodiscard]] double unlimited_point(const Feature& feature, int axis) const {
-    return parts_.unlimited.point(ball_, feature, axis);
+  [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
+    return parts_.bigint.point(ball_, feature, axis);
   }
-  [[nodiscard]] double unlimited_distance(const Feature& feature) const {
-    return parts_.unlimited.distance(ball_, feature);
-  }
+  [[nodiscard]] double bigint_distance(const Feature& feature) const { return parts_.bigint.distance(ball_, feature); }
 
   template <SignKind kind>
   [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
-    const auto unlimited = [&] { return parts_.unlimited.sign(kind, ball_, edge, axis); };
+    const auto bigint = [&] { return parts_.bigint.sign(kind, ball_, edge, axis); };
     if (!usable_) {
-      counts_.count(Stage::Unlimited);
-      return unlimited();
+      counts_.count(Stage::BigInteger);
+      return bigint();
     }
-    return exact_sign<kind>(seen(edge).question(axis), counts_, unlimited);
+    return exact_sign<kind>(edge_view(edge).operands(axis), counts_, bigint);
   }
 
   /// Distance to the edge against the radius: > is +, = is 0, < is -.
@@ -65,15 +61,15 @@ class ExactEdges {
   }
 
   /// An edge as seen from the ball.
-  struct Seen {
-    Vector3<DoubleDouble> from, edge;
+  struct EdgeView {
+    Vector3<DoubleDouble> to_center, edge;
     const Vector3<DoubleDouble>& normal;
     double radius;
     Maxima maxima;
     bool lifted, exact_normal;
 
-    [[nodiscard]] EdgeInQuestion question(int axis) const {
-      return {from, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
+    [[nodiscard]] EdgeOperands operands(int axis) const {
+      return {to_center, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
     }
     /// Is this component of the normal zero?
     [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
@@ -82,29 +78,29 @@ class ExactEdges {
     static constexpr double kNormalError = 0;
   };
 
-  [[nodiscard]] Seen seen(std::size_t edge) const {
+  [[nodiscard]] EdgeView edge_view(std::size_t edge) const {
     const std::size_t next = parts_.polygon.next(edge);
     const LiftedPolygon& lifted = parts_.lifted;
     const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
-    Seen s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
-           {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
-            two_difference(vertex(next, 2), p[2])},
-           lifted.normal,
-           radius_,
-           {radius_, 0, lifted.normal_maximum},
-           !lifted.lifts.empty(),
-           lifted.exact_normal};
+    EdgeView s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
+               {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
+                two_difference(vertex(next, 2), p[2])},
+               lifted.normal,
+               radius_,
+               {radius_, 0, lifted.normal_maximum},
+               !lifted.lifts.empty(),
+               lifted.exact_normal};
     s.maxima.edge = largest(s.edge);
     if (s.lifted) {
-      s.maxima.from = std::max(s.maxima.from, bounds::kLiftedMaximum);
+      s.maxima.to_center = std::max(s.maxima.to_center, bounds::kLiftedMaximum);
       s.maxima.edge *= bounds::kLiftedMaximum;
-      const int k = parts_.unlimited.dropped_axis();
-      DoubleDouble& from_k = k == 0 ? s.from.x : k == 1 ? s.from.y : s.from.z;
+      const int k = parts_.bigint.dropped_axis();
+      DoubleDouble& to_center_k = k == 0 ? s.to_center.x : k == 1 ? s.to_center.y : s.to_center.z;
       DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
-      from_k = from_k - lifted.lifts[edge];
+      to_center_k = to_center_k - lifted.lifts[edge];
       edge_k = edge_k - dot(lifted.normal, s.edge) / lifted.normal[k];
     }
-    s.maxima.from = std::max(s.maxima.from, largest(s.from));
+    s.maxima.to_center = std::max(s.maxima.to_center, largest(s.to_center));
     s.maxima.edge = std::max(s.maxima.edge, largest(s.edge));
     return s;
   }

@@ -22,7 +22,7 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 /// Like FrameQuery it holds in every rounding direction and, in frames from Frame::kSubnormal up, under flush-to-zero,
 /// and raises no flag but INEXACT and UNDERFLOW.
 struct HeightQuery {
-  Vector3<double> from;         ///< from the frame's origin to the centre
+  Vector3<double> to_center;    ///< from the frame's origin to the centre
   double size;                  ///< at least 1, and no coordinate of the centre in the frame is beyond it
   double height, height_error;  ///< of the centre above the plane
   double radius;
@@ -30,11 +30,11 @@ struct HeightQuery {
   /// Requires coordinates and a radius up to frame.reachable.
   HeightQuery(const Ball& ball, const Frame& frame) {
     const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
-    from = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
-            scaled(ball.center[2]) - frame.origin.z};
+    to_center = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
+                 scaled(ball.center[2]) - frame.origin.z};
     radius = scaled(ball.radius);
-    height = frame::height(frame.normal, from, frame.plane_height);
-    const double widest = larger(larger(std::abs(from.x), std::abs(from.y)), std::abs(from.z));
+    height = frame::height(frame.normal, to_center, frame.plane_height);
+    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
     size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
     assert(size <= 8 * Frame::kReach);
     height_error = bounds::kHeight * bounds::kUnit * size;
@@ -50,22 +50,23 @@ struct HeightQuery {
 /// The foot in a frame, and what doubles can promise about distances from it.
 ///
 /// Let rho be the distance in the plane from the foot to an edge. The rho^2 that the walk computes is certain to be
-/// inside the ball below `sure_hit`, outside above `sure_miss`; the foot is certain to be off the edge above `near`.
+/// inside the ball below `certain_hit_sq`, outside above `certain_miss_sq`; the foot is certain to be off the edge
+/// above `boundary_sq`.
 struct FrameQuery {
-  double x, y;                       ///< the foot
-  double sure_hit, sure_miss, near;  ///< squares; negative where there is no such distance
+  double x, y;                                          ///< the foot
+  double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative where there is no such distance
 
   FrameQuery(const HeightQuery& ball, const Frame& frame)
-      : x(frame::coordinate(frame.x, ball.from)), y(frame::coordinate(frame.y, ball.from)) {
+      : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
     using bounds::kNarrow, bounds::kWide;
     const double error = bounds::kDistance * bounds::kUnit * ball.size;
     const double above = std::abs(ball.height), radius = ball.radius;
     const double low = larger(above - ball.height_error, 0.0), high = above + ball.height_error;
     const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
     const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
-    sure_miss = radius < low ? -1 : outer * outer * kWide;
-    sure_hit = inner > 0 ? inner * inner * kNarrow : -1;
-    near = (bounds::kNear * error) * (bounds::kNear * error);
+    certain_miss_sq = radius < low ? -1 : outer * outer * kWide;
+    certain_hit_sq = inner > 0 ? inner * inner * kNarrow : -1;
+    boundary_sq = (bounds::kNear * error) * (bounds::kNear * error);
   }
 };
 
@@ -73,7 +74,7 @@ struct FrameQuery {
 struct LeafView {
   Pack along, across, length;
   Pack squared;      ///< rho^2
-  unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > near)
+  unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > boundary_sq)
 
   LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
@@ -96,7 +97,8 @@ struct LeafView {
 
 /// The boxes of a node as seen from the foot.
 struct NodeView {
-  Pack squared;    ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `near` on
+  Pack
+      squared;  ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `boundary_sq` on
   unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
 
   NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
@@ -122,11 +124,11 @@ inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
   return ((ends.end() - above) & 1) != 0;
 }
 
-/// Walks to all leaves whose box is within `reach` (a square, at least `near`, which the visitor may shrink) of the
-/// foot and calls visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the right
-/// from the foot crosses the loops, if it was not stopped. Leaves come in no order, or the nearest child first.
+/// Walks to all leaves whose box is within `limit_sq` (a square, at least `boundary_sq`, which the visitor may shrink)
+/// of the foot and calls visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the
+/// right from the foot crosses the loops, if it was not stopped. Leaves come in no order, or the nearest child first.
 template <bool nearest_first = false, class Visit>
-bool walk(const EdgeTree& tree, const FrameQuery& query, const double& reach, const Visit& visit) {
+bool walk(const EdgeTree& tree, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
   const Pack y = all_lanes(query.y);
   std::int32_t stack[EdgeTree::kStackSize];
   std::size_t open = 0;
@@ -143,7 +145,7 @@ bool walk(const EdgeTree& tree, const FrameQuery& query, const double& reach, co
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
     const NodeView view(node, query);
-    const unsigned far = negative_lanes(all_lanes(reach * bounds::kBoxReach) - view.squared);
+    const unsigned far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
     // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
     const Pack parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
     const unsigned met = far & view.right & negative_lanes(parted);

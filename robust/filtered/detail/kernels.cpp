@@ -6,16 +6,16 @@
 
 namespace touchstone::filtered {
 
-constinit std::atomic<const Engine*> found_engine = nullptr;
+constinit std::atomic<const Kernels*> found_kernels = nullptr;
 
-const Engine& find_fastest_engine() {
+const Kernels& find_fastest_kernels() {
   const FloatingPointState nearest;
   expect_sound_arithmetic();
-  const Engine* fastest = &baseline_engine();
+  const Kernels* fastest = &baseline_kernels();
 #if defined(TOUCHSTONE_HAS_AVX2)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) fastest = &avx2_engine();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) fastest = &avx2_kernels();
 #endif
-  found_engine.store(fastest, std::memory_order_relaxed);
+  found_kernels.store(fastest, std::memory_order_relaxed);
   return *fastest;
 }
 

@@ -12,60 +12,60 @@ namespace touchstone::filtered {
 
 /// The functions that are compiled once for each instruction set, for one way of counting stages.
 template <class Counts>
-struct Questions {
+struct KernelTable {
   using Parts = PreparedPolygon::Parts;
-  bool (*triangle_contact)(TriangleQuestion, Counts&);
+  bool (*triangle_contact)(BallTriangleView, Counts&);
   /// Of a question with radius 0: the feature that holds the closest point; its distance and its closest point.
-  Feature (*triangle_nearest)(TriangleQuestion, Counts&);
-  double (*triangle_distance)(TriangleQuestion, const Feature&, Counts&);
-  void (*triangle_point)(TriangleQuestion, const Feature&, double (&point)[3], Counts&);
+  Feature (*triangle_nearest)(BallTriangleView, Counts&);
+  double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
+  void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
   bool (*contact)(const Ball&, const Parts&, Counts&);
   Relation (*relation)(const Ball&, const Parts&, Counts&);
   PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);
-  FootPlace (*foot)(const Ball&, const Parts&, Counts&);
+  PointLocation (*foot)(const Ball&, const Parts&, Counts&);
   std::vector<std::size_t> (*edges_hit)(const Ball&, const Parts&, Counts&);
   Answer (*answer)(const Ball&, const Parts&, Counts&);
 };
 
-struct Engine {
-  Questions<NoCounts> plain;
-  Questions<StageCounts> counted;
+struct Kernels {
+  KernelTable<NoCounts> plain;
+  KernelTable<StageCounts> counted;
   void (*balls_contact)(std::span<const Ball>, const PreparedPolygon::Parts&, std::span<bool>);
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
 };
 
 /// A view of a ball and a triangle.
-[[nodiscard]] __attribute__((always_inline)) inline TriangleQuestion question(const Ball& ball,
-                                                                              const Triangle& triangle) {
+[[nodiscard]] __attribute__((always_inline)) inline BallTriangleView view_of(const Ball& ball,
+                                                                             const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
   static_assert(sizeof(Ball) == 4 * sizeof(double), "a ball is four");
   return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball)};
 }
 
-[[nodiscard]] const Engine& baseline_engine();
-[[nodiscard]] const Engine& avx2_engine();
+[[nodiscard]] const Kernels& baseline_kernels();
+[[nodiscard]] const Kernels& avx2_kernels();
 
 /// Looks what this machine can run, and remembers it. Throws what expect_sound_arithmetic does.
-[[nodiscard]] const Engine& find_fastest_engine();
-extern std::atomic<const Engine*> found_engine;  ///< null before that
+[[nodiscard]] const Kernels& find_fastest_kernels();
+extern std::atomic<const Kernels*> found_kernels;  ///< null before that
 
 /// The fastest engine that this machine can run. All give the same answers.
-[[nodiscard]] inline const Engine& engine() {
+[[nodiscard]] inline const Kernels& kernels() {
   // A local static costs a question of 25 ns one in fifty.
-  const Engine* const found = found_engine.load(std::memory_order_relaxed);
-  return found != nullptr ? *found : find_fastest_engine();
+  const Kernels* const found = found_kernels.load(std::memory_order_relaxed);
+  return found != nullptr ? *found : find_fastest_kernels();
 }
 
 /// The closest point of one engine.
 template <class Counts>
-[[nodiscard]] ClosestPoint closest(const Questions<Counts>& ask, const Eigen::Vector3d& center,
+[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& ask, const Eigen::Vector3d& center,
                                    const Triangle& triangle, Counts& counts) {
   const Ball point_ball{center, 0};
-  const TriangleQuestion asked = question(point_ball, triangle);
-  const Feature feature = ask.triangle_nearest(asked, counts);
+  const BallTriangleView view = view_of(point_ball, triangle);
+  const Feature feature = ask.triangle_nearest(view, counts);
   double point[3];
-  ask.triangle_point(asked, feature, point, counts);
-  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(asked, feature, counts)};
+  ask.triangle_point(view, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(view, feature, counts)};
 }
 
 }  // namespace touchstone::filtered

@@ -6,7 +6,7 @@
 
 namespace touchstone::filtered {
 
-const Engine& avx2_engine() { return kEngine; }
+const Kernels& avx2_kernels() { return kKernels; }
 
 }  // namespace touchstone::filtered
 #endif

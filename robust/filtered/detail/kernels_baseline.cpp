@@ -3,6 +3,6 @@
 
 namespace touchstone::filtered {
 
-const Engine& baseline_engine() { return kEngine; }
+const Kernels& baseline_kernels() { return kKernels; }
 
 }  // namespace touchstone::filtered

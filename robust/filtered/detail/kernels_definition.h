@@ -25,49 +25,50 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
     std::optional<OwnFloatingPointState> nearest;
     if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
-    PolygonQuestion<Counts> question(ball, parts, counts);
-    return pinned((question.*in_frame)());
+    PolygonQuery<Counts> query(ball, parts, counts);
+    return pinned((query.*in_frame)());
   }
-  counts.count(Stage::Unlimited);
+  counts.count(Stage::BigInteger);
   return otherwise(ball, parts.exact());
 }
 
 template <class Counts>
-inline constexpr Questions<Counts> kQuestions{
+inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_contact = contact<Counts>,
     .triangle_nearest = nearest_feature<Counts>,
     .triangle_distance = feature_distance<Counts>,
     .triangle_point = feature_point<Counts>,
-    .contact = ask<&PolygonQuestion<Counts>::contact,
+    .contact = ask<&PolygonQuery<Counts>::contact,
                    static_cast<bool (*)(const Ball&, const exact::PreparedPolygon&)>(exact::contact), bool, Counts>,
     .relation =
-        ask<&PolygonQuestion<Counts>::relation,
+        ask<&PolygonQuery<Counts>::relation,
             static_cast<Relation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::relation), Relation, Counts>,
-    .plane_side = ask<&PolygonQuestion<Counts>::plane_side,
+    .plane_side = ask<&PolygonQuery<Counts>::plane_side,
                       static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side),
                       PlaneSide, Counts>,
-    .foot = ask<&PolygonQuestion<Counts>::foot,
-                static_cast<FootPlace (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), FootPlace, Counts>,
+    .foot = ask<&PolygonQuery<Counts>::foot,
+                static_cast<PointLocation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), PointLocation,
+                Counts>,
     .edges_hit =
-        ask<&PolygonQuestion<Counts>::edges_hit,
+        ask<&PolygonQuery<Counts>::edges_hit,
             static_cast<std::vector<std::size_t> (*)(const Ball&, const exact::PreparedPolygon&)>(exact::edges_hit),
             std::vector<std::size_t>, Counts>,
-    .answer = ask<&PolygonQuestion<Counts>::answer,
+    .answer = ask<&PolygonQuery<Counts>::answer,
                   static_cast<Answer (*)(const Ball&, const exact::PreparedPolygon&)>(exact::answer), Answer, Counts>,
 };
 
 inline void balls_contact(std::span<const Ball> balls, const PreparedPolygon::Parts& parts, std::span<bool> touches) {
   NoCounts counts;
-  for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = kQuestions<NoCounts>.contact(balls[i], parts, counts);
+  for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = kKernelTable<NoCounts>.contact(balls[i], parts, counts);
 }
 
 inline void triangles_contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) {
   NoCounts counts;
-  for (std::size_t i = 0; i < triangles.size(); ++i) touches[i] = contact(question(ball, triangles[i]), counts);
+  for (std::size_t i = 0; i < triangles.size(); ++i) touches[i] = contact(view_of(ball, triangles[i]), counts);
 }
 
 /// The engine of the target that this is compiled for.
-inline constexpr Engine kEngine{kQuestions<NoCounts>, kQuestions<StageCounts>, balls_contact, triangles_contact};
+inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact};
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered

@@ -21,12 +21,12 @@ class OwnFloatingPointState : public FloatingPointState {};
 /// One question about a ball and a prepared polygon that has a frame, from the frame's doubles to the exact signs that
 /// those leave unsure.
 template <class Counts>
-class PolygonQuestion {
+class PolygonQuery {
  public:
   using Parts = PreparedPolygon::Parts;
 
   /// Requires a frame and a ball within its reach.
-  PolygonQuestion(const Ball& ball, const Parts& parts, Counts& counts)
+  PolygonQuery(const Ball& ball, const Parts& parts, Counts& counts)
       : ball_(ball), parts_(parts), counts_(counts), height_(ball, *parts.frame) {}
 
   [[nodiscard]] bool contact() { return counted(distance_sign<true>()) <= 0; }
@@ -37,7 +37,7 @@ class PolygonQuestion {
   }
 
   [[nodiscard]] PlaneSide plane_side() { return counted(plane_side_uncounted()); }
-  [[nodiscard]] FootPlace foot() { return counted(foot_uncounted()); }
+  [[nodiscard]] PointLocation foot() { return counted(foot_uncounted()); }
   [[nodiscard]] std::vector<std::size_t> edges_hit() { return counted(edges_hit_uncounted()); }
 
   [[nodiscard]] Answer answer();
@@ -64,8 +64,8 @@ class PolygonQuestion {
   }
 
   [[nodiscard]] int plane_sign() {
-    const int sure = height_.plane_sign();
-    return sure != 0 ? sure : exact().template sign<SignKind::Plane>(0);
+    const int certain = height_.plane_sign();
+    return certain != 0 ? certain : exact().template sign<SignKind::Plane>(0);
   }
 
   /// Distance against radius: > is +, = is 0, < is -; with `contact_only` any number <= 0 stands for both.
@@ -73,8 +73,8 @@ class PolygonQuestion {
   [[nodiscard]] int distance_sign();
 
   [[nodiscard]] PlaneSide plane_side_uncounted();
-  [[nodiscard]] FootPlace foot_uncounted();
-  [[nodiscard]] FootPlace exact_foot();
+  [[nodiscard]] PointLocation foot_uncounted();
+  [[nodiscard]] PointLocation exact_foot();
   [[nodiscard]] std::vector<std::size_t> edges_hit_uncounted();
   [[nodiscard]] Feature nearest_on_boundary();
   [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
@@ -102,80 +102,82 @@ class PolygonQuestion {
 
 template <class Counts>
 template <bool contact_only>
-int PolygonQuestion<Counts>::distance_sign() {
+int PolygonQuery<Counts>::distance_sign() {
   if (height_.plane_sign() > 0) return 1;
   const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
-  const double reach = larger(query.sure_miss, query.near);
-  bool hit = false, near = false, unsure = false;
-  const bool inside = walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-    hit = (below(view.squared, query.sure_hit) & lanes(leaf)) != 0;
-    near |= (not_above(view.squared, query.near) & lanes(leaf)) != 0;
-    unsure |= (not_above(view.squared, query.sure_miss) & lanes(leaf)) != 0;
+  const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
+  bool hit = false, near_boundary = false, unsure = false;
+  const bool inside = walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    hit = (below(view.squared, query.certain_hit_sq) & lanes(leaf)) != 0;
+    near_boundary |= (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
+    unsure |= (not_above(view.squared, query.certain_miss_sq) & lanes(leaf)) != 0;
     return hit;
   });
   if (hit) return -1;
-  if (!near && !inside && !unsure) return 1;
+  if (!near_boundary && !inside && !unsure) return 1;
 
   // Only the plane matters where the foot is inside, only the unsure edges where it is outside.
   int plane = 0;
-  if (near || inside) {
+  if (near_boundary || inside) {
     plane = plane_sign();
-    if (plane > 0 || (!near && inside)) return plane;
+    if (plane > 0 || (!near_boundary && inside)) return plane;
   }
   int nearest = 1;
   if (unsure) {
     const ExactEdges<Counts>& edges = exact();
-    walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-      return any_edge(leaf, not_above(view.squared, query.sure_miss) & lanes(leaf), [&](std::size_t edge) {
+    walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+      return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & lanes(leaf), [&](std::size_t edge) {
         nearest = std::min(nearest, edges.distance_sign(edge));
         return contact_only ? nearest <= 0 : nearest < 0;
       });
     });
   }
-  if (!near || nearest < 0 || (contact_only && nearest == 0)) return nearest;
-  return exact_foot() == FootPlace::Outside ? nearest : plane;
+  if (!near_boundary || nearest < 0 || (contact_only && nearest == 0)) return nearest;
+  return exact_foot() == PointLocation::Outside ? nearest : plane;
 }
 
 template <class Counts>
-PlaneSide PolygonQuestion<Counts>::plane_side_uncounted() {
+PlaneSide PolygonQuery<Counts>::plane_side_uncounted() {
   if (plane_sign() <= 0) return PlaneSide::Intersects;
-  const bool sure = std::abs(height_.height) > height_.height_error;
-  const bool front = sure ? height_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
+  const bool certain = std::abs(height_.height) > height_.height_error;
+  const bool front = certain ? height_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
   return front ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
 template <class Counts>
-FootPlace PolygonQuestion<Counts>::foot_uncounted() {
+PointLocation PolygonQuery<Counts>::foot_uncounted() {
   const FrameQuery& query = this->query();
-  bool near = false;
+  bool near_boundary = false;
   const bool inside =
-      walk(parts_.frame->edges, query, query.near, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-        return near = (not_above(view.squared, query.near) & lanes(leaf)) != 0;
+      walk(parts_.frame->edges, query, query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+        return near_boundary = (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
       });
-  if (near) return exact_foot();
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  if (near_boundary) return exact_foot();
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 // The ray goes along the axis that the frame shares with the projection, so that above and below can be decided there
 // exactly for each vertex that the frame cannot tell from the foot.
 template <class Counts>
-FootPlace PolygonQuestion<Counts>::exact_foot() {
+PointLocation PolygonQuery<Counts>::exact_foot() {
   const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
-  const int axis = (parts_.unlimited.dropped_axis() + 2) % 3;
-  const double margin = std::sqrt(query.near) * bounds::kWide;
+  const int axis = (parts_.bigint.dropped_axis() + 2) % 3;
+  const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
   const auto above = [&](double y, std::uint32_t vertex) {
     if (std::abs(y - query.y) > margin) return y > query.y;
     return edges.template sign<SignKind::Above>(vertex, axis) < 0;
   };
   const auto odd_ends_above = [&](std::span<const EdgeTree::End> ends) {
-    const auto unsure = std::ranges::partition_point(ends, [&](const auto& end) { return end.y < query.y - margin; });
-    const auto sure =
-        std::partition_point(unsure, ends.end(), [&](const auto& end) { return end.y <= query.y + margin; });
-    const auto found = std::count_if(unsure, sure, [&](const auto& end) { return above(end.y, end.vertex); });
-    return ((found + (ends.end() - sure)) & 1) != 0;
+    const auto first_unsure =
+        std::ranges::partition_point(ends, [&](const auto& end) { return end.y < query.y - margin; });
+    const auto first_above =
+        std::partition_point(first_unsure, ends.end(), [&](const auto& end) { return end.y <= query.y + margin; });
+    const auto found =
+        std::count_if(first_unsure, first_above, [&](const auto& end) { return above(end.y, end.vertex); });
+    return ((found + (ends.end() - first_above)) & 1) != 0;
   };
 
   bool inside = false;
@@ -187,7 +189,7 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
     if (index >= 0) {
       const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
       const NodeView view(node, query);
-      const unsigned far = negative_lanes(all_lanes(query.near * bounds::kBoxReach) - view.squared);
+      const unsigned far = negative_lanes(all_lanes(query.boundary_sq * bounds::kBoxReach) - view.squared);
       for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
         if ((far >> lane & 1) == 0)
           stack[open++] = node.child[lane];
@@ -213,28 +215,29 @@ FootPlace PolygonQuestion<Counts>::exact_foot() {
       const int side = edges.template sign<SignKind::Side>(edge);
       if (side == 0) {
         if (edges.template sign<SignKind::Along>(edge) >= 0 && edges.template sign<SignKind::Beyond>(edge) <= 0)
-          return FootPlace::Boundary;
+          return PointLocation::Boundary;
       } else if (start != end && (side > 0) == end) {
         inside = !inside;
       }
     }
   }
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 template <class Counts>
-std::vector<std::size_t> PolygonQuestion<Counts>::edges_hit_uncounted() {
+std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
   std::vector<std::size_t> hit;
   if (height_.plane_sign() > 0) return hit;
   const FrameQuery& query = this->query();
-  walk(parts_.frame->edges, query, larger(query.sure_miss, query.near),
+  walk(parts_.frame->edges, query, larger(query.certain_miss_sq, query.boundary_sq),
        [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-         const unsigned sure = below(view.squared, query.sure_hit) & lanes(leaf);
-         any_edge(leaf, sure, [&](std::size_t edge) { return hit.push_back(edge), false; });
-         return any_edge(leaf, not_above(view.squared, query.sure_miss) & ~sure & lanes(leaf), [&](std::size_t edge) {
-           if (exact().distance_sign(edge) <= 0) hit.push_back(edge);
-           return false;
-         });
+         const unsigned certain = below(view.squared, query.certain_hit_sq) & lanes(leaf);
+         any_edge(leaf, certain, [&](std::size_t edge) { return hit.push_back(edge), false; });
+         return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & ~certain & lanes(leaf),
+                         [&](std::size_t edge) {
+                           if (exact().distance_sign(edge) <= 0) hit.push_back(edge);
+                           return false;
+                         });
        });
   // By a function of this target, so that no other target's code is sorted by it.
   std::sort(hit.begin(), hit.end(), [](std::size_t a, std::size_t b) { return a < b; });
@@ -242,7 +245,7 @@ std::vector<std::size_t> PolygonQuestion<Counts>::edges_hit_uncounted() {
 }
 
 template <class Counts>
-Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
+Feature PolygonQuery<Counts>::nearest_of_edge(std::size_t edge) {
   const ExactEdges<Counts>& edges = exact();
   if (edges.template sign<SignKind::Along>(edge) <= 0) return {Feature::Kind::Vertex, edge};
   if (edges.template sign<SignKind::Beyond>(edge) >= 0) return {Feature::Kind::Vertex, parts_.polygon.next(edge)};
@@ -250,7 +253,7 @@ Feature PolygonQuestion<Counts>::nearest_of_edge(std::size_t edge) {
 }
 
 template <class Counts>
-Feature PolygonQuestion<Counts>::nearest_on_boundary() {
+Feature PolygonQuery<Counts>::nearest_on_boundary() {
   const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
   double least = 0x1p500, bound = least;  // beyond all reach, and finite
@@ -258,21 +261,21 @@ Feature PolygonQuestion<Counts>::nearest_on_boundary() {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
-    bound = larger(least, query.near);
+    bound = larger(least, query.boundary_sq);
     return false;
   });
   // Edges that may be as near as the nearest: both distances may be off, by less than kNear errors together.
-  const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.near),
-               reach = larger(wider * wider * bounds::kWide, query.near);
+  const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.boundary_sq),
+               limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;
-  walk(tree, query, reach, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-    return any_edge(leaf, not_above(view.squared, reach) & lanes(leaf), [&](std::size_t edge) {
+  walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    return any_edge(leaf, not_above(view.squared, limit_sq) & lanes(leaf), [&](std::size_t edge) {
       const Feature feature = nearest_of_edge(edge);
       if (!nearest) {
         nearest = feature;
       } else if (feature != *nearest) {
-        counts_.count(Stage::Unlimited);
-        const int order = parts_.unlimited.compare_distances(ball_, feature, *nearest);
+        counts_.count(Stage::BigInteger);
+        const int order = parts_.bigint.compare_distances(ball_, feature, *nearest);
         const auto rank = [](const Feature& f) { return std::pair(f.kind == Feature::Kind::Vertex, f.index); };
         if (order < 0 || (order == 0 && rank(feature) < rank(*nearest))) nearest = feature;
       }
@@ -283,10 +286,10 @@ Feature PolygonQuestion<Counts>::nearest_on_boundary() {
 }
 
 template <class Counts>
-Answer PolygonQuestion<Counts>::answer() {
+Answer PolygonQuery<Counts>::answer() {
   const ExactEdges<Counts>& edges = exact();
-  const FootPlace place = foot_uncounted();
-  const Feature feature = place == FootPlace::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
+  const PointLocation place = foot_uncounted();
+  const Feature feature = place == PointLocation::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
   Answer answer{
       .plane = plane_side_uncounted(),
       .plane_tangent = plane_sign() == 0,
@@ -296,7 +299,7 @@ Answer PolygonQuestion<Counts>::answer() {
       .nearest = feature,
       .point = {closest_point(edges, feature, 0), closest_point(edges, feature, 1), closest_point(edges, feature, 2)},
       .distance = filtered::distance(edges, feature),
-      .off_plane = parts_.unlimited.off_plane()};
+      .off_plane = parts_.bigint.off_plane()};
   const int sign = distance_sign<false>();
   answer.relation = sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
   return answer;

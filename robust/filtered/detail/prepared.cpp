@@ -107,19 +107,18 @@ std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vect
 
 }  // namespace
 
-PreparedPolygon::Parts::Parts(const Polygon& loops) : polygon(loops), unlimited(polygon) {
-  const int exponent = frame_exponent(polygon), dropped = unlimited.dropped_axis();
+PreparedPolygon::Parts::Parts(const Polygon& loops) : polygon(loops), bigint(polygon) {
+  const int exponent = frame_exponent(polygon), dropped = bigint.dropped_axis();
   if (polygon.vertex_count() > EdgeTree::kMostEdges) return;
   const auto points = scaled(polygon, exponent);
   if (!points) return;
-  lifted.normal = {unlimited.normal(0, -2 * exponent), unlimited.normal(1, -2 * exponent),
-                   unlimited.normal(2, -2 * exponent)};
+  lifted.normal = {bigint.normal(0, -2 * exponent), bigint.normal(1, -2 * exponent), bigint.normal(2, -2 * exponent)};
   lifted.normal_maximum = std::abs(lifted.normal[dropped].high) * (1 + 0x1p-50);
   if (!(lifted.normal_maximum > 0x1p-400)) return;
   lifted.exact_normal = true;
   for (int axis = 0; axis < 3; ++axis)
-    lifted.exact_normal = lifted.exact_normal && unlimited.normal_fits(axis, -2 * exponent);
-  if (!unlimited.planar()) lifted.lifts = lifts(*points, lifted.normal, dropped, unlimited.plane_height(-3 * exponent));
+    lifted.exact_normal = lifted.exact_normal && bigint.normal_fits(axis, -2 * exponent);
+  if (!bigint.planar()) lifted.lifts = lifts(*points, lifted.normal, dropped, bigint.plane_height(-3 * exponent));
   frame = filtered::frame(polygon, exponent, *points, lifted, dropped);
 }
 

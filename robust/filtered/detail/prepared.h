@@ -48,7 +48,7 @@ struct PreparedPolygon::Parts {
   explicit Parts(const Polygon& polygon);
 
   Polygon polygon;
-  UnlimitedPolygon unlimited;
+  BigIntPolygon bigint;
   LiftedPolygon lifted;
   std::optional<Frame> frame;  ///< none where scaling would lose bits, or beyond kMostEdges: `exact` answers
 

@@ -11,26 +11,26 @@ enum class SignKind { Vertex, Along, Beyond, Line, Front, Plane, Side, Above };
 
 inline namespace TOUCHSTONE_TARGET {
 
-/// The largest magnitudes of the components of `from` (and of r), `edge` and `normal`.
+/// The largest magnitudes of the components of `to_center` (and of r), `edge` and `normal`.
 struct Maxima {
-  double from, edge, normal;
+  double to_center, edge, normal;
 };
 
-/// The sign's expression over the numbers of an edge as seen from a ball: `from`, `edge`, `normal`, `radius`, and for
-/// Above the coordinate that it is about.
+/// The sign's expression over the numbers of an edge as seen from a ball: `to_center`, `edge`, `normal`, `radius`, and
+/// for Above the coordinate that it is about.
 template <SignKind kind, class View>
 constexpr auto expression(const View& view) {
-  if constexpr (kind == SignKind::Vertex) return signs::vertex(view.from(), view.radius());
-  if constexpr (kind == SignKind::Along) return signs::along(view.from(), view.edge());
-  if constexpr (kind == SignKind::Beyond) return signs::beyond(view.from(), view.edge());
-  if constexpr (kind == SignKind::Line) return signs::line(view.from(), view.edge(), view.radius());
-  if constexpr (kind == SignKind::Front) return signs::front(view.normal(), view.from());
-  if constexpr (kind == SignKind::Plane) return signs::plane(view.normal(), view.from(), view.radius());
-  if constexpr (kind == SignKind::Side) return signs::side(view.normal(), view.edge(), view.from());
+  if constexpr (kind == SignKind::Vertex) return signs::vertex(view.to_center(), view.radius());
+  if constexpr (kind == SignKind::Along) return signs::along(view.to_center(), view.edge());
+  if constexpr (kind == SignKind::Beyond) return signs::beyond(view.to_center(), view.edge());
+  if constexpr (kind == SignKind::Line) return signs::line(view.to_center(), view.edge(), view.radius());
+  if constexpr (kind == SignKind::Front) return signs::front(view.normal(), view.to_center());
+  if constexpr (kind == SignKind::Plane) return signs::plane(view.normal(), view.to_center(), view.radius());
+  if constexpr (kind == SignKind::Side) return signs::side(view.normal(), view.edge(), view.to_center());
   if constexpr (kind == SignKind::Above) {
-    const auto from = view.from();
+    const auto to_center = view.to_center();
     const auto normal = view.normal();
-    return signs::above(normal, from, normal[view.axis()], from[view.axis()]);
+    return signs::above(normal, to_center, normal[view.axis()], to_center[view.axis()]);
   }
 }
 
@@ -54,14 +54,14 @@ int expression_sign(SignKind kind, const View& view) {
 template <SignKind kind>
 constexpr double bound(const Maxima& m) {
   switch (kind) {
-    case SignKind::Vertex: return bounds::kVertex * (m.from * m.from);
-    case SignKind::Along: return bounds::kAlong * (m.from * m.edge);
-    case SignKind::Beyond: return bounds::kBeyond * (m.edge * (m.from > m.edge ? m.from : m.edge));
-    case SignKind::Line: return bounds::kLine * (m.from * m.edge) * (m.from * m.edge);
-    case SignKind::Front: return bounds::kFront * (m.normal * m.from);
-    case SignKind::Plane: return bounds::kPlane * (m.normal * m.from) * (m.normal * m.from);
-    case SignKind::Side: return bounds::kSide * (m.normal * m.edge * m.from);
-    case SignKind::Above: return bounds::kAbove * (m.normal * m.normal * m.from);
+    case SignKind::Vertex: return bounds::kVertex * (m.to_center * m.to_center);
+    case SignKind::Along: return bounds::kAlong * (m.to_center * m.edge);
+    case SignKind::Beyond: return bounds::kBeyond * (m.edge * (m.to_center > m.edge ? m.to_center : m.edge));
+    case SignKind::Line: return bounds::kLine * (m.to_center * m.edge) * (m.to_center * m.edge);
+    case SignKind::Front: return bounds::kFront * (m.normal * m.to_center);
+    case SignKind::Plane: return bounds::kPlane * (m.normal * m.to_center) * (m.normal * m.to_center);
+    case SignKind::Side: return bounds::kSide * (m.normal * m.edge * m.to_center);
+    case SignKind::Above: return bounds::kAbove * (m.normal * m.normal * m.to_center);
   }
 }
 

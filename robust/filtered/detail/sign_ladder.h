@@ -20,8 +20,8 @@ inline namespace TOUCHSTONE_TARGET {
 ///
 /// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to
 /// bounds::kNormal times that (the input that bounds.h asks for).
-struct EdgeInQuestion {
-  const Vector3<DoubleDouble>&from, &edge, &normal;
+struct EdgeOperands {
+  const Vector3<DoubleDouble>&to_center, &edge, &normal;
   double radius;
   int axis;       ///< of SignKind::Above
   Maxima maxima;  ///< each at most bounds::kLargest
@@ -33,17 +33,17 @@ struct EdgeInQuestion {
 };
 
 struct DoubleDoubleView {
-  const EdgeInQuestion& question;
-  [[nodiscard]] const Vector3<DoubleDouble>& from() const { return question.from; }
-  [[nodiscard]] const Vector3<DoubleDouble>& edge() const { return question.edge; }
-  [[nodiscard]] const Vector3<DoubleDouble>& normal() const { return question.normal; }
-  [[nodiscard]] DoubleDouble radius() const { return question.radius; }
-  [[nodiscard]] int axis() const { return question.axis; }
+  const EdgeOperands& operands;
+  [[nodiscard]] const Vector3<DoubleDouble>& to_center() const { return operands.to_center; }
+  [[nodiscard]] const Vector3<DoubleDouble>& edge() const { return operands.edge; }
+  [[nodiscard]] const Vector3<DoubleDouble>& normal() const { return operands.normal; }
+  [[nodiscard]] DoubleDouble radius() const { return operands.radius; }
+  [[nodiscard]] int axis() const { return operands.axis; }
 };
 
 /// The doubles nearest to the differences and to the normal.
 struct PermanentView {
-  const EdgeInQuestion& question;
+  const EdgeOperands& operands;
   using Vector = Vector3<Permanent<1>>;
 
   /// Half a unit in the last place is u |high|; what a double-double may be off is far below u 2^-40 of its maximum.
@@ -53,11 +53,13 @@ struct PermanentView {
     };
     return {component(v.x), component(v.y), component(v.z)};
   }
-  [[nodiscard]] Vector from() const { return rounded(question.from, question.lifted ? question.maxima.from : 0); }
-  [[nodiscard]] Vector edge() const { return rounded(question.edge, question.lifted ? question.maxima.edge : 0); }
-  [[nodiscard]] Vector normal() const { return rounded(question.normal, question.maxima.normal); }
-  [[nodiscard]] Permanent<0> radius() const { return exact_double(question.radius); }
-  [[nodiscard]] int axis() const { return question.axis; }
+  [[nodiscard]] Vector to_center() const {
+    return rounded(operands.to_center, operands.lifted ? operands.maxima.to_center : 0);
+  }
+  [[nodiscard]] Vector edge() const { return rounded(operands.edge, operands.lifted ? operands.maxima.edge : 0); }
+  [[nodiscard]] Vector normal() const { return rounded(operands.normal, operands.maxima.normal); }
+  [[nodiscard]] Permanent<0> radius() const { return exact_double(operands.radius); }
+  [[nodiscard]] int axis() const { return operands.axis; }
 };
 
 /// Everything times a power of two, as integers of at most Bits bits (the normal: 2 Bits + 1).
@@ -65,14 +67,14 @@ template <int Bits>
 class IntegerView {
  public:
   /// Requires that nothing is lifted.
-  explicit IntegerView(const EdgeInQuestion& question) : question_(question), scale_(0), fits_(false) {
-    if (!short_enough(question.from) || !short_enough(question.edge)) return;
+  explicit IntegerView(const EdgeOperands& operands) : operands_(operands), scale_(0), fits_(false) {
+    if (!short_enough(operands.to_center) || !short_enough(operands.edge)) return;
     // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
-    int shift = Bits - 1 - exponent(std::max(question.maxima.from, question.maxima.edge));
-    if (question.normal_edges == nullptr) shift = std::min(shift, (2 * Bits - exponent(question.maxima.normal)) >> 1);
+    int shift = Bits - 1 - exponent(std::max(operands.maxima.to_center, operands.maxima.edge));
+    if (operands.normal_edges == nullptr) shift = std::min(shift, (2 * Bits - exponent(operands.maxima.normal)) >> 1);
     if (shift > 400) return;
     scale_ = power_of_two(shift);
-    fits_ = whole(question.from) && whole(question.edge) && whole(question.radius, scale_) && whole_normal();
+    fits_ = whole(operands.to_center) && whole(operands.edge) && whole(operands.radius, scale_) && whole_normal();
   }
 
   /// Are all of them whole numbers after the scaling?
@@ -80,19 +82,19 @@ class IntegerView {
 
   using Vector = Vector3<Integer<Bits>>;
   using Normal = Vector3<Integer<2 * Bits + 1>>;
-  [[nodiscard]] Vector from() const { return integers(question_.from); }
-  [[nodiscard]] Vector edge() const { return integers(question_.edge); }
+  [[nodiscard]] Vector to_center() const { return integers(operands_.to_center); }
+  [[nodiscard]] Vector edge() const { return integers(operands_.edge); }
   [[nodiscard]] Normal normal() const {
-    if (question_.normal_edges != nullptr)
-      return signs::normal(integers(question_.normal_edges[0]), integers(question_.normal_edges[1]));
+    if (operands_.normal_edges != nullptr)
+      return signs::normal(integers(operands_.normal_edges[0]), integers(operands_.normal_edges[1]));
     const auto integer = [scale = scale_ * scale_](const DoubleDouble& x) {
       using Storage = typename Integer<2 * Bits + 1>::Storage;
       return Integer<2 * Bits + 1>(static_cast<Storage>(x.high * scale) + static_cast<Storage>(x.low * scale));
     };
-    return {integer(question_.normal.x), integer(question_.normal.y), integer(question_.normal.z)};
+    return {integer(operands_.normal.x), integer(operands_.normal.y), integer(operands_.normal.z)};
   }
-  [[nodiscard]] Integer<Bits> radius() const { return integer(question_.radius); }
-  [[nodiscard]] int axis() const { return question_.axis; }
+  [[nodiscard]] Integer<Bits> radius() const { return integer(operands_.radius); }
+  [[nodiscard]] int axis() const { return operands_.axis; }
 
  private:
   static int exponent(double normal) {
@@ -121,14 +123,14 @@ class IntegerView {
     return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);
   }
   [[nodiscard]] bool whole_normal() const {
-    if (question_.normal_edges != nullptr) {
-      const auto &u = question_.normal_edges[0], &v = question_.normal_edges[1];
+    if (operands_.normal_edges != nullptr) {
+      const auto &u = operands_.normal_edges[0], &v = operands_.normal_edges[1];
       return short_enough(u) && short_enough(v) && whole(u) && whole(v);
     }
     const double scale = scale_ * scale_;
     const auto component = [scale](const DoubleDouble& x) { return whole(x.high, scale) && whole(x.low, scale); };
-    return question_.exact_normal && component(question_.normal.x) && component(question_.normal.y) &&
-           component(question_.normal.z);
+    return operands_.exact_normal && component(operands_.normal.x) && component(operands_.normal.y) &&
+           component(operands_.normal.z);
   }
   [[nodiscard]] Integer<Bits> integer(double value) const {
     return Integer<Bits>(static_cast<std::int64_t>(value * scale_));
@@ -137,18 +139,18 @@ class IntegerView {
     return {integer(v.x.high), integer(v.y.high), integer(v.z.high)};
   }
 
-  const EdgeInQuestion& question_;
+  const EdgeOperands& operands_;
   double scale_;
   bool fits_;
 };
 
 /// The sign of double-doubles where their bound is sure of it, else 0.
 template <SignKind kind>
-int sure_sign(const EdgeInQuestion& question) {
-  const double value = expression<kind>(DoubleDoubleView{question}).high;
+int certain_sign(const EdgeOperands& operands) {
+  const double value = expression<kind>(DoubleDoubleView{operands}).high;
   // high is within half a unit of its last place of the double-double, whose sign it has; each constant pays
   // for that and for the rounding of the bound.
-  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(question.maxima) + bounds::kTiny;
+  const double largest = bounds::kDoubleDoubleUnit * bound<kind>(operands.maxima) + bounds::kTiny;
   return (value > largest) - (value < -largest);
 }
 
@@ -158,42 +160,42 @@ int sure_sign(const EdgeInQuestion& question) {
 
 /// The centre is at the edge's start, and every product is with zero.
 template <SignKind kind>
-bool vanishes(const EdgeInQuestion& question) {
-  if (question.lifted || !is_zero(question.from)) return false;
+bool vanishes(const EdgeOperands& operands) {
+  if (operands.lifted || !is_zero(operands.to_center)) return false;
   constexpr bool linear =
       kind == SignKind::Along || kind == SignKind::Front || kind == SignKind::Side || kind == SignKind::Above;
-  return linear || (kind != SignKind::Beyond && question.radius == 0);
+  return linear || (kind != SignKind::Beyond && operands.radius == 0);
 }
 
-/// The exact sign. `unlimited()` is asked last. Requires round to nearest, without flush-to-zero.
-template <SignKind kind, class Unlimited, class Counts>
-int exact_sign(const EdgeInQuestion& question, Counts& counts, const Unlimited& unlimited) {
-  if (const int sign = sure_sign(expression<kind>(PermanentView{question}), bounds::kTiny)) {
+/// The exact sign. `bigint()` is asked last. Requires round to nearest, without flush-to-zero.
+template <SignKind kind, class BigInteger, class Counts>
+int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& bigint) {
+  if (const int sign = certain_sign(expression<kind>(PermanentView{operands}), bounds::kTiny)) {
     counts.count(Stage::Permanent);
     return sign;
   }
-  if (vanishes<kind>(question)) {
+  if (vanishes<kind>(operands)) {
     counts.count(Stage::DoubleDouble);
     return 0;
   }
-  if (!question.lifted) {
-    if (const IntegerView<30> view(question); view.fits()) {
+  if (!operands.lifted) {
+    if (const IntegerView<30> view(operands); view.fits()) {
       counts.count(Stage::FixedInteger);
       return expression<kind>(view).sign();
     }
   }
-  if (const int sign = sure_sign<kind>(question)) {
+  if (const int sign = certain_sign<kind>(operands)) {
     counts.count(Stage::DoubleDouble);
     return sign;
   }
-  if (!question.lifted) {
-    if (const IntegerView<62> view(question); view.fits()) {
+  if (!operands.lifted) {
+    if (const IntegerView<62> view(operands); view.fits()) {
       counts.count(Stage::FixedInteger);
       return expression<kind>(view).sign();
     }
   }
-  counts.count(Stage::Unlimited);
-  return unlimited();
+  counts.count(Stage::BigInteger);
+  return bigint();
 }
 
 }  // namespace TOUCHSTONE_TARGET

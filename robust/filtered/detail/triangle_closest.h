@@ -14,48 +14,48 @@ inline namespace TOUCHSTONE_TARGET {
 /// A triangle as seen from a centre, times a power of two where its numbers are far from 1: what closest_point.h asks
 /// of edges.
 template <class Counts>
-class SeenTriangle {
+class ExactTriangle {
  public:
   /// The question's radius must be 0. Requires round to nearest, without flush-to-zero, while it lives.
-  SeenTriangle(const TriangleQuestion& question, Counts& counts) : given_(question), seen_(question), counts_(counts) {
-    if (const double largest = largest_number(question); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
-      scaled_.emplace(question, largest);
+  ExactTriangle(const BallTriangleView& view, Counts& counts) : given_(view), view_(view), counts_(counts) {
+    if (const double largest = largest_number(view); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
+      scaled_.emplace(view, largest);
       exponent_ = scaled_->exponent();
-      seen_ = scaled_->question();
+      view_ = scaled_->view();
     }
     scales_ = !scaled_ || scaled_->exact();
-    if (scales_) (void)triangle_filter<true>(seen_, signs_);
+    if (scales_) (void)triangle_filter<true>(view_, signs_);
   }
-  SeenTriangle(const SeenTriangle&) = delete;
-  SeenTriangle& operator=(const SeenTriangle&) = delete;
+  ExactTriangle(const ExactTriangle&) = delete;
+  ExactTriangle& operator=(const ExactTriangle&) = delete;
 
   /// The feature that holds the closest point.
   [[nodiscard]] Feature nearest() const {
     if (scales_) return triangle().nearest();
-    counts_.count(Stage::Unlimited);
-    return unlimited_nearest(given_);
+    counts_.count(Stage::BigInteger);
+    return bigint_nearest(given_);
   }
 
   [[nodiscard]] Counts& counts() const { return counts_; }
   [[nodiscard]] bool scales() const { return scales_; }
   [[nodiscard]] int exponent() const { return exponent_; }
-  [[nodiscard]] double center(int axis) const { return seen_.center[axis]; }
-  [[nodiscard]] double vertex(std::size_t i, int axis) const { return seen_.vertex[i][axis]; }
+  [[nodiscard]] double center(int axis) const { return view_.center[axis]; }
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return view_.vertex[i][axis]; }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return given_.vertex[i][axis]; }
   [[nodiscard]] static bool lifts(int) { return false; }
   [[nodiscard]] static DoubleDouble lift(std::size_t) { return {}; }
-  [[nodiscard]] auto seen(std::size_t edge) const { return triangle().seen(static_cast<int>(edge)); }
-  [[nodiscard]] double unlimited_point(const Feature& feature, int axis) const {
-    return filtered::unlimited_point(given_, feature, axis);
+  [[nodiscard]] auto edge_view(std::size_t edge) const { return triangle().edge_view(static_cast<int>(edge)); }
+  [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
+    return filtered::bigint_point(given_, feature, axis);
   }
-  [[nodiscard]] double unlimited_distance(const Feature& feature) const {
-    return filtered::unlimited_distance(given_, feature);
+  [[nodiscard]] double bigint_distance(const Feature& feature) const {
+    return filtered::bigint_distance(given_, feature);
   }
 
  private:
-  [[nodiscard]] UnsureTriangle<Counts> triangle() const { return {seen_, signs_, counts_}; }
+  [[nodiscard]] UnsureTriangle<Counts> triangle() const { return {view_, signs_, counts_}; }
 
-  TriangleQuestion given_, seen_;
+  BallTriangleView given_, view_;
   std::optional<ScaledTriangle> scaled_;
   Counts& counts_;
   TriangleSigns signs_;
@@ -64,21 +64,21 @@ class SeenTriangle {
 };
 
 template <class Counts>
-Feature nearest_feature(TriangleQuestion question, Counts& counts) {
+Feature nearest_feature(BallTriangleView view, Counts& counts) {
   const FloatingPointState nearest;
-  return pinned(SeenTriangle<Counts>(question, counts).nearest());
+  return pinned(ExactTriangle<Counts>(view, counts).nearest());
 }
 
 template <class Counts>
-double feature_distance(TriangleQuestion question, const Feature& feature, Counts& counts) {
+double feature_distance(BallTriangleView view, const Feature& feature, Counts& counts) {
   const FloatingPointState nearest;
-  return pinned(distance(SeenTriangle<Counts>(question, counts), feature));
+  return pinned(distance(ExactTriangle<Counts>(view, counts), feature));
 }
 
 template <class Counts>
-void feature_point(TriangleQuestion question, const Feature& feature, double (&point)[3], Counts& counts) {
+void feature_point(BallTriangleView view, const Feature& feature, double (&point)[3], Counts& counts) {
   const FloatingPointState nearest;
-  const SeenTriangle<Counts> triangle(question, counts);
+  const ExactTriangle<Counts> triangle(view, counts);
   for (int axis = 0; axis < 3; ++axis) point[axis] = closest_point(triangle, feature, axis);
 }
 

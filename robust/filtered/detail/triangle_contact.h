@@ -17,19 +17,19 @@ template <class Counts>
 class UnsureTriangle {
  public:
   /// Requires round to nearest, without flush-to-zero.
-  UnsureTriangle(const TriangleQuestion& question, const TriangleSigns& sure, Counts& counts)
-      : question_(question), sure_(sure), counts_(counts) {}
+  UnsureTriangle(const BallTriangleView& view, const TriangleSigns& signs, Counts& counts)
+      : view_(view), signs_(signs), counts_(counts) {}
 
   /// Everything is close together: a common power of two may bring it away from underflow.
-  [[nodiscard]] bool tiny() const { return std::max(sure_.from[0], largest_edge()) < 0x1p-30; }
+  [[nodiscard]] bool tiny() const { return std::max(signs_.to_center[0], largest_edge()) < 0x1p-30; }
 
   [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
 
   /// The feature that holds the point of the triangle closest to the centre; the radius does not matter.
   [[nodiscard]] Feature nearest() const {
-    const auto side = [this](int i) { return sign<SignKind::Side>(sure_.side, i); };
-    const auto along = [this](int i) { return sign<SignKind::Along>(sure_.along, i); };
-    const auto beyond = [this](int i) { return sign<SignKind::Beyond>(sure_.beyond, i); };
+    const auto side = [this](int i) { return sign<SignKind::Side>(signs_.side, i); };
+    const auto along = [this](int i) { return sign<SignKind::Along>(signs_.along, i); };
+    const auto beyond = [this](int i) { return sign<SignKind::Beyond>(signs_.beyond, i); };
     bool inner[3];
     for (int i = 0; i < 3; ++i) inner[i] = side(i) > 0;
     if (inner[0] && inner[1] && inner[2]) return {Feature::Kind::Face, 0};
@@ -43,8 +43,8 @@ class UnsureTriangle {
   }
 
   /// Exact differences; the normal is known to bounds::kNormal.
-  struct Seen {
-    Vector3<DoubleDouble> from, edge, normal;
+  struct EdgeView {
+    Vector3<DoubleDouble> to_center, edge, normal;
     Maxima maxima;
     bool no_normals[3];
     static constexpr bool lifted = false;
@@ -53,14 +53,14 @@ class UnsureTriangle {
     /// Is this component of the normal surely zero?
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
   };
-  [[nodiscard]] Seen seen(int i) const {
+  [[nodiscard]] EdgeView edge_view(int i) const {
     const double longest = largest_edge();
     const Vector3<DoubleDouble> u = edge(0), v = edge(1);
     const auto zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };  // exact
-    return {difference(question_.center, question_.vertex[i]),
+    return {difference(view_.center, view_.vertex[i]),
             edge(i),
             signs::normal(u, v),
-            {sure_.from[i], longest, 2 * longest * longest},
+            {signs_.to_center[i], longest, 2 * longest * longest},
             {zero(u.y, v.z) && zero(u.z, v.y), zero(u.z, v.x) && zero(u.x, v.z), zero(u.x, v.y) && zero(u.y, v.x)}};
   }
 
@@ -69,55 +69,57 @@ class UnsureTriangle {
     return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
   }
   [[nodiscard]] Vector3<DoubleDouble> edge(int i) const {
-    return difference(question_.vertex[i == 2 ? 0 : i + 1], question_.vertex[i]);
+    return difference(view_.vertex[i == 2 ? 0 : i + 1], view_.vertex[i]);
   }
-  [[nodiscard]] double largest_edge() const { return std::max(std::max(sure_.edge[0], sure_.edge[1]), sure_.edge[2]); }
+  [[nodiscard]] double largest_edge() const {
+    return std::max(std::max(signs_.edge[0], signs_.edge[1]), signs_.edge[2]);
+  }
 
   template <SignKind kind>
-  [[nodiscard]] int sign(const SureSigns& sure, int i) const {
-    if (const int known = sure.of(i)) return known;
+  [[nodiscard]] int sign(const CertainSigns& certain, int i) const {
+    if (const int known = certain.of(i)) return known;
     constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side;
-    const Vector3<DoubleDouble> from = difference(question_.center, question_.vertex[i]), along = edge(i);
+    const Vector3<DoubleDouble> to_center = difference(view_.center, view_.vertex[i]), along = edge(i);
     const double longest = largest_edge();
-    const Maxima maxima{sure_.from[i], longest, 2 * longest * longest};
+    const Maxima maxima{signs_.to_center[i], longest, 2 * longest * longest};
     const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
     const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
-    const EdgeInQuestion question{from, along, normal, question_.radius(), 0, maxima, false, normal_edges, false};
-    return exact_sign<kind>(question, counts_, [&] { return unlimited_sign(kind, question_, i); });
+    const EdgeOperands operands{to_center, along, normal, view_.radius(), 0, maxima, false, normal_edges, false};
+    return exact_sign<kind>(operands, counts_, [&] { return bigint_sign(kind, view_, i); });
   }
   [[nodiscard]] int plane_sign() const {
     for (int i = 0; i < 3; ++i)
-      if (const int known = sure_.plane.of(i)) return known;
+      if (const int known = signs_.plane.of(i)) return known;
     return sign<SignKind::Plane>({}, 0);
   }
 
   [[nodiscard]] bool foot_outside() const {
-    if (sure_.side.negative != 0) return true;
+    if (signs_.side.negative != 0) return true;
     for (int i = 0; i < 3; ++i)
-      if (sign<SignKind::Side>(sure_.side, i) < 0) return true;
+      if (sign<SignKind::Side>(signs_.side, i) < 0) return true;
     return false;
   }
   [[nodiscard]] bool edges_touch() const {
-    for (unsigned edges = sure_.reachable; edges != 0; edges &= edges - 1)
+    for (unsigned edges = signs_.reachable; edges != 0; edges &= edges - 1)
       if (edge_touches(std::countr_zero(edges))) return true;
     return false;
   }
   /// Vertex i is judged with edge i; where the closest point is the edge's end, with the next one.
   [[nodiscard]] bool edge_touches(int i) const {
-    if (sign<SignKind::Vertex>(sure_.vertex, i) <= 0) return true;
-    if (sure_.line.of(i) > 0) return false;
-    return sign<SignKind::Along>(sure_.along, i) > 0 && sign<SignKind::Beyond>(sure_.beyond, i) < 0 &&
-           sign<SignKind::Line>(sure_.line, i) <= 0;
+    if (sign<SignKind::Vertex>(signs_.vertex, i) <= 0) return true;
+    if (signs_.line.of(i) > 0) return false;
+    return sign<SignKind::Along>(signs_.along, i) > 0 && sign<SignKind::Beyond>(signs_.beyond, i) < 0 &&
+           sign<SignKind::Line>(signs_.line, i) <= 0;
   }
 
-  const TriangleQuestion& question_;
-  const TriangleSigns& sure_;
+  const BallTriangleView& view_;
+  const TriangleSigns& signs_;
   Counts& counts_;
 };
 
-/// Contact in unlimited integers alone.
-inline bool unlimited_contact(const TriangleQuestion& question) {
-  const auto sign = [&question](SignKind kind, int i) { return unlimited_sign(kind, question, i); };
+/// Contact in integers of any size alone.
+inline bool bigint_contact(const BallTriangleView& view) {
+  const auto sign = [&view](SignKind kind, int i) { return bigint_sign(kind, view, i); };
   bool outside = false;
   for (int i = 0; i < 3; ++i) outside = outside || sign(SignKind::Side, i) < 0;
   if (!outside) return sign(SignKind::Plane, 0) <= 0;
@@ -132,18 +134,18 @@ inline bool unlimited_contact(const TriangleQuestion& question) {
 class ScaledTriangle {
  public:
   /// Requires that `largest` is the largest magnitude of a number in the question; brings it to [1/2, 1).
-  ScaledTriangle(const TriangleQuestion& question, double largest) : exponent_(std::ilogb(largest) + 1) {
+  ScaledTriangle(const BallTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
     for (int i = 0; i < 3; ++i) {
-      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(question.vertex[i][axis]);
-      center_[i] = scaled(question.center[i]);
+      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
+      center_[i] = scaled(view.center[i]);
     }
-    center_[3] = scaled(question.radius());
+    center_[3] = scaled(view.radius());
   }
   /// No bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
   /// The numbers are those of the question times 2^-exponent.
   [[nodiscard]] int exponent() const { return exponent_; }
-  [[nodiscard]] TriangleQuestion question() const { return {vertex_, center_}; }
+  [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
 
  private:
   double scaled(double length) {
@@ -158,51 +160,51 @@ class ScaledTriangle {
 };
 
 /// The largest magnitude of a number in the question.
-inline double largest_number(const TriangleQuestion& question) {
-  double largest = question.radius();
+inline double largest_number(const BallTriangleView& view) {
+  double largest = view.radius();
   for (int i = 0; i < 3; ++i)
-    for (const double x : {question.vertex[i][0], question.vertex[i][1], question.vertex[i][2], question.center[i]})
+    for (const double x : {view.vertex[i][0], view.vertex[i][1], view.vertex[i][2], view.center[i]})
       largest = std::max(largest, std::abs(x));
   return largest;
 }
 
 /// What numbers of ordinary size would have told at the first stage, too.
 template <class Counts>
-__attribute__((noinline)) bool scaled_contact(const TriangleQuestion& question, double largest, Counts& counts) {
-  const ScaledTriangle scaled(question, largest);
+__attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, double largest, Counts& counts) {
+  const ScaledTriangle scaled(view, largest);
   if (!scaled.exact()) {
-    counts.count(Stage::Unlimited);
-    return unlimited_contact(question);
+    counts.count(Stage::BigInteger);
+    return bigint_contact(view);
   }
-  const TriangleQuestion same = scaled.question();
+  const BallTriangleView same = scaled.view();
   TriangleSigns signs;
-  const Sure sure = triangle_filter(same, signs);
-  if (sure == Sure::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
+  const FilterResult result = triangle_filter(same, signs);
+  if (result == FilterResult::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
   counts.count(Stage::Double);
-  return sure == Sure::Yes;
+  return result == FilterResult::Yes;
 }
 
 /// What the first stage could not tell.
 template <class Counts>
-__attribute__((noinline)) bool unsure_contact(const TriangleQuestion& question, const TriangleSigns& signs, Sure sure,
-                                              Counts& counts) {
+__attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const TriangleSigns& signs,
+                                              FilterResult result, Counts& counts) {
   const FloatingPointState nearest;
-  if (sure == Sure::Beyond) return pinned(scaled_contact(question, largest_number(question), counts));
-  const UnsureTriangle<Counts> triangle(question, signs, counts);
+  if (result == FilterResult::OutOfRange) return pinned(scaled_contact(view, largest_number(view), counts));
+  const UnsureTriangle<Counts> triangle(view, signs, counts);
   if (triangle.tiny())
-    if (const double largest = largest_number(question); largest < 0x1p-30)
-      return pinned(scaled_contact(question, largest, counts));
+    if (const double largest = largest_number(view); largest < 0x1p-30)
+      return pinned(scaled_contact(view, largest, counts));
   return pinned(triangle.contact());
 }
 
 template <class Counts>
-TOUCHSTONE_INLINE bool contact(TriangleQuestion question, Counts& counts) {
+TOUCHSTONE_INLINE bool contact(BallTriangleView view, Counts& counts) {
   TriangleSigns signs;
-  const Sure sure = triangle_filter(question, signs);
-  if (sure >= Sure::Unsure) [[unlikely]]
-    return unsure_contact(question, signs, sure, counts);
+  const FilterResult result = triangle_filter(view, signs);
+  if (result >= FilterResult::Unsure) [[unlikely]]
+    return unsure_contact(view, signs, result, counts);
   counts.count(Stage::Double);
-  return sure == Sure::Yes;
+  return result == FilterResult::Yes;
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -47,10 +47,10 @@ TOUCHSTONE_INLINE T squared_reach(const T& reach, const T& wide) {
 ///
 /// Culling cannot lie: a box that the ball touches is never left out. Squares do not overflow: all numbers are below
 /// 2^500. A ball for which that cannot be had is taken to be near every box.
-class Reach {
+class CullingBall {
  public:
   /// Requires round to nearest, without flush-to-zero.
-  Reach(const Ball& ball, const BoxTree& tree) {
+  CullingBall(const Ball& ball, const BoxTree& tree) {
     const auto scaled = [&tree](double length) { return length * tree.scale()[0] * tree.scale()[1]; };
     for (int axis = 0; axis < 3; ++axis) center_[axis] = scaled(ball.center[axis]);
     const double largest = std::max({std::abs(center_[0]), std::abs(center_[1]), std::abs(center_[2])});
@@ -75,12 +75,12 @@ class Reach {
     return culling::squared_distance(gap(0), gap(1), gap(2));
   }
   /// A bit for each box that the ball may touch.
-  [[nodiscard]] unsigned near(const Pack& squares) const {
+  [[nodiscard]] unsigned may_touch(const Pack& squares) const {
     return ~negative_lanes(filtered::all_lanes(squared_) - squares) & 0b1111;
   }
 
   /// May the ball touch a box at this distance?
-  [[nodiscard]] bool near(double square) const { return square <= squared_; }
+  [[nodiscard]] bool may_touch(double square) const { return square <= squared_; }
 
  private:
   double center_[3];
@@ -89,9 +89,9 @@ class Reach {
 };
 
 /// Calls visit(place) for each place in tree.order() whose leaf the ball may touch; stops where it returns true, and
-/// returns that. The nearest child comes first if so asked; `reach` may be shrunk meanwhile.
+/// returns that. The nearest child comes first if so asked; `culling_ball` may be shrunk meanwhile.
 template <bool nearest_first, class Visit>
-bool walk(const BoxTree& tree, const Reach& reach, const Visit& visit) {
+bool walk(const BoxTree& tree, const CullingBall& culling_ball, const Visit& visit) {
   if (tree.nodes().empty()) return false;
   struct Open {
     std::uint32_t node;
@@ -109,16 +109,17 @@ bool walk(const BoxTree& tree, const Reach& reach, const Visit& visit) {
   while (open > 0) {
     const Open top = stack[--open];
     if constexpr (nearest_first)
-      if (!reach.near(top.squared)) continue;
+      if (!culling_ball.may_touch(top.squared)) continue;
     const BoxTree::Node& node = tree.nodes()[top.node];
-    const Pack squares = reach.squares(node);
-    unsigned near = reach.near(squares);
+    const Pack squares = culling_ball.squares(node);
+    unsigned candidates = culling_ball.may_touch(squares);
     if constexpr (nearest_first) {
       double distances[filtered::kLanes];
       store(distances, squares);
       unsigned order[BoxTree::kWidth];
       std::size_t count = 0;
-      for (; near != 0; near &= near - 1) order[count++] = static_cast<unsigned>(__builtin_ctz(near));
+      for (; candidates != 0; candidates &= candidates - 1)
+        order[count++] = static_cast<unsigned>(__builtin_ctz(candidates));
       std::sort(order, order + count, [&](unsigned a, unsigned b) { return distances[a] > distances[b]; });
       for (std::size_t i = 0; i < count; ++i) {
         const unsigned lane = order[i];
@@ -128,8 +129,8 @@ bool walk(const BoxTree& tree, const Reach& reach, const Visit& visit) {
           return true;
       }
     } else {
-      for (; near != 0; near &= near - 1) {
-        const auto lane = static_cast<unsigned>(__builtin_ctz(near));
+      for (; candidates != 0; candidates &= candidates - 1) {
+        const auto lane = static_cast<unsigned>(__builtin_ctz(candidates));
         if (node.count[lane] == 0)
           stack[open++].node = node.child[lane];
         else if (leaf(node.child[lane], node.count[lane]))

@@ -17,54 +17,54 @@
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
+using filtered::BallTriangleView;
 using filtered::SignKind;
-using filtered::TriangleQuestion;
 
 /// The exact sign for edge i of a triangle. Requires round to nearest, without flush-to-zero.
 template <SignKind kind>
-int sign(const TriangleQuestion& question, int i) {
+int sign(const BallTriangleView& view, int i) {
   using Vector = filtered::Vector3<filtered::DoubleDouble>;
-  const auto unlimited = [&] { return filtered::unlimited_sign(kind, question, i); };
-  if (filtered::largest_number(question) > filtered::bounds::kLargest / 2) return unlimited();
+  const auto bigint = [&] { return filtered::bigint_sign(kind, view, i); };
+  if (filtered::largest_number(view) > filtered::bounds::kLargest / 2) return bigint();
   const auto difference = [](const double* a, const double* b) -> Vector {
     using filtered::two_difference;
     return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
   };
-  const auto edge = [&](int k) { return difference(question.vertex[(k + 1) % 3], question.vertex[k]); };
+  const auto edge = [&](int k) { return difference(view.vertex[(k + 1) % 3], view.vertex[k]); };
   const auto largest = [](const Vector& v) {
     return std::max({std::abs(v.x.high), std::abs(v.y.high), std::abs(v.z.high)});
   };
-  const Vector from = difference(question.center, question.vertex[i]), along = edge(i);
+  const Vector to_center = difference(view.center, view.vertex[i]), along = edge(i);
   const Vector normal_edges[] = {edge(0), edge(1)};
   const Vector normal = filtered::signs::normal(normal_edges[0], normal_edges[1]);
   const double longest = std::max({largest(edge(0)), largest(edge(1)), largest(edge(2))});
-  const filtered::Maxima maxima{std::max(largest(from), question.radius()), longest, 2 * longest * longest};
+  const filtered::Maxima maxima{std::max(largest(to_center), view.radius()), longest, 2 * longest * longest};
   filtered::NoCounts counts;
-  return filtered::exact_sign<kind>({from, along, normal, question.radius(), 0, maxima, false, normal_edges, false},
-                                    counts, unlimited);
+  return filtered::exact_sign<kind>({to_center, along, normal, view.radius(), 0, maxima, false, normal_edges, false},
+                                    counts, bigint);
 }
 
 /// Of a triangle that the ball does not touch.
-inline Fate fate_of_missed(const TriangleQuestion& question) {
-  if (sign<SignKind::Plane>(question, 0) > 0) return Fate::Slab;
+inline CullOutcome outcome_of_missed(const BallTriangleView& view) {
+  if (sign<SignKind::Plane>(view, 0) > 0) return CullOutcome::Slab;
   for (int i = 0; i < 3; ++i)
-    if (sign<SignKind::Side>(question, i) < 0 && sign<SignKind::Line>(question, i) > 0) return Fate::Foot;
-  return Fate::Edges;
+    if (sign<SignKind::Side>(view, i) < 0 && sign<SignKind::Line>(view, i) > 0) return CullOutcome::Foot;
+  return CullOutcome::Edges;
 }
 
-inline bool foot_outside(const TriangleQuestion& question) {
+inline bool foot_outside(const BallTriangleView& view) {
   for (int i = 0; i < 3; ++i)
-    if (sign<SignKind::Side>(question, i) < 0) return true;
+    if (sign<SignKind::Side>(view, i) < 0) return true;
   return false;
 }
 
 inline bool touches(const Ball& ball, const Triangle& triangle, Tally& tally) {
-  const TriangleQuestion question = filtered::question(ball, triangle);
+  const BallTriangleView view = filtered::view_of(ball, triangle);
   filtered::StageCounts stages;
-  const bool touched = filtered::contact(question, stages);
-  const Fate fate = touched ? Fate::Touched : fate_of_missed(question);
-  const bool by_edges = fate == Fate::Edges || (touched && foot_outside(question));
-  tally.meet(fate, stages.last(), by_edges ? 3 : 0);
+  const bool touched = filtered::contact(view, stages);
+  const CullOutcome outcome = touched ? CullOutcome::Touched : outcome_of_missed(view);
+  const bool by_edges = outcome == CullOutcome::Edges || (touched && foot_outside(view));
+  tally.meet(outcome, stages.last(), by_edges ? 3 : 0);
   return touched;
 }
 
@@ -76,14 +76,14 @@ inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPol
   const filtered::HeightQuery height(ball, *parts.frame);
   if (height.plane_sign() > 0) return 0;
   const filtered::FrameQuery query(height, *parts.frame);
-  const double reach = filtered::larger(query.sure_miss, query.near);
+  const double limit_sq = filtered::larger(query.certain_miss_sq, query.boundary_sq);
   std::size_t edges = 0;
   const auto look = [&](const filtered::EdgeTree::Leaf& leaf, const filtered::LeafView& view) {
     edges += leaf.count;
-    const unsigned hit = negative_lanes(view.squared - filtered::all_lanes(query.sure_hit));
+    const unsigned hit = negative_lanes(view.squared - filtered::all_lanes(query.certain_hit_sq));
     return (hit & ((1U << leaf.count) - 1)) != 0;
   };
-  (void)filtered::walk(parts.frame->edges, query, reach, look);
+  (void)filtered::walk(parts.frame->edges, query, limit_sq, look);
   return edges;
 }
 
@@ -92,8 +92,11 @@ inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, 
   const bool touched = filtered::contact(ball, polygon, stages);
   const bool slab = !touched && filtered::plane_side(ball, polygon) != PlaneSide::Intersects;
   const std::size_t edges = edges_looked_at(ball, parts_of(polygon));
-  const Fate fate = touched ? Fate::Touched : slab ? Fate::Slab : edges == 0 ? Fate::Foot : Fate::Edges;
-  tally.meet(fate, stages.last(), edges);
+  const CullOutcome outcome = touched      ? CullOutcome::Touched
+                              : slab       ? CullOutcome::Slab
+                              : edges == 0 ? CullOutcome::Foot
+                                           : CullOutcome::Edges;
+  tally.meet(outcome, stages.last(), edges);
   return touched;
 }
 

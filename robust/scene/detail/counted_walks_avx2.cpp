@@ -7,7 +7,7 @@
 
 namespace touchstone::scene {
 
-const Walks<Tally>& avx2_counted_engine() { return kWalks<Tally>; }
+const Walks<Tally>& avx2_counted_walks() { return kWalks<Tally>; }
 
 }  // namespace touchstone::scene
 #endif

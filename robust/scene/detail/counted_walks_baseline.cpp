@@ -4,6 +4,6 @@
 
 namespace touchstone::scene {
 
-const Walks<Tally>& baseline_counted_engine() { return kWalks<Tally>; }
+const Walks<Tally>& baseline_counted_walks() { return kWalks<Tally>; }
 
 }  // namespace touchstone::scene

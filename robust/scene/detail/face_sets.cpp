@@ -85,7 +85,7 @@ std::vector<Polygon> posed(const std::vector<Polygon>& model, const Pose& pose) 
   return result;
 }
 
-std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const PreparedPolygons& prepared) {
+std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPreparedPolygons& prepared) {
   std::vector<Box> boxes(polygons.size());
   const auto number = [](std::size_t i) { return i; };
   for_each_face(polygons.size(), number, [&](std::size_t i) {

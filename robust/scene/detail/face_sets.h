@@ -40,7 +40,7 @@ struct PolygonSet {
 
   std::vector<Polygon> polygons;
   std::shared_ptr<const std::vector<Polygon>> model;  ///< what is posed; none where that changes nothing
-  PreparedPolygons prepared;
+  LazyPreparedPolygons prepared;
   BoxTree tree;
   std::size_t edges;  ///< of all polygons
 };

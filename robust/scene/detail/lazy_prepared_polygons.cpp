@@ -3,12 +3,12 @@
 
 namespace touchstone::scene {
 
-PreparedPolygons::~PreparedPolygons() {
+LazyPreparedPolygons::~LazyPreparedPolygons() {
   for (std::size_t i = 0; i < polygons_.size(); ++i) delete prepared_[i].load(std::memory_order_relaxed);
 }
 
 // Threads that come at once may each prepare it; the first one's is kept.
-const filtered::PreparedPolygon& PreparedPolygons::prepare(std::size_t number) const {
+const filtered::PreparedPolygon& LazyPreparedPolygons::prepare(std::size_t number) const {
   auto made = std::make_unique<const filtered::PreparedPolygon>(polygons_[number]);
   const filtered::PreparedPolygon* known = nullptr;
   if (prepared_[number].compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();

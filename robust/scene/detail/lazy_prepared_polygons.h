@@ -12,14 +12,14 @@
 namespace touchstone::scene {
 
 /// Polygons by number, each prepared when it is first asked for. Asking is safe from several threads.
-class PreparedPolygons {
+class LazyPreparedPolygons {
  public:
   /// Keeps a reference. Requires polygons that have a normal.
-  explicit PreparedPolygons(const std::vector<Polygon>& polygons)
+  explicit LazyPreparedPolygons(const std::vector<Polygon>& polygons)
       : polygons_(polygons), prepared_(new std::atomic<const filtered::PreparedPolygon*>[polygons.size()]()) {}
-  ~PreparedPolygons();
-  PreparedPolygons(const PreparedPolygons&) = delete;
-  PreparedPolygons& operator=(const PreparedPolygons&) = delete;
+  ~LazyPreparedPolygons();
+  LazyPreparedPolygons(const LazyPreparedPolygons&) = delete;
+  LazyPreparedPolygons& operator=(const LazyPreparedPolygons&) = delete;
 
   // Inlined always: it is used by several targets, its compiled function must not be.
   __attribute__((always_inline)) const filtered::PreparedPolygon& operator[](std::size_t number) const {

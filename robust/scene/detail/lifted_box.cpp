@@ -30,10 +30,10 @@ void widen(Box& box, int axis, double lift) {
 
 Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared) {
   Box box = box_of_vertices(polygon);
-  const filtered::UnlimitedPolygon& unlimited = parts_of(prepared).unlimited;
-  if (unlimited.planar()) return box;
+  const filtered::BigIntPolygon& bigint = parts_of(prepared).bigint;
+  if (bigint.planar()) return box;
   // A vertex moves along the dropped axis by at most off_plane.
-  widen(box, unlimited.dropped_axis(), std::nextafter(unlimited.off_plane(), std::numeric_limits<double>::infinity()));
+  widen(box, bigint.dropped_axis(), std::nextafter(bigint.off_plane(), std::numeric_limits<double>::infinity()));
   return box;
 }
 

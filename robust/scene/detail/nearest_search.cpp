@@ -43,12 +43,12 @@ double guess(const Vector3d& center, const Triangle& triangle, const Feature& fe
 
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
-  return filtered::engine().plain.triangle_nearest(filtered::question(point, triangle), uncounted);
+  return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
 }
 
 double feature_distance(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
   const Ball point{center, 0};
-  return filtered::engine().plain.triangle_distance(filtered::question(point, triangle), feature, uncounted);
+  return filtered::kernels().plain.triangle_distance(filtered::view_of(point, triangle), feature, uncounted);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
   if (ball_.radius < kLargest) return;
   const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
   const Ball around{ball_.center,
-                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).unlimited.off_plane()};
+                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).bigint.off_plane()};
   if (around.radius < kLargest && filtered::contact(around, polygon)) ball_.radius = around.radius;
 }
 
@@ -103,7 +103,7 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
 
 std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met) {
   if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
-  if (met.polygon != nullptr && !parts_of(*met.polygon).unlimited.planar()) return std::nullopt;
+  if (met.polygon != nullptr && !parts_of(*met.polygon).bigint.planar()) return std::nullopt;
   const auto vertex = [&met](std::size_t i) {
     return met.triangle != nullptr ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
   };
@@ -153,7 +153,7 @@ std::optional<NearestFace> NearestSearch::nearest() const {
   if (best->closest) return NearestFace{best->id, best->feature, best->closest->point, best->closest->distance};
   const Ball at{ball_.center, 0};
   double point[3];
-  filtered::engine().plain.triangle_point(filtered::question(at, *best->triangle), best->feature, point, uncounted);
+  filtered::kernels().plain.triangle_point(filtered::view_of(at, *best->triangle), best->feature, point, uncounted);
   return NearestFace{best->id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
 }
 

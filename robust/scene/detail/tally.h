@@ -21,20 +21,20 @@ class Tally {
 
   /// Faces, with so many edges, that are missed by a box unless `meet` or `pass` is told of them.
   void ask(std::size_t faces, std::size_t edges) {
-    at(Fate::Box) += faces;
+    at(CullOutcome::Box) += faces;
     counts_.edges_ += edges;
   }
   /// A face that was tested.
-  void meet(Fate fate, filtered::Stage slowest, std::size_t edges_looked_at) {
-    --at(Fate::Box);
-    ++at(fate);
+  void meet(CullOutcome outcome, filtered::Stage slowest, std::size_t edges_looked_at) {
+    --at(CullOutcome::Box);
+    ++at(outcome);
     ++counts_.stages_[static_cast<std::size_t>(slowest)];
     counts_.edges_looked_at_ += edges_looked_at;
   }
   /// A face that no box misses, after the answer.
   void pass() {
-    --at(Fate::Box);
-    ++at(Fate::Known);
+    --at(CullOutcome::Box);
+    ++at(CullOutcome::Known);
   }
 
   /// Is it known that some face is touched? Told by those who need no more.
@@ -42,7 +42,7 @@ class Tally {
   [[nodiscard]] bool answered() const { return answered_; }
 
  private:
-  std::uint64_t& at(Fate fate) { return counts_.fates_[static_cast<std::size_t>(fate)]; }
+  std::uint64_t& at(CullOutcome outcome) { return counts_.outcomes_[static_cast<std::size_t>(outcome)]; }
 
   FaceCounts& counts_;
   bool answered_ = false;

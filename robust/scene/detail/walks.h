@@ -29,14 +29,14 @@ struct Walks {
 };
 
 // Compiled once for each instruction set; all give the same answers.
-[[nodiscard]] const Walks<NoTally>& baseline_engine();
-[[nodiscard]] const Walks<NoTally>& avx2_engine();
+[[nodiscard]] const Walks<NoTally>& baseline_walks();
+[[nodiscard]] const Walks<NoTally>& avx2_walks();
 // In translation units of their own, so that counting changes nothing for those who do not count.
-[[nodiscard]] const Walks<Tally>& baseline_counted_engine();
-[[nodiscard]] const Walks<Tally>& avx2_counted_engine();
+[[nodiscard]] const Walks<Tally>& baseline_counted_walks();
+[[nodiscard]] const Walks<Tally>& avx2_counted_walks();
 
 /// The fastest engine that this machine can run.
-[[nodiscard]] const Walks<NoTally>& engine(NoTally);
-[[nodiscard]] const Walks<Tally>& engine(const Tally&);
+[[nodiscard]] const Walks<NoTally>& fastest_walks(NoTally);
+[[nodiscard]] const Walks<Tally>& fastest_walks(const Tally&);
 
 }  // namespace touchstone::scene

@@ -6,7 +6,7 @@
 
 namespace touchstone::scene {
 
-const Walks<NoTally>& avx2_engine() { return kWalks<NoTally>; }
+const Walks<NoTally>& avx2_walks() { return kWalks<NoTally>; }
 
 }  // namespace touchstone::scene
 #endif

@@ -3,6 +3,6 @@
 
 namespace touchstone::scene {
 
-const Walks<NoTally>& baseline_engine() { return kWalks<NoTally>; }
+const Walks<NoTally>& baseline_walks() { return kWalks<NoTally>; }
 
 }  // namespace touchstone::scene

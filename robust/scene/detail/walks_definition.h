@@ -27,7 +27,7 @@ TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
 TOUCHSTONE_INLINE bool touches(const Ball& ball, const Triangle& triangle, NoTally) {
   if (misses_box(ball, triangle)) return false;
   filtered::NoCounts counts;
-  return filtered::contact(filtered::question(ball, triangle), counts);
+  return filtered::contact(filtered::view_of(ball, triangle), counts);
 }
 
 TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, NoTally) {
@@ -43,23 +43,24 @@ TOUCHSTONE_INLINE bool ends(const Ball& ball, const Face& face, NoTally tally) {
 template <class T>
 bool touches_triangle(const Ball& ball, const TriangleSet& set, T& tally) {
   tally.ask(set.triangles.size(), set.edge_count());
-  const Reach reach(ball, set.tree);
-  return walk<false>(set.tree, reach, [&](std::uint32_t place) { return ends(ball, set.triangles[place], tally); });
+  const CullingBall culling_ball(ball, set.tree);
+  return walk<false>(set.tree, culling_ball,
+                     [&](std::uint32_t place) { return ends(ball, set.triangles[place], tally); });
 }
 
 template <class T>
 bool touches_polygon(const Ball& ball, const PolygonSet& set, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
-  const Reach reach(ball, set.tree);
-  return walk<false>(set.tree, reach,
+  const CullingBall culling_ball(ball, set.tree);
+  return walk<false>(set.tree, culling_ball,
                      [&](std::uint32_t place) { return ends(ball, set.prepared[set.tree.order()[place]], tally); });
 }
 
 template <class T>
 void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.triangles.size(), set.edge_count());
-  const Reach reach(ball, set.tree);
-  walk<false>(set.tree, reach, [&](std::uint32_t place) {
+  const CullingBall culling_ball(ball, set.tree);
+  walk<false>(set.tree, culling_ball, [&](std::uint32_t place) {
     if (touches(ball, set.triangles[place], tally))
       faces.push_back({first.object, first.face + set.tree.order()[place]});
     return false;
@@ -69,8 +70,8 @@ void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, s
 template <class T>
 void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
-  const Reach reach(ball, set.tree);
-  walk<false>(set.tree, reach, [&](std::uint32_t place) {
+  const CullingBall culling_ball(ball, set.tree);
+  walk<false>(set.tree, culling_ball, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];
     if (touches(ball, set.prepared[number], tally)) faces.push_back({first.object, first.face + number});
     return false;
@@ -82,11 +83,11 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.triangles.size(), set.edge_count());
   if (set.triangles.empty()) return;
   search.expect(set.triangles.front());
-  Reach reach(search.ball(), set.tree);
-  walk<true>(set.tree, reach, [&](std::uint32_t place) {
+  CullingBall culling_ball(search.ball(), set.tree);
+  walk<true>(set.tree, culling_ball, [&](std::uint32_t place) {
     if (!touches(search.ball(), set.triangles[place], tally)) return false;
     search.meet(set.triangles[place], set.tree.order()[place]);
-    reach.set_radius(search.ball().radius, set.tree);
+    culling_ball.set_radius(search.ball().radius, set.tree);
     return false;
   });
 }
@@ -96,12 +97,12 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
   if (set.polygons.empty()) return;
   search.expect(set.prepared[0]);
-  Reach reach(search.ball(), set.tree);
-  walk<true>(set.tree, reach, [&](std::uint32_t place) {
+  CullingBall culling_ball(search.ball(), set.tree);
+  walk<true>(set.tree, culling_ball, [&](std::uint32_t place) {
     const std::uint32_t number = set.tree.order()[place];
     if (!touches(search.ball(), set.prepared[number], tally)) return false;
     search.meet(set.prepared[number], number);
-    reach.set_radius(search.ball().radius, set.tree);
+    culling_ball.set_radius(search.ball().radius, set.tree);
     return false;
   });
 }

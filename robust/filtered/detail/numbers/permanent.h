@@ -43,7 +43,7 @@ Permanent<A + B + 1> operator*(const Permanent<A>& a, const Permanent<B>& b) {
 
 /// The sign where the bound is sure of it, else 0. `tiny` covers what underflow can do (bounds::kTiny).
 template <int Roundings>
-int sure_sign(const Permanent<Roundings>& number, double tiny) {
+int certain_sign(const Permanent<Roundings>& number, double tiny) {
   // (1+u)^k - 1 <= (k + 1/16) u for k <= 2^20; the rest of the eighth pays for the rounding of the permanent and of
   // this product.
   const double bound = (Roundings + 0.125) * 0x1p-53 * number.permanent + tiny;
