@@ -9,23 +9,22 @@
 
 namespace touchstone {
 
-/// The closed box of all points between two corners, coordinate by coordinate; empty where low > high.
+/// The closed box of all points between two corners, coordinate by coordinate; empty if low > high in some coordinate.
 ///
-/// Call what compares boxes' coordinates in the default state of the floating-point unit: it is too small a thing to
-/// set that state by itself.
+/// Call its functions in the default state of the floating-point unit: they are too short to set that state themselves.
 struct Box {
-  /// The corner of the least coordinates.
+  /// The corner with the smallest coordinates.
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  /// The corner of the largest ones.
+  /// The corner with the largest coordinates.
   Eigen::Vector3d high = -low;
 
-  /// Is there no point in it?
+  /// Returns whether the box contains no point.
   [[nodiscard]] bool empty() const { return (low.array() > high.array()).any(); }
-  /// The smallest box that holds both.
+  /// Returns the smallest box that contains both.
   [[nodiscard]] Box joined(const Box& other) const { return {low.cwiseMin(other.low), high.cwiseMax(other.high)}; }
 };
 
-/// The smallest box that holds the triangle; exact.
+/// Returns the smallest box that contains the triangle; exact.
 [[nodiscard]] inline Box box(const Triangle& t) {
   return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }

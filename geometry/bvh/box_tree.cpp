@@ -29,7 +29,7 @@ struct Bounds {
       high[k] = std::max(high[k], other.high[k]);
     }
   }
-  /// Half the surface; 0 for an empty box.
+  /// Returns half the surface; 0 for an empty box.
   [[nodiscard]] float surface() const {
     const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
     return x < 0 ? 0 : x * y + y * z + z * x;
@@ -42,8 +42,8 @@ float rounded_down(double x) {
 }
 float rounded_up(double x) { return -rounded_down(-x); }
 
-/// Calls f(i) for each i below `count`, by all cores. They have a rounding mode and a flush-to-zero setting each, which
-/// are not those of who asks.
+/// Calls f(i) for each i below `count`, on all cores. Every core has its own rounding mode and flush-to-zero setting,
+/// which may differ from the caller's.
 template <class F>
 void for_each_number(std::size_t count, std::size_t at_once, const F& f) {
   using Range = tbb::blocked_range<std::size_t>;
@@ -53,7 +53,8 @@ void for_each_number(std::size_t count, std::size_t at_once, const F& f) {
   });
 }
 
-/// Powers of two that bring the largest coordinate to between 2^39 and 2^40: a surface times a count is a float.
+/// Returns powers of two that scale the largest coordinate to between 2^39 and 2^40, so that a surface times a count is
+/// within the floats.
 BoxTree::Scale scale_of(std::span<const Box> boxes) {
   double largest = std::numeric_limits<double>::denorm_min();
   for (const Box& box : boxes)
@@ -88,12 +89,12 @@ Bounds joined_lanes(const Node& node) {
   return result;
 }
 
-/// A box on its way to a leaf.
+/// A box, before it is in a leaf.
 struct Item {
   Bounds bounds;
   std::uint32_t number;
 
-  /// Twice the centre.
+  /// Returns twice the centre.
   [[nodiscard]] float center(std::size_t axis) const { return bounds.low[axis] + bounds.high[axis]; }
 };
 
@@ -125,7 +126,7 @@ class Builder {
   }
 
  private:
-  /// Built by itself; its root becomes a child of a node of the top.
+  /// A subtree that is built separately; its root becomes a child of a node of the top.
   struct Branch {
     Range range;
     int depth;
@@ -135,7 +136,7 @@ class Builder {
   };
   static constexpr std::uint32_t kBranch = 1U << 13;
   static constexpr std::size_t kBins = 16;
-  /// From this depth on ranges are halved by number, so that no order of boxes makes the tree deep.
+  /// From this depth on ranges are halved by number, so that the tree cannot become deep.
   static constexpr int kDeepest = 40;
 
   [[nodiscard]] Range range(std::uint32_t begin, std::uint32_t end) const {
@@ -144,7 +145,7 @@ class Builder {
     return result;
   }
 
-  /// Which of kBins equal slices of the centres along an axis an item is in.
+  /// kBins equal slices of the centres along an axis.
   struct Slices {
     float low, scale;
 
@@ -159,8 +160,8 @@ class Builder {
     std::size_t axis = 0, slice = 0;
   };
 
-  /// The cut for which the surfaces of both sides, times what is in them, are least in sum; none where all centres are
-  /// in one place.
+  /// Returns the cut with the least sum of the surfaces of both sides, each times the number of its boxes. Its cost is
+  /// infinite if all centres are the same.
   [[nodiscard]] Cut best_cut(const Range& range, const std::array<Slices, 3>& slices) const {
     struct Bin {
       Bounds bounds;
@@ -175,7 +176,7 @@ class Builder {
       }
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<Bin, kBins> above;  // what lies in this slice or beyond
+      std::array<Bin, kBins> above;  // of this slice and those after it
       above[kBins - 1] = bins[axis][kBins - 1];
       for (std::size_t slice = kBins - 1; slice-- > 0;) {
         above[slice] = above[slice + 1];
@@ -215,7 +216,8 @@ class Builder {
     return {range(whole.begin, cut_at), range(cut_at, whole.end)};
   }
 
-  /// Up to four parts: the one of the largest surface is halved as long as there is one for more than a leaf.
+  /// Splits a range into up to four parts: repeatedly halves the part with the largest surface that is too large for a
+  /// leaf.
   [[nodiscard]] std::vector<Range> parts(const Range& whole, int depth) {
     std::vector<Range> result{whole};
     while (result.size() < BoxTree::kWidth) {
@@ -232,7 +234,7 @@ class Builder {
     return result;
   }
 
-  /// Adds the node for a range and calls below(node, lane, part) for each part that is no leaf.
+  /// Adds the node for a range and calls below(node, lane, part) for each part that is not a leaf.
   template <class Below>
   void add_node(std::vector<Node>& nodes, const Range& whole, int depth, const Below& below) {
     const auto here = static_cast<std::uint32_t>(nodes.size());
@@ -274,7 +276,7 @@ class Builder {
     nodes_[branch.parent].child[branch.lane] = root;
     for (Node node : branch.nodes) {
       for (std::size_t lane = 0; lane < BoxTree::kWidth; ++lane)
-        if (node.child[lane] != 0 && node.count[lane] == 0) node.child[lane] += root;  // lanes without a child stay
+        if (node.child[lane] != 0 && node.count[lane] == 0) node.child[lane] += root;  // missing children stay 0
       nodes_.push_back(node);
     }
   }
@@ -305,14 +307,14 @@ void BoxTree::refit(std::span<const Box> boxes) {
   const FloatingPointState nearest;
   assert(boxes.size() == order_.size());
   scale_ = scale_of(boxes);
-  // Children stand behind their parents.
+  // Children come after their parents.
   for (std::size_t i = nodes_.size(); i-- > 0;)
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       Node& node = nodes_[i];
       Bounds around;
       for (std::uint32_t j = 0; j < node.count[lane]; ++j)
         around.join(bounds(boxes[order_[node.child[lane] + j]], scale_));
-      // A lane that is not there has no boxes and no child, and stays empty.
+      // A missing child has no boxes and no node, and stays empty.
       if (node.count[lane] == 0 && node.child[lane] != 0) around = joined_lanes(nodes_[node.child[lane]]);
       set(node, lane, around);
     }

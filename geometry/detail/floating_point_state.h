@@ -9,8 +9,8 @@
 
 namespace touchstone {
 
-/// The value itself, opaque to the compiler: all of its computation comes before this call, and all that is computed
-/// from the result comes after it. Cost: none for doubles, integers and enumerations; a move for others.
+/// Returns the value, opaque to the compiler: it is computed before this call, and everything computed from the result
+/// comes after it. Cost: none for doubles, integers and enumerations; a move for other types.
 template <class T>
 [[nodiscard]] __attribute__((always_inline)) inline T pinned(T value) {
 #if defined(__SSE2__)
@@ -25,21 +25,22 @@ template <class T>
   return value;
 }
 
-/// Round to nearest with subnormal numbers while it lives; then the caller's rounding mode, flush-to-zero setting,
-/// traps and exception flags again, as found. While it lives no exception traps. Cost: a few ns with SSE2, about 10
-/// where there is something to set.
+/// Sets round to nearest with subnormal numbers for its lifetime, and then restores the caller's rounding mode,
+/// flush-to-zero setting, traps and exception flags. No exception traps during its lifetime. Cost: a few ns with SSE2,
+/// about 10 if something has to be set.
 ///
-/// Compilers know nothing of rounding modes: -frounding-math does not keep g++ from moving arithmetic past a change of
-/// mode, and clang++ has not even that. Reads and writes of memory stay on their side of one, arithmetic in registers
-/// need not. So this is the first statement of a function, numbers are read through references or else go through
-/// `pinned`, and so does a result whose last step is arithmetic in doubles or a comparison of them:
+/// Compilers do not know about rounding modes: -frounding-math does not keep g++ from moving arithmetic past a change
+/// of mode, and clang++ does not have that flag. Reads and writes of memory stay on their side of the change;
+/// arithmetic in registers need not. Therefore this must be the first statement of a function. Numbers must be read
+/// through references or pass through `pinned`, and so must a result whose last step is arithmetic in doubles or a
+/// comparison of them:
 ///
 ///     double growth(const Boxes& boxes, double factor) {
 ///       const FloatingPointState nearest;
 ///       return pinned(factor_of(boxes) * pinned(factor));
 ///     }
 ///
-/// tests/build/state_holds_arithmetic.py looks for arithmetic on the wrong side in the compiled library.
+/// tests/build/state_holds_arithmetic.py searches the compiled library for arithmetic on the wrong side.
 class FloatingPointState {
  public:
 #if defined(__SSE2__)
@@ -66,7 +67,7 @@ class FloatingPointState {
   FloatingPointState& operator=(const FloatingPointState&) = delete;
 
  private:
-  /// What is read after it is read from memory, what was written before it is in memory.
+  /// Makes the compiler read memory again after this point, and complete all writes before it.
   __attribute__((always_inline)) static void order_memory() { __asm__ volatile("" : : : "memory"); }
 
 #if defined(__SSE2__)

@@ -40,8 +40,8 @@ const Format& format_of(const std::filesystem::path& file) {
   const auto* const format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == extension; });
   if (format == kFormats.end())
-    throw BrokenMesh(io::all_legible(file.string()) + ": the extension '" + io::legible(extension) +
-                     "' is none of .obj, .off, .stl and .ply");
+    throw BrokenMesh(io::all_legible(file.string()) + ": unknown extension '" + io::legible(extension) +
+                     "'; expected .obj, .off, .stl or .ply");
   return *format;
 }
 

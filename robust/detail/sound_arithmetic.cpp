@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// This file does not include geometry/floating_point.h: it looks at what compilers do, not at what they say.
+// Does not include geometry/floating_point.h: this file tests what the compiler does, not which macros it defines.
 #include "robust/detail/sound_arithmetic.h"
 
 #include <bit>
@@ -18,7 +18,7 @@ namespace {
 }  // namespace
 
 void expect_sound_arithmetic() {
-  // Volatile: the compiler must not know the operands, only the operations.
+  // Volatile, so that the compiler knows the operations but not the operands.
   volatile double one = 1, small = 0x1p-60, negative_zero = -0.0, five = 5;
 
   const double a = one, b = small, sum = a + b, b_in_sum = sum - a;

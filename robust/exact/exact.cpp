@@ -19,10 +19,10 @@
 namespace touchstone::exact {
 namespace {
 
-// Mpzf: integers times powers of two, a ring without division, which is all that is needed here. A whole answer on a
-// 24-gon takes 42 us on its plane, 52 us off it; over Gmpq 5.5 and 8.8 times that, over Lazy_exact_nt<Gmpq> (the number
-// type of EPECK; near a boundary its intervals decide nothing) 12 and 14 times, with the same answers
-// (experiments/exact_number measures it).
+// Mpzf: integers times powers of two. It has no division, which is not needed here. A full answer for a 24-gon takes 42
+// us if it is planar and 52 us if not; Gmpq takes 5.5 and 8.8 times as long, Lazy_exact_nt<Gmpq> (the number type of
+// EPECK, whose intervals decide nothing near a boundary) 12 and 14 times, with the same answers (measured by
+// experiments/exact_number).
 #ifndef TOUCHSTONE_EXACT_NUMBER
 #define TOUCHSTONE_EXACT_NUMBER CGAL::Mpzf
 #endif
@@ -32,7 +32,7 @@ using Vector = Kernel::Vector_3;
 
 Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
 
-/// Newell sum of the outer loop.
+/// Returns the Newell sum of the outer loop.
 Vector newell_normal(const Polygon& polygon) {
   Vector sum(0, 0, 0);
   for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
@@ -55,7 +55,7 @@ mpq_class rational(const N& number) {
     return mpq_class(static_cast<CGAL::Gmpq>(number).mpq());
 }
 
-/// numerator / denominator as integers, and what `round` (nearest_double or nearest_root) makes of them.
+/// Returns numerator / denominator, rounded by `round` (nearest_double or nearest_root).
 template <class Round>
 double rounded(const Number& numerator, const Number& denominator, Round round) {
   const mpq_class a = rational(numerator), b = rational(denominator);
@@ -71,8 +71,8 @@ std::optional<int> dropped_axis(const Polygon& polygon) {
   return largest_component(normal);
 }
 
-// The lift divides by n N_k (n vertices in the outer loop). Instead, everything in space is multiplied by |n N_k|, so
-// that no number is ever divided; where all loops lie on the plane the factor is 1.
+// The lift divides by n N_k (n vertices in the outer loop). To avoid divisions, all lengths are multiplied by |n N_k|;
+// if all loops lie on the plane, the factor is 1.
 struct PreparedPolygon::Lifted {
   Vector normal;
   Number normal_squared;
@@ -152,13 +152,13 @@ struct Query {
   [[nodiscard]] Squared vertex_distance(std::size_t i) const {
     return {(center - polygon.vertices[i]).squared_length(), Number(1)};
   }
-  /// distance < r, = r or > r, as SMALLER, EQUAL or LARGER.
+  /// Returns SMALLER, EQUAL or LARGER for distance < r, = r or > r.
   [[nodiscard]] CGAL::Comparison_result against_radius(const Squared& distance) const {
     return CGAL::compare(distance.numerator, radius_squared * distance.denominator);
   }
 };
 
-/// Edge i as seen from the centre.
+/// Edge i relative to the centre.
 struct EdgeView {
   EdgeView(const Query& query, std::size_t i)
       : direction(query.polygon.vertices[query.polygon.next[i]] - query.polygon.vertices[i]),
@@ -189,13 +189,13 @@ PlaneSide plane_side(const Query& query) {
   return CGAL::is_positive(query.height) ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
-/// Counts the edges that a ray from the foot crosses, in the plane with the dropped coordinate left out. The foot is
-/// q = c - (s / N.N) N; N.N q is compared, so nothing is divided.
+/// Locates the foot by counting the edges that a ray from it crosses, in the projection without the dropped coordinate.
+/// The foot is q = c - (s / N.N) N; comparisons use N.N q, so nothing is divided.
 PointLocation foot(const Query& query) {
   const Lifted& polygon = query.polygon;
   const int v = (polygon.dropped_axis + 2) % 3;
   const Number foot_v = polygon.normal_squared * query.center[v] - query.height * polygon.normal[v];
-  std::vector<CGAL::Sign> above(polygon.vertices.size());  // vertex above the foot?
+  std::vector<CGAL::Sign> above(polygon.vertices.size());  // of each vertex above the foot
   for (std::size_t i = 0; i < above.size(); ++i)
     above[i] = CGAL::compare(polygon.normal_squared * polygon.vertices[i][v], foot_v);
 
@@ -223,7 +223,7 @@ std::vector<std::size_t> edges_hit(const Query& query) {
   return hit;
 }
 
-/// The nearest edge or vertex: edges first, so that on a tie the earlier candidate stays.
+/// Returns the nearest edge or vertex. Edges are compared first, so that on a tie the earlier candidate wins.
 std::pair<Feature, Squared> nearest_on_boundary(const Query& query) {
   std::optional<std::pair<Feature, Squared>> nearest;
   const auto consider = [&nearest](Feature feature, const Squared& distance) {

@@ -14,10 +14,10 @@ std::string edge_name(const Polygon& polygon, std::size_t i) {
   return "edge " + std::to_string(i) + " (vertices " + std::to_string(i) + ", " + std::to_string(polygon.next(i)) + ")";
 }
 
-/// `edge 2 (vertices 2, 3) meets edge 5 (vertices 5, 0)`, or that an edge has become a point.
+/// Returns `edge 2 (vertices 2, 3) meets edge 5 (vertices 5, 0)`, or says that an edge becomes a point.
 std::string meeting(const Polygon& polygon, const Meeting& edges) {
   if (edges.first == edges.second)
-    return edge_name(polygon, edges.first) + " becomes a point when the polygon is seen along its dropped axis";
+    return edge_name(polygon, edges.first) + " becomes a point when the polygon is projected along its dropped axis";
   return edge_name(polygon, edges.first) + " meets " + edge_name(polygon, edges.second);
 }
 

@@ -14,7 +14,8 @@
 namespace touchstone::scene {
 namespace {
 
-/// What make() gives; where it throws FaceRejected, that is told of a face of an object whose set starts at `first`.
+/// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
+/// `first`.
 template <class Make>
 auto made(const std::string& object, std::size_t first, const Make& make) {
   try {
@@ -65,7 +66,7 @@ Scene::~Scene() = default;
 std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
   const FloatingPointState nearest;
   for (const auto& object : objects_)
-    if (object->name == name) throw std::invalid_argument("there is an object \"" + name + "\" already");
+    if (object->name == name) throw std::invalid_argument("there is already an object \"" + name + "\"");
   auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
   if (!(pose == Pose())) object = moved(*object, pose);
   objects_.push_back(std::move(object));
@@ -164,7 +165,7 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
     return false;
   });
   if (auto found = search.nearest()) return found;
-  // Faces that no ball reaches: farther than the largest double.
+  // All faces are farther than the largest double, so no ball reaches them.
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     for (std::uint32_t place = 0; place < object.triangle_count(); ++place)

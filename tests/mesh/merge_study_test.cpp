@@ -200,7 +200,7 @@ TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
       commands::add_merge, "merge",
       {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 2);
-  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is no word of OBJ; the file has no face\n");
+  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is not an OBJ keyword; the file has no face\n");
   EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
 }
 

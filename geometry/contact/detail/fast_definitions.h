@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The definitions behind fast.h, for scalars other than float, double and long double (those are compiled once, in
-// fast.cpp). A scalar needs what Eigen needs, abs and sqrt in its namespace, and a conversion to double or, in its
-// namespace, to_double.
+// The definitions of the templates of fast.h. fast.cpp instantiates them for float, double and long double; include
+// this file for other scalars. A scalar must meet Eigen's requirements and have abs and sqrt in its namespace, and a
+// conversion to double or a function to_double in its namespace.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -44,7 +44,7 @@ struct Sphere {
   Scalar radius_squared;
 };
 
-/// A squared distance as a quotient, so that it is compared without a division.
+/// A squared distance as a quotient, so that comparing it needs no division.
 template <class Scalar>
 struct Squared {
   Scalar numerator, denominator;
@@ -58,7 +58,7 @@ double root(const Squared<Scalar>& squared) {
   return to_double(sqrt(squared.numerator / squared.denominator));
 }
 
-/// N.(c - g): how far the centre is in front of the plane, in units of |N|.
+/// Returns N.(c - g): the height of the centre above the plane, in units of |N|.
 template <class Scalar>
 Scalar height(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
   return polygon.plane().normal.dot(sphere.center - polygon.plane().point);
@@ -69,7 +69,7 @@ Squared<Scalar> plane_distance(Scalar height, const PreparedPolygon<Scalar>& pol
   return {height * height, polygon.normal_squared()};
 }
 
-/// An edge as seen from the centre.
+/// An edge relative to the centre.
 template <class Scalar>
 struct EdgeView {
   EdgeView(const Sphere<Scalar>& sphere, const typename PreparedPolygon<Scalar>::Edge& seen)
@@ -101,7 +101,7 @@ PlaneSide plane_side(Scalar height, const Sphere<Scalar>& sphere, const Prepared
   return height > 0 ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
-/// Counts the edges crossed by the ray from the foot along u, in the plane (u, v) that leaves the dropped axis out.
+/// Counts the edges that the ray from the foot along u crosses, in the projection to (u, v) that drops the third axis.
 template <class Scalar>
 PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
   const int u = (polygon.dropped_axis() + 1) % 3, v = (polygon.dropped_axis() + 2) % 3;
@@ -114,10 +114,10 @@ PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPo
     const Scalar start_v = edge.start[v] - sphere.center[v] + down_v;
     const Scalar end_v = polygon.edges()[polygon.next(i)].start[v] - sphere.center[v] + down_v;
     const bool upwards = start_v <= 0 && end_v > 0, downwards = start_v > 0 && end_v <= 0;
-    if (!upwards && !downwards && start_v != 0 && end_v != 0) continue;  // rounded, but with an exact sign
+    if (!upwards && !downwards && start_v != 0 && end_v != 0) continue;  // rounded, but their signs are exact
     const Scalar start_u = edge.start[u] - sphere.center[u] + down_u;
     const Scalar side = start_u * edge.direction[v] - start_v * edge.direction[u];
-    if (side == 0) {  // a rounded zero is all that doubles can see of the boundary
+    if (side == 0) {  // doubles detect the boundary only as a rounded zero
       const Scalar along = -(start_u * edge.direction[u] + start_v * edge.direction[v]);
       const Scalar length = edge.direction[u] * edge.direction[u] + edge.direction[v] * edge.direction[v];
       if (along >= 0 && along <= length) return PointLocation::Boundary;
@@ -133,10 +133,10 @@ struct Nearest {
   Squared<Scalar> distance;
 };
 
-/// Edges before vertices, so that on a tie the earlier candidate stays.
+/// Returns the nearest edge or vertex. Edges are compared first, so that on a tie the earlier candidate wins.
 template <class Scalar>
 Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
-  // Infinity as the quotient 1 / 0: products with an infinite scalar are not numbers in every arithmetic.
+  // Infinity is the quotient 1 / 0: in some arithmetics products with an infinite scalar are not numbers.
   Nearest<Scalar> edge{{Feature::Kind::Edge, 0}, {1, 0}}, vertex{{Feature::Kind::Vertex, 0}, {1, 0}};
   for (std::size_t i = 0; i < polygon.edges().size(); ++i) {
     const EdgeView<Scalar> view(sphere, polygon.edges()[i]);
@@ -181,7 +181,7 @@ PreparedPolygon<Scalar>::PreparedPolygon(const Polygon& polygon) {
 
   plane_.point = origin;
   plane_.normal.setZero();
-  Scalar products = 0;  // magnitude of what is summed to the normal
+  Scalar products = 0;  // the magnitude of the products that are summed to the normal
   for (std::size_t i = 0; i < outer; ++i) {
     plane_.normal += relative[i].cross(relative[polygon.next(i)]);
     products += relative[i].cwiseAbs().maxCoeff() * relative[polygon.next(i)].cwiseAbs().maxCoeff();
@@ -196,7 +196,7 @@ PreparedPolygon<Scalar>::PreparedPolygon(const Polygon& polygon) {
   mean /= Scalar(static_cast<double>(outer));
 
   using std::abs;
-  // A height below its own rounding error is taken as 0: lifting by noise would move vertices of planar loops.
+  // Heights below their rounding error count as 0: lifting by noise would move vertices of planar loops.
   Scalar extent = 0;
   for (const Vector& r : relative) extent = std::max(extent, r.cwiseAbs().maxCoeff());
   const Scalar noise = 8 * std::numeric_limits<Scalar>::epsilon() * products * extent;
@@ -218,7 +218,7 @@ PreparedPolygon<Scalar>::PreparedPolygon(const Polygon& polygon) {
     Edge& edge = edges_[i];
     edge.start = planar ? detail::vertex<Scalar>(polygon, i) : Vector(origin + relative[i]);
     edge.direction = relative[next_[i]] - relative[i];
-    // Exact input is subtracted once, not twice.
+    // Subtract exact input once, not twice.
     if (planar) edge.direction = detail::vertex<Scalar>(polygon, next_[i]) - detail::vertex<Scalar>(polygon, i);
     edge.length_squared = edge.direction.squaredNorm();
   }

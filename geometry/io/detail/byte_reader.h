@@ -11,7 +11,7 @@
 
 namespace touchstone::io {
 
-/// Numbers from the bytes of a binary file, of either byte order.
+/// Reads numbers from the bytes of a binary file, in either byte order.
 class ByteReader {
  public:
   ByteReader(const MeshSource& source, std::size_t position, std::endian order)
@@ -35,10 +35,11 @@ class ByteReader {
     position_ += size;
   }
 
-  /// Broken if the file goes on after the last thing that it promised.
+  /// Reports a fault if bytes are left over at the end.
   void file_is_done() const {
     if (bytes_left() > 0)
-      source_.broken(place(), std::to_string(bytes_left()) + " bytes follow what the counts promise");
+      source_.broken(place(),
+                     std::to_string(bytes_left()) + " bytes left over after the elements that the counts declare");
   }
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 std::uint32_t byte(char c) { return static_cast<unsigned char>(c); }
 
-/// How many bytes a character of UTF-8 has that begins with this one; 0 if none does.
+/// Returns the length in bytes of the UTF-8 character that begins with this byte; 0 if none does.
 std::size_t length_of_character(std::uint32_t first) {
   if (first < 0x80) return 1;
   if (first < 0xc2) return 0;
@@ -18,14 +18,15 @@ std::size_t length_of_character(std::uint32_t first) {
   return first < 0xf5 ? 4 : 0;
 }
 
-/// Of Unicode's property Bidi_Control: they change the order in which the characters around them are shown.
+/// Returns whether the character has Unicode's property Bidi_Control: it changes the order in which the characters
+/// around it are shown.
 bool sets_direction(std::uint32_t code) {
   return code == 0x61c || code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
          (code >= 0x2066 && code <= 0x2069);
 }
 
-/// How many bytes the character has with which the text begins; 0 if that is a control character, one that sets the
-/// direction, a byte order mark or not UTF-8.
+/// Returns the length in bytes of the first character of the text; 0 if it is a control character, sets the direction,
+/// is a byte order mark or is not UTF-8.
 std::size_t length_of_printable(std::string_view text) {
   const std::uint32_t first = byte(text.front());
   const std::size_t length = length_of_character(first);

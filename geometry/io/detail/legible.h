@@ -7,12 +7,13 @@
 
 namespace touchstone::io {
 
-/// The beginning of bytes that were given from outside, for a sentence or a terminal: `most` bytes at most, and `...`
-/// if there are more. Control characters (of C0 and C1, line feeds, NUL and DEL among them), characters that set the
-/// direction of writing, byte order marks and bytes that are not UTF-8 stand as in `\x1b`. What it returns, it keeps.
+/// Returns bytes from an untrusted source as text for a message or a terminal: at most `most` bytes, and `...` if there
+/// are more. Control characters (C0 and C1, including line feeds, NUL and DEL), characters that set the direction of
+/// writing, byte order marks and bytes that are not UTF-8 are escaped as in `\x1b`. Escaping the result again changes
+/// nothing.
 [[nodiscard]] std::string legible(std::string_view bytes, std::size_t most = 200);
 
-/// The same of all bytes.
+/// The same for all bytes.
 [[nodiscard]] inline std::string all_legible(std::string_view bytes) { return legible(bytes, bytes.size()); }
 
 }  // namespace touchstone::io

@@ -15,17 +15,17 @@
 
 namespace touchstone::io {
 
-/// Collects what a file says, numbered as in the file, and decides about its faults.
+/// Collects the vertices and faces of a file, numbered as in the file, and handles its faults.
 ///
-/// Faces may name vertices that come later: their numbers are looked up by `finish`.
+/// Faces may name vertices that come later in the file; `finish` resolves their numbers.
 class MeshBuilder {
  public:
-  /// `first_number` is the file's number of its first vertex: 0, or 1 in OBJ.
+  /// `first_number` is the number that the file gives to its first vertex: 0, or 1 in OBJ.
   MeshBuilder(const MeshSource& source, OnFault on_fault, std::int64_t first_number)
       : source_(source), on_fault_(on_fault), first_number_(first_number) {}
 
-  /// Runs `read_part`. A fault of that part alone is thrown on with OnFault::Refuse, noted with OnFault::Skip (then
-  /// false is returned); StructureLost always goes on to `attempt_file`.
+  /// Runs `read_part` and returns whether it succeeded. A fault of that part is rethrown with OnFault::Refuse and
+  /// recorded with OnFault::Skip. StructureLost always propagates, to `attempt_file`.
   template <class ReadPart>
   bool attempt(ReadPart read_part) {
     try {
@@ -39,7 +39,7 @@ class MeshBuilder {
     }
   }
 
-  /// Runs `read_file`; with OnFault::Skip every fault that gets here is noted, and what came before it stays.
+  /// Runs `read_file`. With OnFault::Skip a fault that arrives here is recorded, and what was read before it is kept.
   template <class ReadFile>
   void attempt_file(ReadFile read_file) {
     try {
@@ -49,14 +49,15 @@ class MeshBuilder {
     }
   }
 
-  /// Adds the point that `read_point` returns. If it throws, the vertex is left out but keeps its number in the file.
+  /// Adds the point that `read_point` returns. If that throws, the vertex is left out, but keeps its number in the
+  /// file.
   template <class ReadPoint>
   void add_vertex(ReadPoint read_point) {
     const bool was_read = attempt([&] { mesh_.vertices.push_back(read_point()); });
     number_in_mesh_.push_back(was_read ? static_cast<std::uint32_t>(mesh_.vertices.size() - 1) : kLeftOut);
   }
 
-  /// Adds a face whose corners are vertex numbers of the file; broken if there are fewer than three.
+  /// Adds a face whose corners are vertex numbers of the file. Reports a fault if there are fewer than three.
   void add_face(Place place, std::span<const std::int64_t> corners) {
     if (corners.size() < 3)
       source_.broken(place, "a face needs at least 3 vertices, this one has " + std::to_string(corners.size()));
@@ -70,16 +71,16 @@ class MeshBuilder {
     places_.push_back(place);
   }
 
-  /// How many vertices the file has had so far, those left out included.
+  /// Returns the number of vertices read so far, including those left out.
   [[nodiscard]] std::size_t vertices_so_far() const { return number_in_mesh_.size(); }
 
-  /// Notes a part that is passed over though the format does not know it. Only the first one is kept.
+  /// Records a part that is ignored because the format does not define it. Only the first one is kept.
   void pass_over(Place place, const std::string& reason) {
     if (passed_over_.empty()) passed_over_ = sentence(source_.name, place, reason);
   }
   [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
 
-  /// The mesh, each face with the numbers that its vertices have there.
+  /// Returns the mesh; each face has the numbers that its vertices have there.
   [[nodiscard]] ReadMesh finish() && {
     if (number_in_mesh_.size() >= kLeftOut)
       throw BrokenMesh(all_legible(source_.name) + ": more vertices than 32-bit numbers can count");
@@ -98,7 +99,7 @@ class MeshBuilder {
   static constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
 
   void note(const BrokenMesh& fault) {
-    if (on_fault_ == OnFault::Refuse) throw;  // the fault being handled
+    if (on_fault_ == OnFault::Refuse) throw;  // the current fault
     if (parts_left_out_++ < kMostSentences) left_out_.emplace_back(fault.what());
   }
 
@@ -108,7 +109,7 @@ class MeshBuilder {
       if (corner >= number_in_mesh_.size()) out_of_range(place, number);
       corner = number_in_mesh_[corner];
       if (corner == kLeftOut)
-        source_.broken(place, "the face needs vertex " + std::to_string(number) + ", which is left out");
+        source_.broken(place, "the face uses vertex " + std::to_string(number) + ", which was left out");
     }
   }
 
@@ -124,7 +125,7 @@ class MeshBuilder {
   Mesh mesh_;
   std::vector<Place> places_;                  // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
-  std::string passed_over_;                    // a sentence
+  std::string passed_over_;                    // a message
   std::vector<std::string> left_out_;
   std::size_t parts_left_out_ = 0;
 };

@@ -9,16 +9,16 @@
 
 namespace touchstone::io {
 
-/// What a file holds, though it be without a face.
+/// The content of a file, which may be without faces.
 struct Content {
   ReadMesh read;
-  std::string passed_over;  ///< a sentence on the first part that the format does not know, or empty
+  std::string passed_over;  ///< a message about the first part that the format does not define, or empty
 };
 
-/// As `read_mesh`, but for files without a face.
+/// Reads a file like `read_mesh`, but accepts files without faces.
 [[nodiscard]] Content read_content(const std::filesystem::path& file, OnFault on_fault);
 
-// Each reads a file of one format into the builder, in the words of `read_mesh`.
+// Each of these reads a file of one format into the builder. `read_mesh` documents the formats.
 
 void read_obj(const MeshSource& source, MeshBuilder& builder);
 void read_off(const MeshSource& source, MeshBuilder& builder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: `v x y z` and `f 1 2 3`, each corner with or without `/texture/normal`, which mean nothing here.
+// Wavefront OBJ: `v x y z` and `f 1 2 3`. A corner may have `/texture/normal`, which are ignored.
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -14,7 +14,7 @@
 namespace touchstone::io {
 namespace {
 
-/// The vertex number (from 1) of a corner such as `7`, `7/1`, `7//2` or `-1/1/2`.
+/// Takes a corner and returns its vertex number (from 1), for corners such as `7`, `7/1`, `7//2` or `-1/1/2`.
 std::int64_t take_corner(TextReader& lines, std::size_t vertices_so_far) {
   const std::string_view field = lines.take();
   const std::optional<std::int64_t> number = whole_number(field.substr(0, field.find('/')));
@@ -27,7 +27,7 @@ std::int64_t take_corner(TextReader& lines, std::size_t vertices_so_far) {
   return from_start;
 }
 
-/// Words of the format that say nothing of vertices and polygons.
+/// Keywords of the format that do not concern vertices and polygons.
 constexpr std::string_view kPassedOver[] = {
     "vt",     "vn",     "vp",    "p",        "l",        "g",    "s",          "o",         "mg",   "usemtl", "mtllib",
     "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "deg",  "bmat",   "step",
@@ -58,7 +58,7 @@ void read_obj(const MeshSource& source, MeshBuilder& builder) {
         builder.add_face(lines.place(), corners);
       });
     } else if (!is_passed_over(keyword)) {
-      builder.pass_over(lines.place(), TextReader::quoted(keyword) + " is no word of OBJ");
+      builder.pass_over(lines.place(), TextReader::quoted(keyword) + " is not an OBJ keyword");
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geomview OFF as text: the counts, then one vertex a line, then one face a line, led by its number of vertices.
+// Geomview OFF as text: the counts, then one vertex per line, then one face per line, which begins with its number of
+// vertices.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,13 +17,14 @@ struct Counts {
   std::int64_t faces;
 };
 
-/// Whether the word announces points of three coordinates, which normals, colours and texture coordinates may follow.
+/// Returns whether the word announces points of three coordinates, which normals, colours and texture coordinates may
+/// follow.
 bool is_header(std::string_view word) {
   constexpr std::string_view kName = "OFF";
   return word.ends_with(kName) && word.find_first_not_of("STCN") == word.size() - kName.size();
 }
 
-/// Geomview lets the word be missing, and the counts follow it on its line or on the next.
+/// Takes the header. The word may be missing; the counts follow it on the same line or on the next.
 Counts take_header(TextReader& lines) {
   if (!lines.next_line()) lines.truncated("expected 'OFF'");
   if (!whole_number(lines.peek())) {
@@ -36,7 +38,7 @@ Counts take_header(TextReader& lines) {
   return {vertices, faces};
 }
 
-/// Goes on to the line of the next vertex or face.
+/// Moves to the line of the next vertex or face.
 void need_part(TextReader& lines, const char* part, std::int64_t index, std::int64_t count) {
   if (!lines.next_line())
     lines.truncated(std::string(part) + " " + std::to_string(index) + " of " + std::to_string(count) + " is missing");
@@ -67,7 +69,7 @@ void read_off(const MeshSource& source, MeshBuilder& builder) {
     });
   }
 
-  if (lines.next_line()) lines.broken("the file goes on after what the counts promise");
+  if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
 }
 
 }  // namespace touchstone::io

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PLY: the header declares elements (vertex, face, any others) and their properties; the values follow as text or
-// binary. Read are x, y and z of each vertex and the vertex numbers of each face; the rest is passed over.
+// PLY: the header declares elements (vertex, face, others) and their properties; the values follow as text or binary.
+// Reads x, y and z of each vertex and the vertex numbers of each face, and ignores the rest.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -40,7 +40,7 @@ std::size_t size_of(Scalar type) {
 struct Property {
   std::string name;
   Scalar type;
-  std::optional<Scalar> count_type;  ///< of a list
+  std::optional<Scalar> count_type;  ///< lists only
 };
 
 struct Element {
@@ -56,7 +56,7 @@ struct Header {
   std::vector<Element> elements;
 };
 
-/// 0, 1 or 2 for the properties x, y and z.
+/// Returns 0, 1 or 2 for the properties x, y and z.
 std::optional<int> axis_of(const Property& property) {
   if (property.count_type || property.name.size() != 1 || property.name[0] < 'x' || property.name[0] > 'z')
     return std::nullopt;
@@ -67,7 +67,7 @@ bool holds_corners(const Property& property) {
   return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-// ---- The header
+// The header
 
 Scalar take_type(TextReader& lines) {
   struct Name {
@@ -93,7 +93,7 @@ Scalar take_type(TextReader& lines) {
   const std::string_view word = lines.take();
   const auto* const found =
       std::find_if(kNames.begin(), kNames.end(), [&](const Name& known) { return known.name == word; });
-  if (found == kNames.end()) lines.broken(TextReader::quoted(word) + " is not a type of numbers");
+  if (found == kNames.end()) lines.broken(TextReader::quoted(word) + " is not a number type");
   return found->type;
 }
 
@@ -102,12 +102,12 @@ Encoding take_encoding(TextReader& lines) {
   if (word == "ascii") return Encoding::Text;
   if (word == "binary_little_endian") return Encoding::LittleEndian;
   if (word == "binary_big_endian") return Encoding::BigEndian;
-  lines.broken("the format " + TextReader::quoted(word) + " is not known");
+  lines.broken("unknown format " + TextReader::quoted(word));
 }
 
 std::string take_name(TextReader& lines) {
   const std::string_view word = lines.take();
-  if (word.empty()) lines.broken("the line ends where a name is expected");
+  if (word.empty()) lines.broken("expected a name, found the end of the line");
   return std::string(word);
 }
 
@@ -150,7 +150,7 @@ void check_elements(const std::vector<Element>& elements, const TextReader& line
 
 Header take_header(TextReader& lines) {
   const auto need_line = [&] {
-    if (!lines.next_line()) lines.truncated("its header has no end");
+    if (!lines.next_line()) lines.truncated("its header has no 'end_header'");
   };
   need_line();
   if (const std::string_view word = lines.take(); word != "ply")
@@ -172,7 +172,7 @@ Header take_header(TextReader& lines) {
       if (header.elements.empty()) lines.broken("a property comes before the first element");
       header.elements.back().properties.push_back(take_property(lines));
     } else if (keyword != "comment" && keyword != "obj_info") {
-      lines.broken(TextReader::quoted(keyword) + " means nothing in a header");
+      lines.broken(TextReader::quoted(keyword) + " is not a PLY header keyword");
     }
   }
   if (!has_format) lines.broken("the header has no line 'format'");
@@ -180,9 +180,9 @@ Header take_header(TextReader& lines) {
   return header;
 }
 
-// ---- The values, which text and binary files give in the same order
+// The values, which are in the same order in text and binary files
 
-/// Each element on a line of its own, so that a wrong one can be passed over.
+/// Reads values as text. Each element is on a line of its own, so a faulty one can be skipped.
 class TextValues {
  public:
   explicit TextValues(TextReader& lines) : lines_(lines) {}
@@ -193,7 +193,7 @@ class TextValues {
                        " is missing");
   }
   void end_element() {
-    if (!lines_.line_is_done()) lines_.broken("the line goes on after the last property");
+    if (!lines_.line_is_done()) lines_.broken("unexpected values after the last property");
   }
   void pass_element(const Element&) {}
 
@@ -214,7 +214,8 @@ class TextValues {
   TextReader& lines_;
 };
 
-/// Elements end where their last property does, so that a wrong count of a list loses the rest of the file.
+/// Reads values as binary. Elements end with their last property, so after a wrong list count the rest of the file is
+/// lost.
 class BinaryValues {
  public:
   BinaryValues(const MeshSource& source, ByteReader& bytes) : source_(source), bytes_(bytes) {}
@@ -264,11 +265,11 @@ class BinaryValues {
 
  private:
   std::int64_t take_whole(Scalar type) {
-    constexpr double kLimit = 1e15;  // whole doubles up to here are exact
+    constexpr double kLimit = 1e15;  // integers up to here are exact doubles
     const Place number_place = place();
     const double value = take_number(type);
     if (!(std::abs(value) < kLimit) || value != std::floor(value))
-      source_.lost(number_place, "a count or vertex number is not a whole number");
+      source_.lost(number_place, "a count or vertex number is not an integer");
     return static_cast<std::int64_t>(value);
   }
 
@@ -305,7 +306,7 @@ template <class Values>
 void read_elements(const MeshSource& source, const Header& header, Values values, MeshBuilder& builder) {
   std::vector<std::int64_t> corners;
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // takes no place in the file, however many there are
+    if (element.properties.empty()) continue;  // takes no space in the file, whatever its count
     for (std::int64_t i = 0; i < element.count; ++i) {
       values.begin_element(element, i);
       const Place place = values.place();
@@ -329,7 +330,7 @@ void read_ply(const MeshSource& source, MeshBuilder& builder) {
   const Header header = take_header(lines);
   if (header.encoding == Encoding::Text) {
     read_elements(source, header, TextValues(lines), builder);
-    if (lines.next_line()) lines.broken("the file goes on after what the counts promise");
+    if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
   } else {
     ByteReader bytes(source, lines.position(),
                      header.encoding == Encoding::LittleEndian ? std::endian::little : std::endian::big);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STL: triangles without shared vertices, so each makes three new ones. Normals mean nothing here.
+// STL: triangles without shared vertices, so each adds three vertices. Normals are ignored.
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -26,9 +26,9 @@ void add_triangle(MeshBuilder& builder, Place place, const Triangle& triangle) {
   builder.add_face(place, std::array{first, first + 1, first + 2});
 }
 
-/// A binary file may begin with "solid" too. It is known by having the very size that its count asks for or, if it is
-/// damaged, by a zero byte in its header, where the count has one below 2^24 facets. So has text in UTF-16, which is
-/// left to the reader of text to refuse.
+/// Returns whether the file is binary. A binary file may begin with "solid", as text does. It has exactly the size that
+/// its count requires or, if it is damaged, a zero byte in its header, because a count below 2^24 facets has one. Text
+/// in UTF-16 has zero bytes, too; the text reader refuses it.
 bool is_binary(const MeshSource& source) {
   if (source.bytes.size() >= kHeaderBytes) {
     const std::uint64_t count = ByteReader(source, kTitleBytes, std::endian::little).take<std::uint32_t>();
@@ -64,7 +64,7 @@ void read_binary(const MeshSource& source, MeshBuilder& builder) {
   bytes.file_is_done();
 }
 
-/// The lines of a text STL, each told by its first word, in any case.
+/// Reads the lines of a text STL, which are recognised by their first word, in upper or lower case.
 class StatementReader {
  public:
   explicit StatementReader(const MeshSource& source) : lines_(source, {}) { advance(); }
@@ -80,7 +80,7 @@ class StatementReader {
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
 
-  /// Goes past the line of this keyword, whatever else it says.
+  /// Moves past the line of this keyword, whatever follows on that line.
   void pass(const std::string& keyword) {
     if (!at(keyword)) expected("'" + keyword + "'");
     advance();
@@ -116,7 +116,7 @@ void read_facet(const MeshSource& source, StatementReader& statements, MeshBuild
   add_triangle(builder, place, triangle);
 }
 
-/// After a fault in a facet: goes past its end, or up to what can only come after it.
+/// After a fault in a facet: moves past its end, or to the next keyword that can only follow it.
 void leave_facet(StatementReader& statements) {
   while (!statements.at_end() && !statements.at("endfacet") && !statements.at("facet") && !statements.at("endsolid"))
     statements.advance();

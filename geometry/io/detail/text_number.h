@@ -13,13 +13,13 @@
 
 namespace touchstone::io {
 
-/// The field without one leading '+', which std::from_chars does not know; "+-1" stays malformed.
+/// Returns the field without a leading '+', which std::from_chars does not accept. "+-1" stays malformed.
 inline std::string_view without_plus(std::string_view field) {
   if (field.size() > 1 && field[0] == '+' && field[1] != '-') field.remove_prefix(1);
   return field;
 }
 
-/// The whole number that the field consists of, if it does and fits.
+/// Returns the integer that the field consists of; nothing if it is not an integer or does not fit.
 inline std::optional<std::int64_t> whole_number(std::string_view field) {
   field = without_plus(field);
   std::int64_t value = 0;
@@ -28,8 +28,8 @@ inline std::optional<std::int64_t> whole_number(std::string_view field) {
   return value;
 }
 
-/// Whether a well-formed decimal beyond the range of the doubles is too large (and not too close to zero): whether
-/// its first digit other than 0 stands before the decimal point once the exponent is applied.
+/// Returns whether a well-formed decimal outside the range of the doubles is too large, not too close to zero: whether
+/// its first nonzero digit comes before the decimal point once the exponent is applied.
 inline bool is_huge(std::string_view decimal) {
   const std::size_t exponent_mark = decimal.find_first_of("eE");
   const std::string_view digits = decimal.substr(0, exponent_mark);
@@ -46,9 +46,9 @@ inline bool is_huge(std::string_view decimal) {
   return value ? *value > -order : !negative;  // an exponent beyond 64 bits outweighs the digits of any file
 }
 
-/// The double nearest to the decimal number that the field consists of, if it does: an infinity beyond the finite
-/// doubles, zero near zero; "nan" and "inf" in the spellings of std::from_chars. The caller's locale and rounding mode
-/// change nothing.
+/// Returns the double nearest to the decimal number that the field consists of; nothing if it is not a number. Infinite
+/// beyond the finite doubles, zero near zero. Accepts "nan" and "inf" in the spellings of std::from_chars. Does not
+/// depend on the caller's locale and rounding mode.
 __attribute__((noinline)) inline std::optional<double> nearest_double(std::string_view field) {
   const FloatingPointState nearest;  // std::from_chars may divide in the caller's rounding mode
   field = without_plus(field);
@@ -62,8 +62,8 @@ __attribute__((noinline)) inline std::optional<double> nearest_double(std::strin
   return value;
 }
 
-/// The whole number that the field is, also where it is written as a decimal, `3.0` or `1e3`: then as the nearest
-/// double, below 1e15, up to which whole doubles are exact.
+/// Returns the integer that the field consists of, which may be written as a decimal, such as `3.0` or `1e3`. Decimals
+/// are read as the nearest double and must be below 1e15, up to which integers are exact doubles.
 inline std::optional<std::int64_t> whole_decimal(std::string_view field) {
   constexpr double kLimit = 1e15;
   if (const auto whole = whole_number(field)) return whole;

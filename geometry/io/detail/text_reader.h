@@ -18,12 +18,12 @@ namespace touchstone::io {
 
 struct TextSyntax {
   bool comments = false;       ///< '#' begins a comment that ends with the line
-  bool continuations = false;  ///< a line that ends with '\' goes on in the next
+  bool continuations = false;  ///< a line that ends with '\' continues on the next
 };
 
-/// The lines of a text file that are not blank, one after the other, each as fields between blanks.
+/// Reads the lines of a text file that are not blank, each as fields separated by blanks.
 ///
-/// Lines end with "\n", "\r\n" or "\r". Nothing is copied but continued lines.
+/// Lines end with "\n", "\r\n" or "\r". Only continued lines are copied.
 class TextReader {
  public:
   TextReader(const MeshSource& source, TextSyntax syntax) : source_(source), text_(source.bytes), syntax_(syntax) {
@@ -34,7 +34,7 @@ class TextReader {
   TextReader(const TextReader&) = delete;
   TextReader& operator=(const TextReader&) = delete;
 
-  /// Goes on to the next line that is not blank; false at the end of the file.
+  /// Moves to the next line that is not blank. Returns false at the end of the file.
   bool next_line() {
     while (position_ < text_.size()) {
       line_number_ = lines_passed_ + 1;
@@ -48,17 +48,17 @@ class TextReader {
 
   [[nodiscard]] Place place() const { return {Place::Unit::Line, std::max<std::size_t>(line_number_, 1)}; }
   [[nodiscard]] bool line_is_done() const { return rest_.empty(); }
-  /// The byte after the current line.
+  /// Returns the position of the byte after the current line.
   [[nodiscard]] std::size_t position() const { return position_; }
 
   [[noreturn]] void broken(const std::string& reason) const { source_.broken(place(), reason); }
 
-  /// At the end of the file, where something is missing; the place is the last line.
+  /// Reports that something is missing at the end of the file. The place is the last line.
   [[noreturn]] void truncated(const std::string& reason) const {
     source_.lost(place(), "the file is truncated: " + reason);
   }
 
-  /// The next field of the line; empty at its end.
+  /// Takes the next field of the line; empty at its end.
   std::string_view take() {
     const std::string_view field = peek();
     rest_.remove_prefix(field.size());
@@ -66,7 +66,7 @@ class TextReader {
     return field;
   }
 
-  /// The next field without taking it.
+  /// Returns the next field without taking it.
   [[nodiscard]] std::string_view peek() const {
     return rest_.substr(0,
                         static_cast<std::size_t>(std::find_if(rest_.begin(), rest_.end(), is_blank) - rest_.begin()));
@@ -74,20 +74,20 @@ class TextReader {
 
   void skip_fields(std::int64_t count) {
     for (; count > 0; --count)
-      if (take().empty()) broken("the line ends too early");
+      if (take().empty()) broken("too few values on the line");
   }
 
-  /// The next field as a finite double.
+  /// Takes the next field as a finite double.
   double take_number() {
     const std::string_view field = take();
-    if (field.empty()) broken("the line ends where a number is expected");
+    if (field.empty()) broken("expected a number, found the end of the line");
     const std::optional<double> value = nearest_double(field);
     if (!value) broken(quoted(field) + " is not a number");
     if (!std::isfinite(*value)) broken(quoted(field) + " is not a finite double");
     return *value;
   }
 
-  /// The next three fields as a point; `after` is the word or thing that they follow.
+  /// Takes the next three fields as a point. `after` says in messages where they stand.
   Eigen::Vector3d take_point(const char* after) {
     Eigen::Vector3d point;
     for (int axis = 0; axis < 3; ++axis) {
@@ -97,26 +97,26 @@ class TextReader {
     return point;
   }
 
-  /// How whole numbers may be written: as digits, or as any decimal, `3.0`.
+  /// How integers may be written: as digits, or as any decimal, such as `3.0`.
   enum class Whole { Digits, Decimal };
 
-  /// The next field as a whole number; `what` says of what kind.
+  /// Takes the next field as an integer. `what` names it in messages.
   std::int64_t take_whole(const char* what, Whole written = Whole::Digits) {
     const std::string_view field = take();
-    if (field.empty()) broken(std::string("the line ends where a ") + what + " is expected");
+    if (field.empty()) broken(std::string("expected a ") + what + ", found the end of the line");
     const std::optional<std::int64_t> value = written == Whole::Digits ? whole_number(field) : whole_decimal(field);
     if (!value) broken(quoted(field) + " is not a " + what);
     return *value;
   }
 
-  /// The next field as a whole number that is not negative.
+  /// Takes the next field as an integer that must not be negative.
   std::int64_t take_count(Whole written = Whole::Digits) {
     const std::int64_t count = take_whole("count", written);
     if (count < 0) broken("the count " + std::to_string(count) + " is negative");
     return count;
   }
 
-  /// The next `count` fields as vertex numbers, in place of what `corners` held.
+  /// Takes the next `count` fields as vertex numbers, which replace the content of `corners`.
   void take_corners(std::int64_t count, std::vector<std::int64_t>& corners, Whole written = Whole::Digits) {
     corners.clear();
     for (std::int64_t i = 0; i < count; ++i) {
@@ -125,7 +125,7 @@ class TextReader {
     }
   }
 
-  /// Broken if the line goes on with anything but numbers (of any kind and value).
+  /// Reports a fault if the rest of the line holds anything but numbers, of any kind and value.
   void rest_is_numbers() {
     while (!rest_.empty())
       if (const std::string_view field = take(); !nearest_double(field)) broken(quoted(field) + " is not a number");
@@ -171,9 +171,9 @@ class TextReader {
   TextSyntax syntax_;
   std::size_t position_ = 0;
   std::size_t lines_passed_ = 0;
-  std::size_t line_number_ = 0;  // of the current line's beginning
-  std::string_view rest_;        // of the current line, from a field on
-  std::string joined_;           // the current line if it was continued
+  std::size_t line_number_ = 0;  // where the current line begins
+  std::string_view rest_;        // the rest of the current line, from the next field on
+  std::string joined_;           // the current line, if it was continued
 };
 
 }  // namespace touchstone::io

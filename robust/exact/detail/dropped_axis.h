@@ -7,7 +7,7 @@
 
 namespace touchstone::exact {
 
-/// The axis of the largest component of the Newell normal of the outer loop, the lowest on a tie, decided exactly;
+/// Returns the axis of the largest component of the outer loop's Newell normal, the lowest on a tie, decided exactly;
 /// nothing if the normal is zero. Cost: linear.
 [[nodiscard]] std::optional<int> dropped_axis(const Polygon& polygon);
 

@@ -15,12 +15,12 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // filtered; only its exact orientation is used
 using Point = PlanarLoops::Point;
 
-/// Left of (1), on (0) or right of (-1) the directed line a b.
+/// Returns whether p is to the left of (1), on (0) or to the right of (-1) the directed line a b.
 int side(const Point& a, const Point& b, const Point& p) {
   return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y), Kernel::Point_2(p.x, p.y));
 }
 
-/// Is p, known to lie on the line a b, on the closed segment?
+/// Returns whether p lies on the closed segment. Requires that it lies on the line a b.
 bool within(const Point& a, const Point& b, const Point& p) { return std::min(a, b) <= p && p <= std::max(a, b); }
 
 class Sweep {
@@ -40,8 +40,8 @@ class Sweep {
   }
 
  private:
-  /// The order of the edges along the sweep line, from below to above. Both cross it, so the ends that were passed last
-  /// decide; edges that touch are no order, but a finding.
+  /// Orders edges along the sweep line, from bottom to top. Both cross it, so the ends that were passed last decide.
+  /// Edges that touch cannot be ordered: they are a meeting.
   struct Below {
     Sweep* sweep;
     bool operator()(std::size_t i, std::size_t j) const { return i != j && sweep->order(i, j) < 0; }
@@ -84,7 +84,7 @@ class Sweep {
            (b_side == 0 && within(c, d, b));
   }
 
-  /// Do the edges from `vertex` to `p` and to `q` share more than their vertex?
+  /// Returns whether the edges from `vertex` to `p` and to `q` share more than that vertex.
   static bool overlap(const Point& p, const Point& vertex, const Point& q) {
     return side(p, vertex, q) == 0 && (p < vertex) == (q < vertex);
   }

@@ -10,7 +10,7 @@
 
 namespace touchstone::exact {
 
-/// The loops of a polygon with one coordinate left out.
+/// The loops of a polygon, projected by dropping one coordinate.
 class PlanarLoops {
  public:
   struct Point {
@@ -30,19 +30,21 @@ class PlanarLoops {
   std::vector<Point> points_;
 };
 
-/// Two edges that share a point which is not just the vertex where they follow each other; the same edge twice if its
-/// ends coincide.
+/// Two edges that share a point other than the common vertex of neighbouring edges. If the ends of one edge coincide,
+/// both are that edge.
 struct Meeting {
   std::size_t first, second;  // first <= second
 };
 
-/// A meeting among the edges [begin, end) of whole loops, if there is any. Exact; O(n log n) with n = end - begin.
+/// Returns a meeting among the edges [begin, end) of whole loops, if there is one. Exact. Cost: O(n log n) with
+/// n = end - begin.
 ///
-/// A line sweeps the points in lexicographic order and keeps the edges that it crosses in order; as long as no
+/// A line sweeps over the points in lexicographic order and keeps the edges that it crosses in order. As long as no
 /// neighbours in that order meet, no edges meet (Shamos and Hoey). Source: [shamos1976].
 [[nodiscard]] std::optional<Meeting> find_meeting(const PlanarLoops& loops, std::size_t begin, std::size_t end);
 
-/// Is a vertex, on none of the edges [begin, end) of whole loops, inside them (even-odd)? Exact, linear.
+/// Returns whether a vertex is inside the loops with edges [begin, end), by the even-odd rule. Requires that it lies on
+/// none of these edges. Exact. Cost: linear.
 [[nodiscard]] bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, std::size_t end);
 
 }  // namespace touchstone::exact

@@ -10,8 +10,8 @@
 namespace touchstone::exact {
 namespace {
 
-// The quotient is cut to an integer of at least this many bits; with one more bit that tells whether anything was cut
-// off ("sticky"), rounding it to the 53 bits of a double is rounding the exact value.
+// The quotient is truncated to an integer of at least this many bits. With one more bit that says whether anything was
+// truncated ("sticky"), rounding it to the 53 bits of a double is the same as rounding the exact value.
 constexpr long kQuotientBits = 64;
 
 long bits(const mpz_class& value) { return static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2)); }
@@ -21,7 +21,7 @@ mpz_class shifted(const mpz_class& value, long shift) {
   return shift >= 0 ? mpz_class(value << static_cast<mp_bitcnt_t>(shift)) : value;
 }
 
-/// MPFR keeps memory for each thread; this gives it back when the thread ends.
+/// Frees the memory that MPFR keeps for each thread when the thread ends.
 struct ThreadCaches {
   ~ThreadCaches() { mpfr_free_cache(); }
 };
@@ -33,7 +33,7 @@ double rounded(const mpz_class& integer, bool inexact, long exponent) {
   mpfr_t value;
   mpfr_init2(value, static_cast<mpfr_prec_t>(bits(with_sticky)));
   mpfr_set_z_2exp(value, with_sticky.get_mpz_t(), exponent - 1, MPFR_RNDN);  // exact
-  const double result = mpfr_get_d(value, MPFR_RNDN);  // one rounding, to a subnormal or infinity where need be
+  const double result = mpfr_get_d(value, MPFR_RNDN);  // one rounding, possibly to a subnormal number or infinity
   mpfr_clear(value);
   return result;
 }
@@ -49,7 +49,7 @@ double nearest_double(const mpz_class& numerator, const mpz_class& denominator) 
   mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), shifted(magnitude, shift).get_mpz_t(),
               shifted(denominator, -shift).get_mpz_t());
   const double result = rounded(quotient, remainder != 0, -shift);
-  const bool zero = std::bit_cast<std::uint64_t>(result) == 0;  // what rounds to zero from below is +0, too
+  const bool zero = std::bit_cast<std::uint64_t>(result) == 0;  // negative values that round to zero become +0, too
   return numerator < 0 && !zero ? -result : result;
 }
 

@@ -33,8 +33,9 @@ mpq_class shifted(mpq_class value, int exponent) {
 
 double nearest(const mpq_class& value) { return exact::nearest_double(value.get_num(), value.get_den()); }
 
-/// To within u^2 of the value, u = 2^-53, whatever else is large, and where that underflows to 2^-1075: the double
-/// nearest to the value leaves at most u of it or 2^-1075, and so does the second one of that.
+/// Returns the value to within u^2 of itself, u = 2^-53, or to 2^-1075 if that underflows: the double nearest to the
+/// value leaves a rest of at most u of it or 2^-1075, and the double nearest to the rest leaves at most as much of the
+/// rest.
 DoubleDouble nearest_double_double(const mpq_class& value) {
   const double high = nearest(value);
   return {high, nearest(value - mpq_class(high))};
@@ -53,7 +54,7 @@ double rounded(const Quotient& quotient, Round round) {
 
 }  // namespace
 
-// As in `exact`, space is multiplied by |n N_k| where a vertex has to be lifted, so that no number is divided.
+// As in `exact`, all lengths are multiplied by |n N_k| if vertices have to be lifted, so that no number is divided.
 struct BigIntPolygon::Numbers {
   explicit Numbers(const Polygon& loops);
 
@@ -106,7 +107,7 @@ BigIntPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(t
 
 namespace {
 
-/// An edge as seen from a ball, in the scaled space.
+/// An edge relative to a ball, in the scaled space.
 struct View {
   Vector to_center_, edge_, normal_;
   Number radius_;
@@ -126,7 +127,7 @@ View view(const Numbers& numbers, const Ball& ball, std::size_t i, int axis = 0)
           numbers.scale * Number(ball.radius), axis};
 }
 
-/// The squared distance of the centre from the feature's plane, line or point.
+/// Returns the squared distance of the centre from the feature's plane, line or point.
 template <class Numbers>
 Quotient squared_distance(const Numbers& numbers, const Ball& ball, const Feature& feature) {
   const View edge = view(numbers, ball, feature.index);

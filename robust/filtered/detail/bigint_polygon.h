@@ -13,9 +13,9 @@
 
 namespace touchstone::filtered {
 
-/// A lifted polygon in integers of any size: its exact normal and lift, and the last word on every sign and rounding.
+/// A lifted polygon in integers of any size: its exact normal and lift. Decides every sign and every rounding.
 ///
-/// Throws Rejected with `zero-normal`. Keeps a reference to the polygon. Requires round to nearest throughout.
+/// Throws Rejected with `zero-normal`. Keeps a reference to the polygon. All functions require round to nearest.
 class BigIntPolygon {
  public:
   explicit BigIntPolygon(const Polygon& polygon);
@@ -23,25 +23,26 @@ class BigIntPolygon {
   ~BigIntPolygon();
 
   [[nodiscard]] int dropped_axis() const;
-  /// All vertices lie on the supporting plane: nothing is lifted.
+  /// Returns whether all vertices lie on the supporting plane, so that nothing is lifted.
   [[nodiscard]] bool planar() const;
-  /// The largest move of a vertex onto the plane, as the nearest double.
+  /// Returns the largest displacement of a vertex onto the plane, as the nearest double.
   [[nodiscard]] double off_plane() const;
 
-  /// A component of the normal times 2^exponent, as the nearest double and the double nearest to what that leaves: to
-  /// 2^-106 of itself, and to 2^-1075 where that is more.
+  /// Returns a component of the normal times 2^exponent, as the nearest double and the double nearest to the rest. The
+  /// error is at most 2^-106 of the component, or 2^-1075 if that is more.
   [[nodiscard]] DoubleDouble normal(int axis, int exponent) const;
-  /// Do both together hold every bit?
+  /// Returns whether these two doubles hold every bit.
   [[nodiscard]] bool normal_fits(int axis, int exponent) const;
-  /// N.(g - p) times 2^exponent for vertex 0: how far the plane is in front of it.
+  /// Returns N.(g - p) times 2^exponent for vertex 0 at p: how far the plane is in front of it.
   [[nodiscard]] DoubleDouble plane_height(int exponent) const;
 
-  /// The exact sign for an edge; `axis` is that of SignKind::Above.
+  /// Returns the exact sign for an edge. `axis` is for SignKind::Above.
   [[nodiscard]] int sign(SignKind kind, const Ball& ball, std::size_t edge, int axis = 0) const;
-  /// Which of two features of the boundary is nearer to the ball's centre: the first (-), neither (0), the second (+).
-  /// An edge stands for its line.
+  /// Returns which of two features of the boundary is nearer to the ball's centre: the first (-), neither (0) or the
+  /// second
+  /// (+). For an edge its line counts.
   [[nodiscard]] int compare_distances(const Ball& ball, const Feature& first, const Feature& second) const;
-  /// The point of the feature closest to the centre, and its distance, rounded to the nearest doubles.
+  /// Returns a coordinate of the feature's point closest to the centre, or its distance, as the nearest double.
   [[nodiscard]] double point(const Ball& ball, const Feature& feature, int axis) const;
   [[nodiscard]] double distance(const Ball& ball, const Feature& feature) const;
 

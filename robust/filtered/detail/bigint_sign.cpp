@@ -6,7 +6,7 @@
 namespace touchstone::filtered {
 namespace {
 
-using Number = CGAL::Mpzf;  // integers times powers of two: a ring is all that the signs need
+using Number = CGAL::Mpzf;  // integers times powers of two: the signs need no division
 
 Vector3<Number> difference(const double* a, const double* b) {
   return {Number(a[0]) - Number(b[0]), Number(a[1]) - Number(b[1]), Number(a[2]) - Number(b[2])};

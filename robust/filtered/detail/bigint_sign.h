@@ -6,8 +6,8 @@
 
 namespace touchstone::filtered {
 
-/// The exact sign for edge i of a triangle (Above: not asked of triangles), in integers of any size: for every finite
-/// input. Cost: 1 to 10 us.
+/// Returns the exact sign for an edge of a triangle, for every finite input, in integers of any size. Requires a kind
+/// other than Above. Cost: 1 to 10 us.
 [[nodiscard]] int bigint_sign(SignKind kind, const BallTriangleView& view, int edge);
 
 }  // namespace touchstone::filtered

@@ -4,13 +4,13 @@
 #include "geometry/contact/answer.h"
 #include "robust/filtered/detail/ball_triangle_view.h"
 
-/// The last word on the point of a triangle that is closest to a centre, in integers of any size: for every finite
-/// input. Requires round to nearest. Cost: some 10 us each.
+/// The point of a triangle closest to a centre, for every finite input, in integers of any size. Requires round to
+/// nearest. Cost: about 10 us each.
 namespace touchstone::filtered {
 
-/// The feature that holds it.
+/// Returns the feature that contains it.
 [[nodiscard]] Feature bigint_nearest(const BallTriangleView& view);
-/// A coordinate of the feature's point closest to the centre, and the distance, rounded to the nearest doubles.
+/// Returns a coordinate of the feature's point closest to the centre, or the distance, as the nearest double.
 [[nodiscard]] double bigint_point(const BallTriangleView& view, const Feature& feature, int axis);
 [[nodiscard]] double bigint_distance(const BallTriangleView& view, const Feature& feature);
 

@@ -7,29 +7,29 @@
 
 #include "robust/filtered/detail/exact_edges.h"
 
-/// The closest point and the distance, correctly rounded: double-doubles with a rounding test, integers of any size
-/// where that is ambiguous.
+/// The closest point and the distance, correctly rounded: in double-doubles with a rounding test, and in integers of
+/// any size if that is ambiguous.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A double-double and how far it may be from what it stands for: 0, or at least 2 u |low|, u = 2^-53. Every error here
-/// that is not 0 holds two units of the value's size (bounds::kDoubleDoubleUnit), and so more than that.
+/// A double-double and a bound of its error: 0, or at least 2 u |low|, u = 2^-53. Every nonzero error here includes two
+/// units of the value's size (bounds::kDoubleDoubleUnit), which is more.
 struct Enclosed {
   DoubleDouble value;
   double error;
 };
 
-/// Do all numbers within the error of high + low round to high? Requires |low| <= ulp(high) / 2, an error as in
-/// Enclosed, and round to nearest. Shown in toy arithmetic for all operands: the sums are rounded, too, and twice such
-/// an error pays for that.
+/// Returns whether all numbers within the error of high + low round to high. Requires |low| <= ulp(high) / 2, an error
+/// as in Enclosed, and round to nearest. The sums here are rounded, too, so the error is doubled; toy arithmetic shows
+/// for all operands that this suffices.
 template <class Number>
 constexpr bool surely_nearest(const Number& high, const Number& low, const Number& error) {
   const Number wide = error + error;
   return high + (low + wide) == high && high + (low - wide) == high;  // compared as rounded
 }
 
-/// The double nearest to the number times 2^exponent, if every number within the error rounds to it, as a normal
-/// double or as an exact zero.
+/// Returns the double nearest to the number times 2^exponent, if every number within the error rounds to it, as a
+/// normal double or as an exact zero.
 inline std::optional<double> rounded(const Enclosed& number, int exponent) {
   const double high = number.value.high, low = number.value.low;
   if (high == 0 && low == 0 && number.error == 0) return 0.0;            // exact
@@ -40,15 +40,15 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
   return result;
 }
 
-// Below these sizes squares or steps may underflow, and what is said of errors does not hold. Above them what underflow
-// makes of a step, of its direction's components too, is less than the two units of the result leave over.
+// Below these sizes squares or steps may underflow, and the error bounds do not hold. Above them the effect of
+// underflow on a step and on the components of its direction is smaller than the slack in the two units of the result.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// A coordinate of the feature's point that is closest to the centre, as the nearest double, zeros as +0. `edges` are
-/// those of a prepared polygon (ExactEdges) or of a triangle (SeenTriangle).
+/// Returns a coordinate of the feature's point closest to the centre, as the nearest double; zeros as +0. `edges` are
+/// those of a prepared polygon (ExactEdges) or of a triangle (ExactTriangle).
 ///
-/// Requires that a component of a direction is known relatively to itself, but for what is lifted and for kNormalError:
-/// a coordinate that the step hardly moves is known better than the step is long.
+/// Requires that each component of a direction has a small relative error, except for lifts and kNormalError: then a
+/// coordinate that the step hardly changes has an error much smaller than the step.
 template <class Edges>
 double closest_point(const Edges& edges, const Feature& feature, int axis) {
   const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
@@ -63,7 +63,7 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
     const double lift_error = moved ? 2 * bounds::kLift : 0;
     if (vertex) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
 
-    // The start and a share of a direction.
+    // The start plus a multiple of the direction.
     const auto view = edges.edge_view(feature.index);
     using EdgeView = decltype(view);
     const Vector3<DoubleDouble>& direction = face ? view.normal : view.edge;
@@ -92,7 +92,7 @@ double closest_point(const Edges& edges, const Feature& feature, int axis) {
   return edges.bigint_point(feature, axis);
 }
 
-/// The distance of the ball's centre from the feature's plane, line or point, as the nearest double.
+/// Returns the distance of the ball's centre from the feature's plane, line or point, as the nearest double.
 template <class Edges>
 double distance(const Edges& edges, const Feature& feature) {
   const auto in_doubles = [&]() -> std::optional<double> {

@@ -4,58 +4,58 @@
 #include "robust/filtered/detail/target.h"
 #include "robust/filtered/detail/vector3.h"
 
-/// The operations of the isometric frame in which a prepared polygon is looked at: origin, two orthonormal axes in
-/// the supporting plane and the unit normal. All lengths are in units of the polygon's size, so that magnitudes and
-/// errors are absolute.
+/// The operations in the isometric frame of a prepared polygon: origin, two orthonormal axes in the supporting plane,
+/// and the unit normal. All lengths are in units of the polygon's size, so that bounds of magnitudes and errors are
+/// absolute.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 namespace frame {
 
-/// Axis.(c - origin): a coordinate of the centre in the frame, in the plane or above it.
+/// Returns axis.(c - origin): a coordinate of the centre in the frame, in the plane or above it.
 template <class A, class V>
 constexpr auto coordinate(const Vector3<A>& axis, const Vector3<V>& from_origin) {
   return dot(axis, from_origin);
 }
 
-/// How high the centre is above a plane that lies plane_height above the origin.
+/// Returns the height of the centre above a plane that lies plane_height above the origin.
 template <class A, class V, class T>
 constexpr auto height(const Vector3<A>& normal, const Vector3<V>& from_origin, const T& plane_height) {
   return coordinate(normal, from_origin) - plane_height;
 }
 
-/// How far the foot (x, y) lies along the direction of an edge that starts at (start_x, start_y).
+/// Returns how far the foot (x, y) lies along the direction of an edge that starts at (start_x, start_y).
 template <class T>
 constexpr auto along(const T& x, const T& y, const T& start_x, const T& start_y, const T& direction_x,
                      const T& direction_y) {
   return (x - start_x) * direction_x + (y - start_y) * direction_y;
 }
 
-/// How far the foot lies to the left of the edge's line.
+/// Returns how far the foot lies to the left of the edge's line.
 template <class T>
 constexpr auto across(const T& x, const T& y, const T& start_x, const T& start_y, const T& direction_x,
                       const T& direction_y) {
   return (y - start_y) * direction_x - (x - start_x) * direction_y;
 }
 
-/// How far the foot lies beyond the ends of an edge; 0 between them.
+/// Returns how far the foot lies beyond the ends of an edge; 0 between them.
 template <class T>
 constexpr auto overshoot(const T& along, const T& length, const T& zero) {
   return maximum(maximum(zero - along, along - length), zero);
 }
 
-/// How far a coordinate lies beyond half of a box, whose centre is 0; negative within it.
+/// Returns how far a coordinate lies beyond the half size of a box centred at 0; negative within the box.
 template <class T>
 constexpr auto beyond(const T& coordinate, const T& half) {
   return magnitude(coordinate) - half;
 }
 
-/// |(x, y)|^2.
+/// Returns |(x, y)|^2.
 template <class T>
 constexpr auto squared_length(const T& x, const T& y) {
   return x * x + y * y;
 }
 
-/// A point's coordinates along a unit axis and across it, to its left.
+/// Returns a point's coordinate along a unit axis, and across it to its left.
 template <class T>
 constexpr auto turned_along(const T& x, const T& y, const T& axis_x, const T& axis_y) {
   return x * axis_x + y * axis_y;

@@ -23,7 +23,7 @@ struct Point {
   double x, y;
 };
 
-/// Center, axis and halves, as a node keeps them.
+/// A box as stored in a node: centre, axis and half sizes.
 struct Box {
   double center_x = 0, center_y = 0, axis_x = 1, axis_y = 0, half_along = -0x1p500, half_across = -0x1p500;
   [[nodiscard]] double area() const { return half_along * half_across; }
@@ -64,7 +64,7 @@ Point farthest(std::span<const Edge> edges, std::span<const std::uint32_t> group
   return result;
 }
 
-/// The smallest of three boxes: upright, along two points that are far from each other, along the longest edge.
+/// Returns the smallest of three boxes: upright, along two points far from each other, or along the longest edge.
 Box box(std::span<const Edge> edges, std::span<const std::uint32_t> group) {
   Box smallest = box_along(edges, group, {1, 0});
   const auto compare = [&](Point axis) {
@@ -95,8 +95,8 @@ EdgeTree::Leaf leaf(std::span<const Edge> edges, std::span<const std::uint32_t> 
   return leaf;
 }
 
-/// A segment as a point: its middle, and half of its half length at twice its angle. Two points are near each other
-/// where all of one segment is near the other, whichever way they run.
+/// A segment as a point in four dimensions: its middle, and a quarter of its length at twice its angle. Two such points
+/// are near each other if all of one segment is near the other, whatever their orientation.
 using SegmentPoint = std::array<double, 4>;
 
 SegmentPoint segment_point(const Edge& e) {
@@ -105,7 +105,7 @@ SegmentPoint segment_point(const Edge& e) {
           e.length / 2 * e.direction_x * e.direction_y};
 }
 
-/// The dimension in which the segments of a group scatter most.
+/// Returns the dimension in which the segments of a group are scattered most.
 std::size_t widest_dimension(std::span<const SegmentPoint> points, std::span<const std::uint32_t> group) {
   SegmentPoint sum{}, squares{};
   const SegmentPoint& origin = points[group[0]];
@@ -118,7 +118,7 @@ std::size_t widest_dimension(std::span<const SegmentPoint> points, std::span<con
   return static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
 }
 
-/// The ends of two groups together: those that only one of them has. By y, as the others.
+/// Returns the ends of two groups combined: those that only one of the groups has, ordered by y like the input.
 std::vector<End> joined(const std::vector<End>& a, const std::vector<End>& b) {
   std::vector<End> result;
   std::ranges::set_symmetric_difference(a, b, std::back_inserter(result));
@@ -151,14 +151,14 @@ class EdgeTree::Builder {
     std::span<std::uint32_t> group;
     Box box;
   };
-  /// What is built from a group.
+  /// The node or leaf built from a group.
   struct Subtree {
     std::int32_t child;
     std::vector<End> ends;
   };
 
-  /// Two halves of whole leaves, the first as large as the second or larger: as the loops run, where that parts them
-  /// in the plane; else, as in a spiral, by where the segments lie and how they run.
+  /// Splits a group into two halves of whole leaves, the first at least as large as the second: along the loops, if
+  /// that separates them in the plane; else, as in a spiral, by position and direction of the segments.
   [[nodiscard]] std::array<Part, 2> halves(const Part& whole) const {
     const std::size_t leaves = (whole.group.size() + kWidth - 1) / kWidth, middle = (leaves + 1) / 2 * kWidth;
     const auto first = whole.group.first(middle), second = whole.group.subspan(middle);

@@ -10,9 +10,9 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// The edges of a prepared polygon as seen from a ball, for signs that the frame could not tell.
+/// The edges of a prepared polygon relative to a ball, for signs that the frame could not decide.
 ///
-/// Requires a frame, round to nearest and no flush-to-zero while it lives.
+/// Requires a frame, and round to nearest without flush-to-zero during its lifetime.
 template <class Counts>
 class ExactEdges {
  public:
@@ -26,18 +26,18 @@ class ExactEdges {
 
   [[nodiscard]] Counts& counts() const { return counts_; }
 
-  /// The centre in the frame's unit of length, 2^exponent, exact where `scales`.
+  /// Returns the centre in the frame's unit of length, 2^exponent; exact if `scales()`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }
   [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
-  /// A coordinate of a vertex as it was before any lift, exact, in the frame's unit of length; and as it was given.
+  /// Returns a coordinate of a vertex before any lift, exact: in the frame's unit of length, or as given.
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
-  /// Are vertices lifted along this axis? How far, to bounds::kLift.
+  /// Returns whether vertices are lifted along this axis, and how far, to bounds::kLift.
   [[nodiscard]] bool lifts(int axis) const { return !parts_.bigint.planar() && axis == parts_.bigint.dropped_axis(); }
   [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
 
-  /// The last word on closest points and distances.
+  /// Returns closest points and distances from integers of any size.
   [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
     return parts_.bigint.point(ball_, feature, axis);
   }
@@ -53,14 +53,14 @@ class ExactEdges {
     return exact_sign<kind>(edge_view(edge).operands(axis), counts_, bigint);
   }
 
-  /// Distance to the edge against the radius: > is +, = is 0, < is -.
+  /// Returns the distance to the edge against the radius: > is +, = is 0, < is -.
   [[nodiscard]] int distance_sign(std::size_t edge) const {
     if (sign<SignKind::Along>(edge) <= 0) return sign<SignKind::Vertex>(edge);
     if (sign<SignKind::Beyond>(edge) >= 0) return sign<SignKind::Vertex>(parts_.polygon.next(edge));
     return sign<SignKind::Line>(edge);
   }
 
-  /// An edge as seen from the ball.
+  /// An edge relative to the ball.
   struct EdgeView {
     Vector3<DoubleDouble> to_center, edge;
     const Vector3<DoubleDouble>& normal;
@@ -71,10 +71,10 @@ class ExactEdges {
     [[nodiscard]] EdgeOperands operands(int axis) const {
       return {to_center, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
     }
-    /// Is this component of the normal zero?
+    /// Returns whether this component of the normal is exactly zero.
     [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
-    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum: not at all, for
-    /// LiftedPolygon knows each of them relatively to itself.
+    /// The error of the normal's components beyond their relative error, in units of bounds::kClosest times the
+    /// maximum: none, because LiftedPolygon holds each to a relative precision.
     static constexpr double kNormalError = 0;
   };
 

@@ -11,20 +11,20 @@
 #include "robust/filtered/detail/numbers/pack.h"
 #include "robust/filtered/detail/prepared.h"
 
-/// The first stage for prepared polygons: everything in the isometric frame, in doubles, with absolute bounds.
+/// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
 TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
-/// A ball above a frame's plane.
+/// The height of a ball's centre above a frame's plane.
 ///
-/// Like FrameQuery it holds in every rounding direction and, in frames from Frame::kSubnormal up, under flush-to-zero,
-/// and raises no flag but INEXACT and UNDERFLOW.
+/// Like FrameQuery, it is valid in every rounding direction and, in frames from Frame::kSubnormal up, under
+/// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
   Vector3<double> to_center;    ///< from the frame's origin to the centre
-  double size;                  ///< at least 1, and no coordinate of the centre in the frame is beyond it
-  double height, height_error;  ///< of the centre above the plane
+  double size;                  ///< at least 1 and at least every coordinate of the centre in the frame
+  double height, height_error;  ///< the height of the centre above the plane
   double radius;
 
   /// Requires coordinates and a radius up to frame.reachable.
@@ -40,21 +40,21 @@ struct HeightQuery {
     height_error = bounds::kHeight * bounds::kUnit * size;
   }
 
-  /// +1 the plane misses the ball, -1 it cuts it, 0 unsure.
+  /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
   [[nodiscard]] int plane_sign() const {
     if (std::abs(height) - height_error > radius) return 1;
     return std::abs(height) + height_error < radius ? -1 : 0;
   }
 };
 
-/// The foot in a frame, and what doubles can promise about distances from it.
+/// The foot in a frame, and the distances from it that doubles can decide.
 ///
-/// Let rho be the distance in the plane from the foot to an edge. The rho^2 that the walk computes is certain to be
-/// inside the ball below `certain_hit_sq`, outside above `certain_miss_sq`; the foot is certain to be off the edge
-/// above `boundary_sq`.
+/// Let rho be the distance in the plane from the foot to an edge, and rho^2 its square as the walk computes it. The
+/// ball certainly touches the edge if rho^2 is below `certain_hit_sq`, and certainly misses it if rho^2 is above
+/// `certain_miss_sq`. The foot is certainly not on the edge if rho^2 is above `boundary_sq`.
 struct FrameQuery {
   double x, y;                                          ///< the foot
-  double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative where there is no such distance
+  double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative if there is no such distance
 
   FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
@@ -70,7 +70,7 @@ struct FrameQuery {
   }
 };
 
-/// Four edges of a leaf as seen from the foot.
+/// Four edges of a leaf, relative to the foot.
 struct LeafView {
   Pack along, across, length;
   Pack squared;      ///< rho^2
@@ -86,7 +86,7 @@ struct LeafView {
     across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
     squared = frame::squared_length(across, frame::overshoot(along, length, zero));
 
-    // An edge goes up where it ends above the ray; then the foot is to its left where the crossing lies to the right.
+    // An edge that ends above the ray runs upwards; if the crossing lies to the right, the foot is to its left.
     const Pack start_above = y - start_y, end_above = y - end_y;
     const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
     const unsigned straddles = negative_lanes(start_above ^ end_above);
@@ -95,7 +95,7 @@ struct LeafView {
   }
 };
 
-/// The boxes of a node as seen from the foot.
+/// The boxes of a node, relative to the foot.
 struct NodeView {
   Pack
       squared;  ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `boundary_sq` on
@@ -110,23 +110,24 @@ struct NodeView {
     const Pack beside = frame::beyond(along, load(node.half_along));
     const Pack above = frame::beyond(across, load(node.half_across));
     squared = frame::squared_length(maximum(beside, zero), maximum(above, zero));
-    // Of the two sides of the box the foot is farther from one, whose outward normal n points to the foot: what lies
-    // in the box at the foot's height lies on the right exactly where n_x < 0.
+    // Of the two sides that face the foot take the one from which it is farther. Its outward normal n points to the
+    // foot: points of the box at the foot's height lie on the right if and only if n_x < 0.
     const unsigned by_along = negative_lanes(above - beside);
     right = (by_along & negative_lanes(along ^ axis_x)) | (~by_along & ~negative_lanes(across ^ axis_y));
   }
 };
 
-/// Is the number of these ends odd that lie above the ray to the right from the foot? `ends` is ordered by y.
+/// Returns whether an odd number of these ends lies above the horizontal ray from the foot. Requires ends ordered by y.
 inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
   const auto above = std::partition_point(ends.begin(), ends.end(),
                                           [y](const EdgeTree::End& end) { return !std::signbit(y - end.y); });
   return ((ends.end() - above) & 1) != 0;
 }
 
-/// Walks to all leaves whose box is within `limit_sq` (a square, at least `boundary_sq`, which the visitor may shrink)
-/// of the foot and calls visit(leaf, view); stops where that returns true. Returns how often, modulo 2, the ray to the
-/// right from the foot crosses the loops, if it was not stopped. Leaves come in no order, or the nearest child first.
+/// Visits all leaves whose box lies within a distance of the foot, and calls visit(leaf, view). `limit_sq` is the
+/// square of that distance, at least `boundary_sq`; the visitor may shrink it. Stops if visit returns true. If it was
+/// not stopped, returns how often, modulo 2, the ray to the right from the foot crosses the loops. Leaves come in no
+/// particular order, or with the nearest child first.
 template <bool nearest_first = false, class Visit>
 bool walk(const EdgeTree& tree, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
   const Pack y = all_lanes(query.y);

@@ -10,12 +10,12 @@
 
 namespace touchstone::filtered {
 
-/// The functions that are compiled once for each instruction set, for one way of counting stages.
+/// The functions that are compiled once per instruction set, for one way of counting stages.
 template <class Counts>
 struct KernelTable {
   using Parts = PreparedPolygon::Parts;
   bool (*triangle_contact)(BallTriangleView, Counts&);
-  /// Of a question with radius 0: the feature that holds the closest point; its distance and its closest point.
+  /// For a ball of radius 0: the feature that contains the closest point, its distance, and the point.
   Feature (*triangle_nearest)(BallTriangleView, Counts&);
   double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
   void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
@@ -27,6 +27,7 @@ struct KernelTable {
   Answer (*answer)(const Ball&, const Parts&, Counts&);
 };
 
+/// All kernels for one instruction set.
 struct Kernels {
   KernelTable<NoCounts> plain;
   KernelTable<StageCounts> counted;
@@ -34,7 +35,7 @@ struct Kernels {
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
 };
 
-/// A view of a ball and a triangle.
+/// Returns a view of a ball and a triangle.
 [[nodiscard]] __attribute__((always_inline)) inline BallTriangleView view_of(const Ball& ball,
                                                                              const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
@@ -42,30 +43,31 @@ struct Kernels {
   return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball)};
 }
 
+/// The kernels for any machine, and those for x86-64 with AVX2 and FMA.
 [[nodiscard]] const Kernels& baseline_kernels();
 [[nodiscard]] const Kernels& avx2_kernels();
 
-/// Looks what this machine can run, and remembers it. Throws what expect_sound_arithmetic does.
+/// Selects the kernels for this machine and stores the choice. Throws what expect_sound_arithmetic throws.
 [[nodiscard]] const Kernels& find_fastest_kernels();
-extern std::atomic<const Kernels*> found_kernels;  ///< null before that
+extern std::atomic<const Kernels*> found_kernels;  ///< null until they are selected
 
-/// The fastest engine that this machine can run. All give the same answers.
+/// Returns the fastest kernels that this machine can run. All kernels return the same answers.
 [[nodiscard]] inline const Kernels& kernels() {
-  // A local static costs a question of 25 ns one in fifty.
+  // A local static would add 2 % to a query of 25 ns.
   const Kernels* const found = found_kernels.load(std::memory_order_relaxed);
   return found != nullptr ? *found : find_fastest_kernels();
 }
 
-/// The closest point of one engine.
+/// Returns the closest point, computed by one set of kernels.
 template <class Counts>
-[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& ask, const Eigen::Vector3d& center,
+[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& kernels, const Eigen::Vector3d& center,
                                    const Triangle& triangle, Counts& counts) {
   const Ball point_ball{center, 0};
   const BallTriangleView view = view_of(point_ball, triangle);
-  const Feature feature = ask.triangle_nearest(view, counts);
+  const Feature feature = kernels.triangle_nearest(view, counts);
   double point[3];
-  ask.triangle_point(view, feature, point, counts);
-  return {feature, {point[0], point[1], point[2]}, ask.triangle_distance(view, feature, counts)};
+  kernels.triangle_point(view, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, kernels.triangle_distance(view, feature, counts)};
 }
 
 }  // namespace touchstone::filtered

@@ -9,7 +9,7 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Is the ball within the numbers that the polygon's frame is for?
+/// Returns whether the ball's numbers are small enough for the polygon's frame.
 TOUCHSTONE_INLINE bool frame_reaches(const Ball& ball, const PreparedPolygon::Parts& parts) {
   if (!parts.frame) return false;
   const double limit = parts.frame->reachable;
@@ -17,11 +17,12 @@ TOUCHSTONE_INLINE bool frame_reaches(const Ball& ball, const PreparedPolygon::Pa
          ball.radius <= limit;
 }
 
-/// Asks the frame where it reaches, else `exact`. Never inlined: it ends where the caller's state is back.
+/// Answers in the frame if the ball is within its limits, else by `exact`. Never inlined, so that it returns only after
+/// the caller's floating-point state is restored.
 template <auto in_frame, auto otherwise, class Result, class Counts>
 __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   if (frame_reaches(ball, parts)) [[likely]] {
-    // Subnormal coordinates are scaled up before anything else, which must not meet them flushed to zero.
+    // Subnormal coordinates are scaled up first, and must not be flushed to zero there.
     std::optional<OwnFloatingPointState> nearest;
     if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
@@ -67,7 +68,7 @@ inline void triangles_contact(const Ball& ball, std::span<const Triangle> triang
   for (std::size_t i = 0; i < triangles.size(); ++i) touches[i] = contact(view_of(ball, triangles[i]), counts);
 }
 
-/// The engine of the target that this is compiled for.
+/// The kernels of the target that this is compiled for.
 inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact};
 
 }  // namespace TOUCHSTONE_TARGET

@@ -15,17 +15,17 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A type of this target, so that what std::optional makes of it is, too.
+/// A type of this target, so that instantiations of std::optional with it belong to this target, too.
 class OwnFloatingPointState : public FloatingPointState {};
 
-/// One question about a ball and a prepared polygon that has a frame, from the frame's doubles to the exact signs that
-/// those leave unsure.
+/// One query with a ball and a prepared polygon that has a frame. Starts with the frame's doubles and computes exact
+/// signs where those leave a decision open.
 template <class Counts>
 class PolygonQuery {
  public:
   using Parts = PreparedPolygon::Parts;
 
-  /// Requires a frame and a ball within its reach.
+  /// Requires a frame and a ball within its limits.
   PolygonQuery(const Ball& ball, const Parts& parts, Counts& counts)
       : ball_(ball), parts_(parts), counts_(counts), height_(ball, *parts.frame) {}
 
@@ -47,12 +47,13 @@ class PolygonQuery {
     if (!query_) query_.emplace(height_, *parts_.frame);
     return *query_;
   }
-  /// Signs beyond the first stage; the caller's floating-point state is set aside from the first of them on.
+  /// Returns the exact signs. The first call suspends the caller's floating-point state.
   const ExactEdges<Counts>& exact() {
     if (!exact_) begin_exact();
     return *exact_;
   }
-  /// Never inlined: so arithmetic of the first stage, in the caller's state, stays apart from that of all others.
+  /// Never inlined, so that arithmetic of the first stage, in the caller's state, stays apart from that of later
+  /// stages.
   __attribute__((noinline)) void begin_exact() {
     state_.emplace();
     exact_.emplace(ball_, parts_, counts_);
@@ -68,7 +69,8 @@ class PolygonQuery {
     return certain != 0 ? certain : exact().template sign<SignKind::Plane>(0);
   }
 
-  /// Distance against radius: > is +, = is 0, < is -; with `contact_only` any number <= 0 stands for both.
+  /// Returns the distance against the radius: > is +, = is 0, < is -. With `contact_only`, = and < may be any number <=
+  /// 0.
   template <bool contact_only>
   [[nodiscard]] int distance_sign();
 
@@ -79,9 +81,9 @@ class PolygonQuery {
   [[nodiscard]] Feature nearest_on_boundary();
   [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
 
-  /// The lanes of a leaf that stand for edges.
+  /// Returns the lanes of a leaf that hold edges.
   static unsigned lanes(const EdgeTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
-  /// Calls f(edge) for each set bit; stops where it returns true.
+  /// Calls f(edge) for each set bit. Stops if it returns true, and returns whether it did.
   template <class F>
   static bool any_edge(const EdgeTree::Leaf& leaf, unsigned bits, const F& f) {
     for (; bits != 0; bits &= bits - 1)
@@ -117,7 +119,7 @@ int PolygonQuery<Counts>::distance_sign() {
   if (hit) return -1;
   if (!near_boundary && !inside && !unsure) return 1;
 
-  // Only the plane matters where the foot is inside, only the unsure edges where it is outside.
+  // If the foot is inside, only the plane matters; if it is outside, only the undecided edges do.
   int plane = 0;
   if (near_boundary || inside) {
     plane = plane_sign();
@@ -157,8 +159,8 @@ PointLocation PolygonQuery<Counts>::foot_uncounted() {
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
-// The ray goes along the axis that the frame shares with the projection, so that above and below can be decided there
-// exactly for each vertex that the frame cannot tell from the foot.
+// The ray runs along the axis that the frame shares with the projection. So above and below can be decided exactly in
+// the projection, for each vertex that the frame cannot tell from the foot.
 template <class Counts>
 PointLocation PolygonQuery<Counts>::exact_foot() {
   const EdgeTree& tree = parts_.frame->edges;
@@ -239,7 +241,7 @@ std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
                            return false;
                          });
        });
-  // By a function of this target, so that no other target's code is sorted by it.
+  // With a comparison of this target, so that std::sort is instantiated for this target only.
   std::sort(hit.begin(), hit.end(), [](std::size_t a, std::size_t b) { return a < b; });
   return hit;
 }
@@ -256,7 +258,7 @@ template <class Counts>
 Feature PolygonQuery<Counts>::nearest_on_boundary() {
   const EdgeTree& tree = parts_.frame->edges;
   const FrameQuery& query = this->query();
-  double least = 0x1p500, bound = least;  // beyond all reach, and finite
+  double least = 0x1p500, bound = least;  // larger than any distance, and finite
   walk<true>(tree, query, bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
@@ -264,7 +266,7 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
     bound = larger(least, query.boundary_sq);
     return false;
   });
-  // Edges that may be as near as the nearest: both distances may be off, by less than kNear errors together.
+  // Visit all edges that may be as near as the nearest. Both distances may be off, together by less than kNear errors.
   const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.boundary_sq),
                limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;

@@ -16,7 +16,7 @@ Vector operator*(const DoubleDouble& s, const Vector& v) { return {s * v.x, s * 
 Vector3<double> rounded(const Vector& v) { return {v.x.high, v.y.high, v.z.high}; }
 Vector normalised(const Vector& v) { return (DoubleDouble(1) / sqrt(dot(v, v))) * v; }
 
-/// The polygon's coordinates times 2^-exponent; none if a bit is lost.
+/// Returns the polygon's coordinates times 2^-exponent; nothing if a bit is lost.
 std::optional<std::vector<Eigen::Vector3d>> scaled(const Polygon& polygon, int exponent) {
   std::vector<Eigen::Vector3d> result(polygon.vertex_count());
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -29,7 +29,7 @@ std::optional<std::vector<Eigen::Vector3d>> scaled(const Polygon& polygon, int e
   return result;
 }
 
-/// The exponent for which no vertex is farther than 1/4 from vertex 0 in any coordinate.
+/// Returns the exponent for which no vertex is farther than 1/4 from vertex 0 in any coordinate.
 int frame_exponent(const Polygon& polygon) {
   double extent = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,7 @@ Vector difference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 DoubleDouble& component(Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// The lifts that bring N.(p - p_0) to the height of the plane.
+/// Returns the lifts that bring N.(p - p_0) to the height of the plane.
 std::vector<DoubleDouble> lifts(const std::vector<Eigen::Vector3d>& points, const Vector& normal, int axis,
                                 const DoubleDouble& height) {
   std::vector<DoubleDouble> result;
@@ -55,12 +55,13 @@ std::vector<DoubleDouble> lifts(const std::vector<Eigen::Vector3d>& points, cons
   return result;
 }
 
-/// None where an edge's direction would not be known to half a unit in the last place, or a number leaves the window.
+/// Returns the frame; nothing if an edge's direction would not be known to half a unit in the last place, or if a
+/// number is too large or too small for the frame.
 std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vector<Eigen::Vector3d>& points,
                            const LiftedPolygon& lifted, int dropped) {
-  // What is parallel to a coordinate plane may be any number of sizes away from it.
+  // A polygon parallel to a coordinate plane may be arbitrarily far from it, in units of its size.
   if (points[0].cwiseAbs().maxCoeff() > Frame::kReach) return std::nullopt;
-  // The normal's size is that of the area: brought to about 1 before it is squared.
+  // The normal is as large as the area, so scale it to about 1 before squaring it.
   const double area = std::ldexp(1.0, -std::ilogb(lifted.normal_maximum));
   const Vector normal = normalised(DoubleDouble(area) * lifted.normal);
   Vector e{};
@@ -83,7 +84,7 @@ std::optional<Frame> frame(const Polygon& polygon, int exponent, const std::vect
     const std::size_t next = polygon.next(i);
     Vector p = difference(points[next], points[i]);
     const double before = std::max({std::abs(p.x.high), std::abs(p.y.high), std::abs(p.z.high)});
-    // From the edge itself, not from two lifts: as exact as the edge is short.
+    // Compute this from the edge, not from two lifts: then the error is relative to the length of the edge.
     if (!lifted.lifts.empty())
       component(p, dropped) = component(p, dropped) - dot(lifted.normal, p) / lifted.normal[dropped];
     const double after = std::max({std::abs(p.x.high), std::abs(p.y.high), std::abs(p.z.high)});

@@ -6,7 +6,7 @@
 
 namespace touchstone::filtered {
 
-/// The signs of signs.h by name, so that every stage can be asked for the same one.
+/// The signs of signs.h by name, so that every stage can compute the same one.
 enum class SignKind { Vertex, Along, Beyond, Line, Front, Plane, Side, Above };
 
 inline namespace TOUCHSTONE_TARGET {
@@ -16,8 +16,8 @@ struct Maxima {
   double to_center, edge, normal;
 };
 
-/// The sign's expression over the numbers of an edge as seen from a ball: `to_center`, `edge`, `normal`, `radius`, and
-/// for Above the coordinate that it is about.
+/// Returns the sign's expression over the numbers of an edge relative to a ball: `to_center`, `edge`, `normal`,
+/// `radius` and, for Above, the coordinate.
 template <SignKind kind, class View>
 constexpr auto expression(const View& view) {
   if constexpr (kind == SignKind::Vertex) return signs::vertex(view.to_center(), view.radius());
@@ -34,7 +34,7 @@ constexpr auto expression(const View& view) {
   }
 }
 
-/// The sign of the expression over numbers that have an exact `sign`.
+/// Returns the sign of the expression over numbers that have an exact `sign`.
 template <class View>
 int expression_sign(SignKind kind, const View& view) {
   switch (kind) {
@@ -50,7 +50,7 @@ int expression_sign(SignKind kind, const View& view) {
   return sign(expression<SignKind::Above>(view));
 }
 
-/// How far the expression may be off, in units of relative rounding, but for kTiny.
+/// Returns the error bound of the expression in units of relative rounding, without kTiny.
 template <SignKind kind>
 constexpr double bound(const Maxima& m) {
   switch (kind) {

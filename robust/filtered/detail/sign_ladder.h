@@ -12,22 +12,23 @@
 #include "robust/filtered/detail/sign_kind.h"
 #include "robust/filtered/stage.h"
 
-/// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, unlimited.
+/// One sign, decided by one stage after another: permanent, short integers, double-double, long integers, integers of
+/// any size.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// An edge as seen from a ball, in double-doubles.
+/// The operands of the signs of one edge, relative to a ball, in double-doubles.
 ///
-/// Differences of doubles are exact; those of lifted vertices are known to 2^-103 of the maxima, the normal to
-/// bounds::kNormal times that (the input that bounds.h asks for).
+/// Differences of doubles are exact. Those of lifted vertices are known to 2^-103 of the maxima, and the normal to
+/// bounds::kNormal times that, as bounds.h requires.
 struct EdgeOperands {
   const Vector3<DoubleDouble>&to_center, &edge, &normal;
   double radius;
-  int axis;       ///< of SignKind::Above
+  int axis;       ///< for SignKind::Above
   Maxima maxima;  ///< each at most bounds::kLargest
-  bool lifted;    ///< some vertex is not where its double says
-  /// Where the normal comes from, if it is that of a triangle: two edges; else the normal's bits are all in `normal`
-  /// or `exact_normal` is false.
+  bool lifted;    ///< whether vertices are lifted
+  /// The two edges from which the normal was computed, if it is that of a triangle; else null, and either `normal`
+  /// holds all bits of the normal or `exact_normal` is false.
   const Vector3<DoubleDouble>* normal_edges;
   bool exact_normal;
 };
@@ -46,7 +47,7 @@ struct PermanentView {
   const EdgeOperands& operands;
   using Vector = Vector3<Permanent<1>>;
 
-  /// Half a unit in the last place is u |high|; what a double-double may be off is far below u 2^-40 of its maximum.
+  /// Half a unit in the last place is u |high|; the error of a double-double is far below u 2^-40 of its maximum.
   static Vector rounded(const Vector3<DoubleDouble>& v, double maximum) {
     const auto component = [slack = 0x1p-40 * maximum](const DoubleDouble& x) {
       return Permanent<1>{x.high, std::abs(x.high) + slack};
@@ -66,7 +67,7 @@ struct PermanentView {
 template <int Bits>
 class IntegerView {
  public:
-  /// Requires that nothing is lifted.
+  /// Requires that no vertex is lifted.
   explicit IntegerView(const EdgeOperands& operands) : operands_(operands), scale_(0), fits_(false) {
     if (!short_enough(operands.to_center) || !short_enough(operands.edge)) return;
     // Then every difference is below 2^Bits, and the normal below 2^(2 Bits + 1).
@@ -77,7 +78,7 @@ class IntegerView {
     fits_ = whole(operands.to_center) && whole(operands.edge) && whole(operands.radius, scale_) && whole_normal();
   }
 
-  /// Are all of them whole numbers after the scaling?
+  /// Returns whether all numbers are integers after the scaling.
   [[nodiscard]] bool fits() const { return fits_; }
 
   using Vector = Vector3<Integer<Bits>>;
@@ -103,7 +104,7 @@ class IntegerView {
   static double power_of_two(int exponent) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
   }
-  /// No component has more than Bits bits, and none a tail: what most numbers fail at once.
+  /// Returns whether no component has more than Bits bits or a tail. Most numbers fail this test at once.
   static bool short_enough(const Vector3<DoubleDouble>& v) {
     if (v.x.low != 0 || v.y.low != 0 || v.z.low != 0) return false;  // exact: tails of error-free differences
     constexpr std::uint64_t rest = Bits < 53 ? (std::uint64_t{1} << (53 - std::min(Bits, 53))) - 1 : 0;
@@ -111,10 +112,10 @@ class IntegerView {
     return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
   }
   static bool whole(double value) {
-    // From 2^53 on every double is whole.
+    // From 2^53 on every double is an integer.
     return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
   }
-  /// Whole after the scaling, which must not have made a zero of it.
+  /// Returns whether the number is an integer after the scaling, which must not have made it zero.
   static bool whole(double length, double scale) {
     const double scaled = length * scale;
     return whole(scaled) && (scaled != 0 || length == 0);  // exact
@@ -144,12 +145,12 @@ class IntegerView {
   bool fits_;
 };
 
-/// The sign of double-doubles where their bound is sure of it, else 0.
+/// Returns the sign of the expression in double-doubles if their error bound makes it certain, else 0.
 template <SignKind kind>
 int certain_sign(const EdgeOperands& operands) {
   const double value = expression<kind>(DoubleDoubleView{operands}).high;
-  // high is within half a unit of its last place of the double-double, whose sign it has; each constant pays
-  // for that and for the rounding of the bound.
+  // `high` differs from the double-double by at most half a unit in its last place and has the same sign; each constant
+  // covers that and the rounding of the bound.
   const double largest = bounds::kDoubleDoubleUnit * bound<kind>(operands.maxima) + bounds::kTiny;
   return (value > largest) - (value < -largest);
 }
@@ -158,7 +159,7 @@ int certain_sign(const EdgeOperands& operands) {
   return v.x.high == 0 && v.y.high == 0 && v.z.high == 0;  // exact: the tails are zero with them
 }
 
-/// The centre is at the edge's start, and every product is with zero.
+/// Returns whether the sign is 0 because the centre is the edge's start, so that every product has a factor 0.
 template <SignKind kind>
 bool vanishes(const EdgeOperands& operands) {
   if (operands.lifted || !is_zero(operands.to_center)) return false;
@@ -167,7 +168,8 @@ bool vanishes(const EdgeOperands& operands) {
   return linear || (kind != SignKind::Beyond && operands.radius == 0);
 }
 
-/// The exact sign. `bigint()` is asked last. Requires round to nearest, without flush-to-zero.
+/// Returns the exact sign. Calls `bigint()` only if no other stage decides. Requires round to nearest, without
+/// flush-to-zero.
 template <SignKind kind, class BigInteger, class Counts>
 int exact_sign(const EdgeOperands& operands, Counts& counts, const BigInteger& bigint) {
   if (const int sign = certain_sign(expression<kind>(PermanentView{operands}), bounds::kTiny)) {

@@ -4,11 +4,11 @@
 #include "robust/filtered/detail/target.h"
 #include "robust/filtered/detail/vector3.h"
 
-/// The expressions whose signs decide everything: no division, no root.
+/// The expressions whose signs decide all queries, without divisions and roots.
 ///
 /// Each is written once, over any number type: doubles and vectors of doubles, doubles that carry a bound
 /// (numbers/permanent.h), double-doubles, integers. robust/proofs runs the same functions over a type that records
-/// their operations and has every constant of bounds.h proved from the record.
+/// their operations, and proves every constant of bounds.h from the record.
 ///
 /// For a ball (c, r) and an edge from vertex a to vertex b: to_center = c - a, edge = b - a; normal = N.
 namespace touchstone::filtered {

@@ -11,12 +11,12 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A triangle as seen from a centre, times a power of two where its numbers are far from 1: what closest_point.h asks
-/// of edges.
+/// A triangle relative to a centre, scaled by a power of two if its numbers are far from 1. Meets the requirements of
+/// closest_point.h.
 template <class Counts>
 class ExactTriangle {
  public:
-  /// The question's radius must be 0. Requires round to nearest, without flush-to-zero, while it lives.
+  /// Requires a radius of 0, and round to nearest without flush-to-zero during its lifetime.
   ExactTriangle(const BallTriangleView& view, Counts& counts) : given_(view), view_(view), counts_(counts) {
     if (const double largest = largest_number(view); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
       scaled_.emplace(view, largest);
@@ -29,7 +29,7 @@ class ExactTriangle {
   ExactTriangle(const ExactTriangle&) = delete;
   ExactTriangle& operator=(const ExactTriangle&) = delete;
 
-  /// The feature that holds the closest point.
+  /// Returns the feature that contains the closest point.
   [[nodiscard]] Feature nearest() const {
     if (scales_) return triangle().nearest();
     counts_.count(Stage::BigInteger);

@@ -12,7 +12,8 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// A triangle and a ball after the first stage: signs that it was sure of, and the way to the others.
+/// A triangle and a ball after a first stage that could not decide contact. Uses the signs that are certain and
+/// computes the others exactly.
 template <class Counts>
 class UnsureTriangle {
  public:
@@ -20,12 +21,12 @@ class UnsureTriangle {
   UnsureTriangle(const BallTriangleView& view, const TriangleSigns& signs, Counts& counts)
       : view_(view), signs_(signs), counts_(counts) {}
 
-  /// Everything is close together: a common power of two may bring it away from underflow.
+  /// Returns whether all differences are so small that scaling by a power of two may avoid underflow.
   [[nodiscard]] bool tiny() const { return std::max(signs_.to_center[0], largest_edge()) < 0x1p-30; }
 
   [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
 
-  /// The feature that holds the point of the triangle closest to the centre; the radius does not matter.
+  /// Returns the feature that contains the point closest to the centre. The radius does not matter.
   [[nodiscard]] Feature nearest() const {
     const auto side = [this](int i) { return sign<SignKind::Side>(signs_.side, i); };
     const auto along = [this](int i) { return sign<SignKind::Along>(signs_.along, i); };
@@ -33,8 +34,8 @@ class UnsureTriangle {
     bool inner[3];
     for (int i = 0; i < 3; ++i) inner[i] = side(i) > 0;
     if (inner[0] && inner[1] && inner[2]) return {Feature::Kind::Face, 0};
-    // A triangle is convex: it has one closest point, at the edge beyond whose line the foot is and between whose ends
-    // it projects, or at the vertex from which both edges lead away.
+    // A triangle is convex and has one closest point. It lies on an edge if the foot is beyond the edge's line and
+    // projects between its ends; else at a vertex from which both edges lead away.
     for (int i = 0; i < 3; ++i)
       if (!inner[i] && along(i) > 0 && beyond(i) < 0) return {Feature::Kind::Edge, static_cast<std::size_t>(i)};
     for (int i = 0; i < 2; ++i)
@@ -48,9 +49,9 @@ class UnsureTriangle {
     Maxima maxima;
     bool no_normals[3];
     static constexpr bool lifted = false;
-    /// How far the components of the normal may be off, in units of bounds::kClosest times the maximum.
+    /// The error of the normal's components, in units of bounds::kClosest times the maximum.
     static constexpr double kNormalError = 1;
-    /// Is this component of the normal surely zero?
+    /// Returns whether this component of the normal is certainly zero.
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
   };
   [[nodiscard]] EdgeView edge_view(int i) const {
@@ -104,7 +105,7 @@ class UnsureTriangle {
       if (edge_touches(std::countr_zero(edges))) return true;
     return false;
   }
-  /// Vertex i is judged with edge i; where the closest point is the edge's end, with the next one.
+  /// Tests vertex i together with edge i. The end of the edge is tested with the next edge.
   [[nodiscard]] bool edge_touches(int i) const {
     if (sign<SignKind::Vertex>(signs_.vertex, i) <= 0) return true;
     if (signs_.line.of(i) > 0) return false;
@@ -117,7 +118,7 @@ class UnsureTriangle {
   Counts& counts_;
 };
 
-/// Contact in integers of any size alone.
+/// Returns whether ball and triangle touch, computed only in integers of any size.
 inline bool bigint_contact(const BallTriangleView& view) {
   const auto sign = [&view](SignKind kind, int i) { return bigint_sign(kind, view, i); };
   bool outside = false;
@@ -133,7 +134,7 @@ inline bool bigint_contact(const BallTriangleView& view) {
 /// A triangle and a ball times a power of two.
 class ScaledTriangle {
  public:
-  /// Requires that `largest` is the largest magnitude of a number in the question; brings it to [1/2, 1).
+  /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of ball and triangle.
   ScaledTriangle(const BallTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
     for (int i = 0; i < 3; ++i) {
       for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
@@ -141,9 +142,9 @@ class ScaledTriangle {
     }
     center_[3] = scaled(view.radius());
   }
-  /// No bit was lost.
+  /// Returns whether no bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
-  /// The numbers are those of the question times 2^-exponent.
+  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
   [[nodiscard]] int exponent() const { return exponent_; }
   [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
 
@@ -159,7 +160,7 @@ class ScaledTriangle {
   double vertex_[3][3], center_[4];
 };
 
-/// The largest magnitude of a number in the question.
+/// Returns the largest magnitude of a number of ball and triangle.
 inline double largest_number(const BallTriangleView& view) {
   double largest = view.radius();
   for (int i = 0; i < 3; ++i)
@@ -168,7 +169,7 @@ inline double largest_number(const BallTriangleView& view) {
   return largest;
 }
 
-/// What numbers of ordinary size would have told at the first stage, too.
+/// Returns whether ball and triangle touch, after scaling very large or very small numbers to ordinary size.
 template <class Counts>
 __attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, double largest, Counts& counts) {
   const ScaledTriangle scaled(view, largest);
@@ -184,7 +185,7 @@ __attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, doub
   return result == FilterResult::Yes;
 }
 
-/// What the first stage could not tell.
+/// Returns whether ball and triangle touch, for queries that the first stage could not decide.
 template <class Counts>
 __attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const TriangleSigns& signs,
                                               FilterResult result, Counts& counts) {

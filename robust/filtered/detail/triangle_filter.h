@@ -6,14 +6,14 @@
 #include "robust/filtered/detail/numbers/pack.h"
 #include "robust/filtered/detail/signs.h"
 
-/// The first stage for a ball and a triangle: all signs in doubles, an edge a lane, without a branch.
+/// The first stage for a ball and a triangle: all signs in doubles, one edge per lane, without branches.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Does the ball touch the triangle, if doubles can tell? `signs` is written where they cannot, or always, but never
-/// where the answer is OutOfRange.
+/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
+/// `always`; never if the result is OutOfRange.
 ///
-/// Holds in every rounding direction and under flush-to-zero. No flag but INEXACT and UNDERFLOW is raised.
+/// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
 template <bool always = false>
 TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, TriangleSigns& signs) {
   Vector3<Pack> vertex;
@@ -24,7 +24,7 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   const auto largest = [](const Vector3<Pack>& v) {
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
-  // With coordinates of half the limit no difference is beyond it, and none overflows.
+  // If coordinates are at most half the limit, differences are within it and do not overflow.
   const Pack input = maximum(largest(vertex), magnitude(load(view.center)));
   if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
     return FilterResult::OutOfRange;
@@ -37,7 +37,7 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   const Vector3<Pack> to_center = difference(center, vertex), edge = difference(next, vertex);
   const Vector3<Pack> normal = signs::normal(edge, difference(previous, vertex));
 
-  // Maxima may be taken larger than they are: from kSmallest on every bound is above kTiny, which need not be added.
+  // Maxima may be larger than necessary. From kSmallest on every bound is above kTiny, which need not be added.
   const Pack smallest = all_lanes(bounds::kSmallest);
   const Pack m_center = maximum(largest(to_center), maximum(radius, smallest)),
              m_edge = maximum(largest(edge), smallest);
@@ -66,7 +66,7 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   const bool yes = (lanes(edge_in) != 0) | ((inside == all) & (cut != 0));
   const unsigned out = lanes(edge_out);
   const bool no = (missed != 0) | ((outside != 0) & (out == all));
-  // Never both. Of `yes | no` g++ makes two branches, and the first one goes as the data do.
+  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
   if (!always && yes != no) [[likely]]
     return yes ? FilterResult::Yes : FilterResult::No;
   const auto both = [&](const Signs& s) { return CertainSigns{lanes(s.positive), lanes(s.negative)}; };

@@ -5,7 +5,7 @@
 
 namespace touchstone::filtered {
 
-/// Three numbers of any type, of which only + - * are asked; the result's type is that of the operations.
+/// Three numbers of any type that has + - *. The result type is that of the operations.
 template <class Number>
 struct Vector3 {
   Number x, y, z;

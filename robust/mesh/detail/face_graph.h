@@ -11,30 +11,31 @@
 
 namespace touchstone::mesh {
 
-/// A side of a face, directed as the face runs through it; numbered face by face.
+/// A side of a face, directed along the face's loop. Numbered face by face.
 using HalfEdge = std::uint32_t;
 
-/// How the faces of a welded mesh hang together.
+/// The adjacency of the faces of a welded mesh.
 class FaceGraph {
  public:
   enum class EdgeKind {
     Border,        ///< one half-edge
-    NonManifold,   ///< more than two
-    Inconsistent,  ///< two of the same direction
-    Shared,        ///< two of opposite directions
+    NonManifold,   ///< more than two half-edges
+    Inconsistent,  ///< two half-edges in the same direction
+    Shared,        ///< two half-edges in opposite directions
   };
   struct Edge {
     EdgeKind kind;
     std::span<const HalfEdge> half_edges;  ///< ascending
   };
 
-  /// Faces that are not in use have no half-edges. Requires that no face in use repeats a vertex. Cost: O(n log n).
+  /// Builds the graph. Faces that are not in use get no half-edges. Requires that no face in use repeats a vertex.
+  /// Cost: O(n log n).
   FaceGraph(const Mesh& welded, const std::vector<bool>& in_use);
 
   [[nodiscard]] std::uint32_t face(HalfEdge h) const { return face_[h]; }
   [[nodiscard]] std::uint32_t origin(HalfEdge h) const { return origin_[h]; }
   [[nodiscard]] HalfEdge next(HalfEdge h) const { return h + 1 == begin_[face_[h] + 1] ? begin_[face_[h]] : h + 1; }
-  /// The half-edges of a face are [first, last).
+  /// Returns the half-edges [first, last) of a face.
   [[nodiscard]] std::pair<HalfEdge, HalfEdge> sides(std::uint32_t face) const {
     return {begin_[face], begin_[face + 1]};
   }
@@ -44,7 +45,7 @@ class FaceGraph {
     return {kind_[number], {by_edge_.begin() + first_[number], by_edge_.begin() + first_[number + 1]}};
   }
   [[nodiscard]] Edge edge_of(HalfEdge h) const { return edge(edge_[h]); }
-  /// The other half-edge of a shared edge. Requires EdgeKind::Shared.
+  /// Returns the other half-edge of a shared edge. Requires EdgeKind::Shared.
   [[nodiscard]] HalfEdge twin(HalfEdge h) const {
     const auto both = edge_of(h).half_edges;
     return both[0] == h ? both[1] : both[0];

@@ -30,8 +30,8 @@ int turn_of(const std::array<Vector3d, 3>& corners, int axis) {
   return CGAL::orientation(point(corners[0]), point(corners[1]), point(corners[2]));
 }
 
-/// The lexicographically lowest vertex of the loop between its neighbours: it turns as the loop does, since no simple
-/// loop runs straight there.
+/// Returns the lexicographically lowest vertex of the loop and its neighbours. They have the orientation of the loop,
+/// because no simple loop runs straight there.
 std::array<Vector3d, 3> lowest_corner(const Polygon& polygon, std::size_t loop, int axis) {
   std::size_t lowest = polygon.loop_begin(loop);
   for (std::size_t i = lowest; i < polygon.loop_end(loop); ++i)

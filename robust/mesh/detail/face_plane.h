@@ -8,25 +8,27 @@
 
 #include "geometry/shapes/polygon.h"
 
-/// Requires round to nearest, without flush-to-zero, throughout.
+/// All functions here require round to nearest, without flush-to-zero.
 namespace touchstone::mesh {
 
-/// The turn of a simple loop seen along an axis, against the other two in cyclic order: counterclockwise (1) or
-/// clockwise (-1). Requires a loop that `exact::validate` accepts with that axis dropped. Exact, linear.
+/// Returns the orientation of a simple loop in the projection along an axis, with the other two axes in cyclic order:
+/// counterclockwise (1) or clockwise (-1). Requires a loop that `exact::validate` accepts with that axis dropped.
+/// Exact. Cost: linear.
 [[nodiscard]] int turn(const Polygon& polygon, std::size_t loop, int axis);
 
-/// The plane of a planar face: that of three corners of it, which turn as the face does.
+/// The plane of a planar face, through three corners that have the orientation of the face.
 class FacePlane {
  public:
   /// Requires a polygon of one loop that `exact::validate` accepts.
   explicit FacePlane(const Polygon& face);
 
   [[nodiscard]] int dropped_axis() const { return axis_; }
-  /// Does the point lie on the plane? Exact.
+  /// Returns whether the point lies on the plane. Exact.
   [[nodiscard]] bool contains(const Eigen::Vector3d& point) const;
-  /// The turn of the face seen along an axis, 0 where its plane is seen edge-on. Exact.
+  /// Returns the orientation of the face in the projection along an axis; 0 if its plane is parallel to the axis.
+  /// Exact.
   [[nodiscard]] int turn(int axis) const;
-  /// How far a point is from the plane, along the dropped axis; with rounding errors.
+  /// Returns how far a point is from the plane, along the dropped axis, with rounding errors.
   [[nodiscard]] double approximate_height(const Eigen::Vector3d& point) const;
 
  private:
@@ -34,8 +36,9 @@ class FacePlane {
   std::array<Eigen::Vector3d, 3> corners_;
 };
 
-/// The largest distance of the points from the supporting plane of the polygon, along its dropped axis, as the nearest
-/// double: `off_plane` of the contract, for any points. Requires an accepted polygon. Exact; about 1 us a point.
+/// Returns the largest distance of the points from the supporting plane of the polygon, along its dropped axis, as the
+/// nearest double: `off_plane` of the contract, for any points. Requires a valid polygon. Exact. Cost: about 1 us per
+/// point.
 [[nodiscard]] double off_plane(const Polygon& polygon, std::span<const Eigen::Vector3d> points);
 
 }  // namespace touchstone::mesh

@@ -11,10 +11,10 @@
 
 namespace touchstone::mesh {
 
-/// Faces of which no two groups may be in one part; each group hangs together.
+/// Groups of faces, no two of which may be in the same part. Each group is connected.
 using Conflict = std::vector<std::vector<std::uint32_t>>;
 
-/// A division of faces into parts that hang together by shared edges.
+/// A partition of faces into parts that are connected by shared edges.
 class Parts {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -23,31 +23,33 @@ class Parts {
 
   [[nodiscard]] bool taken(std::uint32_t face) const { return part_of_[face] != kNone; }
   [[nodiscard]] std::uint32_t part_of(std::uint32_t face) const { return part_of_[face]; }
-  /// The faces of a part, in the order of a breadth-first search.
+  /// Returns the faces of a part, in the order of a breadth-first search.
   [[nodiscard]] const std::vector<std::uint32_t>& faces(std::uint32_t part) const { return faces_[part]; }
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(faces_.size()); }
 
-  /// Adds a part: a face, and what can be reached from it over shared edges and faces that are not taken and for which
+  /// Adds a part: a face, and all faces reachable from it over shared edges and faces that are not taken and for which
   /// admits(face) is true. Cost: linear.
   template <class Admits>
   std::uint32_t grow(std::uint32_t seed, const Admits& admits);
 
-  /// Cuts a part: every face goes with the group of the conflict that is the fewest edges away. The first group keeps
-  /// the part's number, the others are added at the end. Requires that every face that has sides is in some part. Cost:
-  /// linear.
+  /// Cuts a part: every face joins the group of the conflict that is the fewest edges away. The first group keeps the
+  /// number of the part, the others are added at the end. Requires that every face that has sides is in some part.
+  /// Cost: linear.
   void split(std::uint32_t part, const Conflict& conflict);
 
-  /// Is it a side that two faces of one part share?
+  /// Returns whether two faces of one part share this side.
   [[nodiscard]] bool inside(HalfEdge h) const {
     return graph_->edge_of(h).kind == FaceGraph::EdgeKind::Shared &&
            part_of_[graph_->face(h)] == part_of_[graph_->face(graph_->twin(h))];
   }
 
-  /// Loops of half-edges, one after the other's end. A loop begins with its lowest half-edge; loops are in that order.
+  /// Loops of half-edges, each of which starts where the one before it ends. A loop begins with its lowest half-edge;
+  /// loops are ordered by it.
   using Loops = std::vector<std::vector<HalfEdge>>;
   [[nodiscard]] Loops boundary(std::uint32_t part) const;
 
-  /// An edge of several faces of the part that is not shared; the first of the first such face.
+  /// Returns the faces at an edge that several faces of the part have but do not share; the first such edge of the
+  /// first such face.
   [[nodiscard]] std::optional<Conflict> torn_edge(std::uint32_t part) const;
 
  private:

@@ -8,34 +8,34 @@
 #include "geometry/shapes/ball.h"
 #include "robust/filtered/detail/numbers/pack.h"
 
-/// Which boxes of a tree a ball may touch.
+/// Finds the boxes of a tree that a ball may touch.
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
 using filtered::Pack;
 
-/// The operations of culling, over any number type: the error calculus of robust/proofs runs over them.
+/// The operations of culling, over any number type. The tests run the error calculus of robust/proofs over them.
 namespace culling {
 
-/// Added to a ball's radius: what underflow may do to centres, radii and boxes, 2^-1074 at most each, is far below it.
+/// Added to a ball's radius to cover underflow in centres, radii and boxes, which is at most 2^-1074 in each.
 inline constexpr double kTiny = 0x1p-500;
-/// The square of a ball's reach is made so much larger, which covers its own rounding and that of the squares that are
-/// held to it. Proved in tests/proofs/culling_test.cpp.
+/// Multiplied with the square of a ball's reach to cover its rounding and that of the squares that are compared with
+/// it. Proved in tests/proofs/culling_test.cpp.
 inline constexpr double kWide = 1 + 0x1p-47;
 
-/// How far a coordinate of a centre is outside of an interval; 0 within it.
+/// Returns how far a coordinate of a centre is outside an interval; 0 within it.
 template <class T>
 TOUCHSTONE_INLINE T gap(const T& low, const T& high, const T& center, const T& zero) {
   return maximum(maximum(low - center, center - high), zero);
 }
 
-/// The square of the distance to a box with these gaps.
+/// Returns the square of the distance to a box with these gaps.
 template <class T>
 TOUCHSTONE_INLINE T squared_distance(const T& x, const T& y, const T& z) {
   return multiply_add(x, x, multiply_add(y, y, z * z));
 }
 
-/// What the squares of the distances to boxes are held to.
+/// Returns the limit for the squares of the distances to boxes.
 template <class T>
 TOUCHSTONE_INLINE T squared_reach(const T& reach, const T& wide) {
   return reach * reach * wide;
@@ -43,10 +43,10 @@ TOUCHSTONE_INLINE T squared_reach(const T& reach, const T& wide) {
 
 }  // namespace culling
 
-/// A ball as seen by a tree.
+/// A ball in the units of a tree, to test it against boxes.
 ///
-/// Culling cannot lie: a box that the ball touches is never left out. Squares do not overflow: all numbers are below
-/// 2^500. A ball for which that cannot be had is taken to be near every box.
+/// Culling is conservative: a box that the ball touches is never culled. Squares do not overflow, because all numbers
+/// are below 2^500. If a ball cannot be scaled so, no box is culled.
 class CullingBall {
  public:
   /// Requires round to nearest, without flush-to-zero.
@@ -59,13 +59,13 @@ class CullingBall {
     set_radius(ball.radius, tree);
   }
 
-  /// Shrinks the ball.
+  /// Sets the radius, to shrink the ball.
   void set_radius(double radius, const BoxTree& tree) {
     const double reach = radius * tree.scale()[0] * tree.scale()[1] + culling::kTiny;
     squared_ = everywhere_ || !(reach < 0x1p500) ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
   }
 
-  /// The squares of the distances to the boxes of a node; infinite for those that are not there.
+  /// Returns the squares of the distances to the boxes of a node; infinite for missing children.
   [[nodiscard]] Pack squares(const BoxTree::Node& node) const {
     const Pack zero = filtered::all_lanes(0);
     const auto gap = [&](int axis) {
@@ -74,12 +74,12 @@ class CullingBall {
     };
     return culling::squared_distance(gap(0), gap(1), gap(2));
   }
-  /// A bit for each box that the ball may touch.
+  /// Returns one bit for each box that the ball may touch.
   [[nodiscard]] unsigned may_touch(const Pack& squares) const {
     return ~negative_lanes(filtered::all_lanes(squared_) - squares) & 0b1111;
   }
 
-  /// May the ball touch a box at this distance?
+  /// Returns whether the ball may touch a box with this squared distance.
   [[nodiscard]] bool may_touch(double square) const { return square <= squared_; }
 
  private:
@@ -88,8 +88,9 @@ class CullingBall {
   bool everywhere_;
 };
 
-/// Calls visit(place) for each place in tree.order() whose leaf the ball may touch; stops where it returns true, and
-/// returns that. The nearest child comes first if so asked; `culling_ball` may be shrunk meanwhile.
+/// Calls visit(place) for each place in tree.order() whose leaf the ball may touch. Stops if it returns true, and
+/// returns whether it did. With `nearest_first` the nearest child is visited first, and visit may shrink
+/// `culling_ball`.
 template <bool nearest_first, class Visit>
 bool walk(const BoxTree& tree, const CullingBall& culling_ball, const Visit& visit) {
   if (tree.nodes().empty()) return false;
@@ -97,7 +98,7 @@ bool walk(const BoxTree& tree, const CullingBall& culling_ball, const Visit& vis
     std::uint32_t node;
     double squared;
   };
-  // Only the nearest-first walk looks at distances again.
+  // Only the nearest-first walk uses the distances.
   Open stack[BoxTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = {0, 0};

@@ -13,14 +13,14 @@
 #include "robust/filtered/detail/triangle_contact.h"
 #include "robust/scene/detail/tally.h"
 
-/// The contact question about one face, and why its answer is what it is. The plain walks do not use it.
+/// The contact query for one face, with its outcome. Only the walks that count use it.
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
 using filtered::BallTriangleView;
 using filtered::SignKind;
 
-/// The exact sign for edge i of a triangle. Requires round to nearest, without flush-to-zero.
+/// Returns the exact sign for edge i of a triangle. Requires round to nearest, without flush-to-zero.
 template <SignKind kind>
 int sign(const BallTriangleView& view, int i) {
   using Vector = filtered::Vector3<filtered::DoubleDouble>;
@@ -44,7 +44,7 @@ int sign(const BallTriangleView& view, int i) {
                                     counts, bigint);
 }
 
-/// Of a triangle that the ball does not touch.
+/// Returns the outcome for a triangle that the ball does not touch.
 inline CullOutcome outcome_of_missed(const BallTriangleView& view) {
   if (sign<SignKind::Plane>(view, 0) > 0) return CullOutcome::Slab;
   for (int i = 0; i < 3; ++i)
@@ -68,7 +68,7 @@ inline bool touches(const Ball& ball, const Triangle& triangle, Tally& tally) {
   return touched;
 }
 
-/// How many edges the walk of filtered::contact through the polygon's hierarchy comes to: the same walk again.
+/// Returns how many edges filtered::contact examines in the polygon's hierarchy, by repeating its walk.
 inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPolygon::Parts& parts) {
   const double largest =
       std::max({std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2]), ball.radius});
@@ -100,7 +100,7 @@ inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, 
   return touched;
 }
 
-/// Where the answer is known those who count go on, to see what is left.
+/// Returns false: walks that count continue after the answer is known, to count the remaining faces.
 template <class Face>
 bool ends(const Ball& ball, const Face& face, Tally& tally) {
   if (tally.answered())

@@ -15,13 +15,14 @@
 namespace touchstone::scene {
 namespace {
 
-/// A tree whose boxes have grown by more than this since it was built is built anew. Measured for terrains, spheres,
-/// boxes and soups of 10 000 to 20 000 triangles that were turned about two axes by 5 to 45 degrees: up to here no
-/// question took more than 1.3 times as long as with a new tree, beyond it contact up to 1.5, `nearest` 2.6 times.
+/// A tree whose boxes have grown by more than this since it was built is rebuilt. Measured for terrains, spheres, boxes
+/// and soups of 10 000 to 20 000 triangles, rotated about two axes by 5 to 45 degrees: up to this growth no query took
+/// more than 1.3 times as long as with a new tree; beyond it contact took up to 1.5 times, `nearest` up to 2.6 times as
+/// long.
 constexpr double kMostGrowth = 1.2;
 
-/// Calls f(i) for each i below `count`, by all cores, and throws FaceRejected for the lowest number(i) of those for
-/// which f throws Rejected.
+/// Calls f(i) for each i below `count`, on all cores. If f throws Rejected, throws FaceRejected for the lowest
+/// number(i) for which it did.
 template <class Number, class F>
 void for_each_face(std::size_t count, const Number& number, const F& f) {
   std::atomic<std::size_t> lowest{count};

@@ -7,7 +7,7 @@ LazyPreparedPolygons::~LazyPreparedPolygons() {
   for (std::size_t i = 0; i < polygons_.size(); ++i) delete prepared_[i].load(std::memory_order_relaxed);
 }
 
-// Threads that come at once may each prepare it; the first one's is kept.
+// Several threads may prepare the polygon at the same time; the first result is kept.
 const filtered::PreparedPolygon& LazyPreparedPolygons::prepare(std::size_t number) const {
   auto made = std::make_unique<const filtered::PreparedPolygon>(polygons_[number]);
   const filtered::PreparedPolygon* known = nullptr;

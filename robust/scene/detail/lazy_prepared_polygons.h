@@ -11,7 +11,7 @@
 
 namespace touchstone::scene {
 
-/// Polygons by number, each prepared when it is first asked for. Asking is safe from several threads.
+/// Polygons by number, each of which is prepared when it is first accessed. Several threads may access them at once.
 class LazyPreparedPolygons {
  public:
   /// Keeps a reference. Requires polygons that have a normal.
@@ -21,7 +21,7 @@ class LazyPreparedPolygons {
   LazyPreparedPolygons(const LazyPreparedPolygons&) = delete;
   LazyPreparedPolygons& operator=(const LazyPreparedPolygons&) = delete;
 
-  // Inlined always: it is used by several targets, its compiled function must not be.
+  // Always inlined: a compiled function that was built for AVX2 could be linked into code for other machines.
   __attribute__((always_inline)) const filtered::PreparedPolygon& operator[](std::size_t number) const {
     const filtered::PreparedPolygon* known = prepared_[number].load(std::memory_order_acquire);
     return known != nullptr ? *known : prepare(number);

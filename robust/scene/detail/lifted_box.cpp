@@ -66,7 +66,7 @@ std::optional<Box> quick_lifted_box(const Polygon& polygon) {
   const double lift = (height + height_error) / (largest - error);
   Box box = box_of_vertices(polygon);
   for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(normal[axis]) >= largest - 2 * error) widen(box, axis, lift);  // may be the dropped one
+    if (std::abs(normal[axis]) >= largest - 2 * error) widen(box, axis, lift);  // this may be the dropped axis
   return box;
 }
 

@@ -9,12 +9,13 @@
 
 namespace touchstone::scene {
 
-/// A box that holds the lifted polygon, or what of it is within the finite doubles: what lies beyond them is nearer to
-/// every centre when it is moved back to the last of them. Requires round to nearest, without flush-to-zero.
+/// Returns a box that contains the lifted polygon, or the part of it within the finite doubles: points beyond them only
+/// come nearer to every centre if they are moved back to the largest double. Requires round to nearest, without
+/// flush-to-zero.
 [[nodiscard]] Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared);
 
-/// The same, at most 2^-20 of the polygon's size larger, from doubles alone; none where those do not tell the normal
-/// well enough. Cost: some 10 ns a vertex.
+/// The same, at most 2^-20 of the polygon's size larger, computed in doubles only; nothing if the normal is not precise
+/// enough in doubles. Cost: about 10 ns per vertex.
 [[nodiscard]] std::optional<Box> quick_lifted_box(const Polygon& polygon);
 
 }  // namespace touchstone::scene

@@ -24,7 +24,7 @@ Vector3d corner(const Triangle& triangle, std::size_t i) {
   return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
 }
 
-/// About a triangle's distance, or a little more; anything for numbers whose squares leave the doubles.
+/// Returns approximately a triangle's distance, or slightly more; arbitrary if squares overflow or underflow.
 double guess(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
   const Vector3d u = triangle.b - triangle.a, v = triangle.c - triangle.b, from_a = center - triangle.a;
   const double lengths = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>() + from_a.lpNorm<Eigen::Infinity>();
@@ -133,7 +133,7 @@ int NearestSearch::compare(const Met& first, double first_distance, const Met& s
 
 std::optional<NearestFace> NearestSearch::nearest() const {
   const Met* best = nullptr;
-  std::optional<double> least;  // the distance of the best
+  std::optional<double> least;  // the distance of the best face
   for (const Met& met : met_) {
     if (!touched(met)) continue;
     if (best == nullptr) {

@@ -5,14 +5,14 @@
 
 #include "robust/filtered/detail/vector3.h"
 
-/// The plane of a polygon's outer loop in rounded arithmetic, and how far vertices are off it; over any number type,
-/// for the error calculus of robust/proofs.
+/// The plane of a polygon's outer loop in rounded arithmetic, and the heights of vertices above it; over any number
+/// type, for the error calculus of robust/proofs.
 ///
-/// For n vertices, in round to nearest, with u = 2^-53: coordinates are taken from one point, which rounds them once,
-/// and are at most e. Then a component of the normal is off by less than kNormal n^2 u e^2, and N.(mean - vertex) by
-/// less than kHeight n^2 u e^3. That leaves room for the rounding of these bounds, of a component less its error, and
-/// of the height with its error over such a component. Proved in tests/proofs/rounded_plane_test.cpp for n from 3 to
-/// kMostVertices and e from kSmallestSize, underflow included.
+/// For n vertices, in round to nearest, with u = 2^-53: coordinates are relative to one point, so they are rounded
+/// once, and are at most e. Then the error of a component of the normal is less than kNormal n^2 u e^2, and that of
+/// N.(mean - vertex) is less than kHeight n^2 u e^3. This covers the rounding of these bounds, of a component minus its
+/// error, and of the height plus its error over such a component. Proved in tests/proofs/rounded_plane_test.cpp for n
+/// from 3 to kMostVertices and e from kSmallestSize, including underflow.
 namespace touchstone::scene::rounded_plane {
 
 inline constexpr double kNormal = 6;
@@ -26,7 +26,7 @@ struct Plane {
   filtered::Vector3<Number> mean;
 };
 
-/// Requires a loop of `count` vertices, the coordinates of which at(i) gives as a Vector3.
+/// Returns the plane of a loop of `count` vertices; at(i) returns vertex i as a Vector3.
 template <class Number, class At>
 Plane<Number> plane_of(std::size_t count, const Number& zero, const At& at) {
   using filtered::Vector3, filtered::cross;
@@ -43,7 +43,7 @@ Plane<Number> plane_of(std::size_t count, const Number& zero, const At& at) {
   return {normal, {mean.x / n, mean.y / n, mean.z / n}};
 }
 
-/// N.(mean - vertex): how far the vertex is off the plane, times the length of the normal.
+/// Returns N.(mean - vertex): the distance of the vertex from the plane, with sign, times the length of the normal.
 template <class Number>
 Number height(const Plane<Number>& plane, const filtered::Vector3<Number>& vertex) {
   const filtered::Vector3<Number> to_mean{plane.mean.x - vertex.x, plane.mean.y - vertex.y, plane.mean.z - vertex.z};

@@ -7,26 +7,26 @@
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/permanent.h"
 
-/// Correctly rounded sums of three products and a double, as poses need them.
+/// Correctly rounded sums of three products and a double, for poses.
 namespace touchstone::scene {
 
-/// The sum of numbers, added up one after the other.
+/// Returns the sum of the numbers, added from left to right.
 template <class... Numbers>
 constexpr auto added_up(const Numbers&... numbers) {
   return (... + numbers);
 }
 
-/// What `added_up` says of six doubles may be off, and what its sum with this error is off once more: so many times the
-/// magnitudes that it adds up. Proved in tests/proofs/rounded_sum_test.cpp.
+/// Bounds the error of `added_up` for six doubles, and of adding this error to its result, relative to the sum of the
+/// magnitudes. Proved in tests/proofs/rounded_sum_test.cpp.
 inline constexpr double kSumError = 0x1p-50;
 
-/// The double nearest to x + y + z + t, if error-free transformations can tell. Requires round to nearest, without
-/// flush-to-zero, and that nothing overflows.
+/// Returns the double nearest to x + y + z + t, if error-free transformations can decide it. Requires round to nearest,
+/// without flush-to-zero, and no overflow.
 ///
-/// The sum is that of a double, `sum`, and of six small ones, without any error. Additions lose nothing to underflow;
-/// where the product that is the error does, by 2^-1075, the magnitudes are above 2^-1021 and that is a sixteenth of
-/// it, or they are not, and small ones of that size were added without error. Rounding is monotone: where both ends
-/// round to one double, so does the exact sum.
+/// The exact sum equals a double, `sum`, plus six small doubles. Additions lose nothing to underflow. The product that
+/// yields the error may lose 2^-1075: if the magnitudes are above 2^-1021, that is a sixteenth of it; if they are not,
+/// small doubles of that size were added without error. Rounding is monotone: if both ends of the interval round to the
+/// same double, so does the exact sum.
 inline std::optional<double> rounded_sum(const filtered::DoubleDouble& x, const filtered::DoubleDouble& y,
                                          const filtered::DoubleDouble& z, double t) {
   using filtered::DoubleDouble, filtered::two_sum, filtered::exact_double;
@@ -38,7 +38,7 @@ inline std::optional<double> rounded_sum(const filtered::DoubleDouble& x, const 
   const double error = kSumError * rest.permanent;
   const double result = sum + (rest.value + error);
   if (result == sum + (rest.value - error)) return result;  // compared as rounded
-  // On a tie, which translations by round numbers give every second time: the small ones are often one double.
+  // On a tie, which is frequent for translations by round numbers: the sum of the small doubles is often one double.
   DoubleDouble all(0.0);
   for (const double s : std::array{x.low, y.low, z.low, first.low, second.low, third.low}) {
     const DoubleDouble next = two_sum(all.high, s);

@@ -8,36 +8,37 @@
 
 namespace touchstone::scene {
 
-/// Counts nothing, at no cost.
+/// Counts nothing, at no cost: stands in for Tally.
 struct NoTally {
   void ask(std::size_t, std::size_t) const {}
   [[nodiscard]] static bool answered() { return false; }
 };
 
-/// Counts what becomes of the faces of one question.
+/// Counts the outcomes of the faces of one query.
 class Tally {
  public:
   explicit Tally(FaceCounts& counts) : counts_(counts) {}
 
-  /// Faces, with so many edges, that are missed by a box unless `meet` or `pass` is told of them.
+  /// Registers `faces` faces with `edges` edges in total. Each counts as culled by a box until `meet` or `pass` reports
+  /// otherwise.
   void ask(std::size_t faces, std::size_t edges) {
     at(CullOutcome::Box) += faces;
     counts_.edges_ += edges;
   }
-  /// A face that was tested.
+  /// Reports a face that was tested.
   void meet(CullOutcome outcome, filtered::Stage slowest, std::size_t edges_looked_at) {
     --at(CullOutcome::Box);
     ++at(outcome);
     ++counts_.stages_[static_cast<std::size_t>(slowest)];
     counts_.edges_looked_at_ += edges_looked_at;
   }
-  /// A face that no box misses, after the answer.
+  /// Reports a face that no box misses, but that was not tested because the answer was known.
   void pass() {
     --at(CullOutcome::Box);
     ++at(CullOutcome::Known);
   }
 
-  /// Is it known that some face is touched? Told by those who need no more.
+  /// Records that some face is touched, by walks for which that is the answer.
   void answer() { answered_ = true; }
   [[nodiscard]] bool answered() const { return answered_; }
 

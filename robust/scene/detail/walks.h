@@ -17,13 +17,14 @@ namespace touchstone::scene {
 /// Requires round to nearest, without flush-to-zero.
 template <class T>
 struct Walks {
-  /// With a Tally the answer is `answered`, not what is returned: the walk goes on and counts what is left.
+  /// Returns whether the ball touches a face of the set. With a Tally the walk continues and counts all faces; then the
+  /// answer is `answered()`, not the returned value.
   bool (*touches_triangle)(const Ball&, const TriangleSet&, T&);
   bool (*touches_polygon)(const Ball&, const PolygonSet&, T&);
-  /// Adds the faces that the ball touches, in no order; the set's first face is given.
+  /// Adds the faces that the ball touches, in no particular order. `first` is the first face of the set.
   void (*touched_triangles)(const Ball&, const TriangleSet&, FaceId first, std::vector<FaceId>&, T&);
   void (*touched_polygons)(const Ball&, const PolygonSet&, FaceId first, std::vector<FaceId>&, T&);
-  /// Shows every face to the search that is not farther than what it has found.
+  /// Passes to the search every face that is not farther than the nearest one found so far.
   void (*nearest_triangle)(const TriangleSet&, NearestSearch&, T&);
   void (*nearest_polygon)(const PolygonSet&, NearestSearch&, T&);
 };
@@ -31,11 +32,11 @@ struct Walks {
 // Compiled once for each instruction set; all give the same answers.
 [[nodiscard]] const Walks<NoTally>& baseline_walks();
 [[nodiscard]] const Walks<NoTally>& avx2_walks();
-// In translation units of their own, so that counting changes nothing for those who do not count.
+// In separate translation units, so that counting does not affect the code of the walks that do not count.
 [[nodiscard]] const Walks<Tally>& baseline_counted_walks();
 [[nodiscard]] const Walks<Tally>& avx2_counted_walks();
 
-/// The fastest engine that this machine can run.
+/// Returns the fastest walks that this machine can run.
 [[nodiscard]] const Walks<NoTally>& fastest_walks(NoTally);
 [[nodiscard]] const Walks<Tally>& fastest_walks(const Tally&);
 

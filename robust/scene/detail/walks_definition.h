@@ -9,10 +9,10 @@
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Does the ball surely miss the triangle's box along some axis? What most triangles of a leaf are passed over by.
+/// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
 ///
-/// The vertices' sides are looked at one by one: a difference that is at most r in magnitude is so when it is rounded.
-/// Requires round to nearest, without flush-to-zero.
+/// Compares the differences from the vertices one by one: if a difference is at most r in magnitude, so is its rounded
+/// value. Requires round to nearest, without flush-to-zero.
 TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
   const filtered::Pack center = filtered::load_three(ball.center.data());
   // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
@@ -34,7 +34,7 @@ TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon
   return filtered::contact(ball, polygon);
 }
 
-/// Is the answer known with this face, and nothing more to be done?
+/// Returns whether this face settles the query, so that the walk can stop.
 template <class Face>
 TOUCHSTONE_INLINE bool ends(const Ball& ball, const Face& face, NoTally tally) {
   return touches(ball, face, tally);
@@ -107,7 +107,7 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   });
 }
 
-/// The engine of the target that this is compiled for.
+/// The walks of the target that this is compiled for.
 template <class T>
 inline constexpr Walks<T> kWalks{touches_triangle<T>, touches_polygon<T>,  touched_triangles<T>,
                                  touched_polygons<T>, nearest_triangle<T>, nearest_polygon<T>};

@@ -9,7 +9,7 @@
 #include "robust/filtered/stage.h"  // before DoubleDouble: g++ 12 warns that Stage::DoubleDouble shadows it
 
 #if defined(__clang__)
-// clang++ defines no macro for the flags that reorder sums; error-free ones must not be, whoever includes this.
+// clang++ defines no macro for the flags that reorder sums. Error-free sums must not be reordered, even so.
 #pragma clang fp reassociate(off)
 #endif
 
@@ -19,13 +19,13 @@
 /// contraction. Source: [dekker1971], [joldes2017].
 namespace touchstone::filtered {
 
-/// high + low with |low| <= ulp(high) / 2. Words are doubles; robust/proofs runs the templates below over words that
-/// record what is done with them.
+/// The number high + low, with |low| <= ulp(high) / 2. Words are doubles; robust/proofs runs the templates below over
+/// words that record the operations.
 template <class Word>
 struct DoubleWord {
   Word high, low;
 
-  // Inlined always: the type is shared by targets, its compiled functions must not be.
+  // Always inlined: a compiled function that was built for AVX2 could be linked into code for other machines.
   __attribute__((always_inline)) constexpr DoubleWord() : high(0), low(0) {}
   __attribute__((always_inline)) constexpr DoubleWord(Word value) : high(value), low(0) {}  // NOLINT: it is one
   __attribute__((always_inline)) constexpr DoubleWord(Word h, Word l) : high(h), low(l) {}
@@ -79,14 +79,15 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   return quick_two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-/// The high part of a b, and the rest to within 8 u^2 |a b|: what sums of products add up apart.
+/// Returns the high part of a b, and the rest to within 8 u^2 |a b|. Sums of products add the two parts separately.
 template <class Word>
 inline DoubleWord<Word> unnormalised_product(const DoubleWord<Word>& a, const DoubleWord<Word>& b) {
   const DoubleWord<Word> product = two_product(a.high, b.high);
   return {product.high, product.low + (a.high * b.low + a.low * b.high)};
 }
 
-/// a.b, with half the operations of sums of products and a third of their delay. Error: bounds::kDot.
+/// Returns a.b, with half the operations of separate products and sums and a third of their latency. Error:
+/// bounds::kDot.
 template <class Word>
 inline DoubleWord<Word> dot(const Vector3<DoubleWord<Word>>& a, const Vector3<DoubleWord<Word>>& b) {
   const DoubleWord<Word> x = unnormalised_product(a.x, b.x), y = unnormalised_product(a.y, b.y);

@@ -14,7 +14,7 @@ inline namespace TOUCHSTONE_TARGET {
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
-/// An integer of magnitude below 2^Bits, in as many 64-bit words as that needs.
+/// An integer of magnitude below 2^Bits, in as few 64-bit words as possible.
 ///
 /// The type of a sum or product is wide enough for every value it can take, so nothing overflows and nothing is
 /// checked at run time: sums have one bit more than their larger term, products the bits of both factors.

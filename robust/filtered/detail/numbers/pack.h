@@ -10,14 +10,16 @@
 #include "robust/filtered/detail/target.h"
 #include "robust/filtered/detail/vector3.h"
 
-/// Four doubles that are worked on at once, in the vector registers that the target has: one of AVX, two of SSE2, or
-/// plain doubles.
+/// Four doubles that are processed together, in the vector registers of the target: one of AVX, two of SSE2, or plain
+/// doubles.
 ///
-/// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3, what follows each corner of a triangle;
-/// `previous_of_three` moves lanes 2, 0, 1, 2 there, what comes before it.
-/// + - *, `minimum` and `maximum` are those of each lane alone. Sums of products are fused where the target can: there
-/// values differ between targets, within what bounds.h allows for. A truth value of a lane is its sign bit: set in x -
-/// y where x < y; &, | and ^ combine such bits, `negative_lanes` reads them.
+/// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: the successor of each corner of a triangle.
+/// `previous_of_three` moves lanes 2, 0, 1, 2 there: the predecessor.
+///
+/// + - *, `minimum` and `maximum` work lane by lane. Sums of products are fused if the target can; then values differ
+/// between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y has it set where x
+/// < y.
+/// &, | and ^ combine such bits, and `negative_lanes` returns them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -59,7 +61,8 @@ TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) {
 TOUCHSTONE_INLINE Pack previous_of_three(const Pack& a) { return next_of_three(next_of_three(a)); }
 #endif
 
-/// The coordinates of three points: lanes 0, 1, 2 of x, y, z for points 0, 1, 2, some coordinate in lane 3.
+/// Loads the coordinates of three points: lanes 0, 1, 2 of x, y, z belong to points 0, 1, 2; lane 3 holds any
+/// coordinate.
 TOUCHSTONE_INLINE void load_three_points(const double* nine, Pack& x, Pack& y, Pack& z) {
   const __m256d first = _mm256_loadu_pd(nine), second = _mm256_loadu_pd(nine + 3);
   const __m256d xz = _mm256_unpacklo_pd(first, second), y_only = _mm256_unpackhi_pd(first, second);

@@ -15,26 +15,27 @@
 
 namespace touchstone::python {
 
-/// The questions of one path as functions of a module of Python; Prepared names the path, by argument-dependent lookup.
+/// The queries of one path, as functions of a Python module. Prepared selects the path, by argument-dependent lookup.
 template <class Prepared>
-class Questions {
+class QueryFunctions {
  public:
   static void add_to(pybind11::module_ parent, const char* name, const char* summary) {
     namespace py = pybind11;
     py::module_ path = parent.def_submodule(name, summary);
     const py::arg balls("balls"), polygon("polygon");
-    path.def("contact", ask_contact, balls, polygon, "Does the ball touch the polygon? A bool, or an array of them.");
+    path.def("contact", ask_contact, balls, polygon,
+             "Returns whether the ball touches the polygon: a bool, or an array of them.");
     path.def("relation", ask_relation, balls, polygon,
-             "'separate', 'touching' or 'overlapping': distance against radius. A word, or an array of them.");
+             "Returns the distance against the radius, 'separate', 'touching' or 'overlapping': a word, or an array.");
     path.def("plane_side", ask_plane_side, balls, polygon,
-             "Test 1: 'in_front', 'behind' or 'intersects'. A word, or an array of them.");
+             "Test 1: returns the side of the plane, 'in_front', 'behind' or 'intersects': a word, or an array.");
     path.def("foot", ask_foot, balls, polygon,
-             "Test 2: 'inside', 'boundary' or 'outside'. A word, or an array of them.");
+             "Test 2: returns where the foot lies, 'inside', 'boundary' or 'outside': a word, or an array.");
     path.def("edges_hit", ask_edges_hit, balls, polygon,
-             "Test 3: the edges at distance <= r, ascending: an array, or a list of arrays.");
+             "Test 3: returns the edges at distance <= r, ascending: an array, or a list of arrays.");
     path.def("closest", ask_closest, balls, polygon,
-             "The closest point of the polygon and its distance: (3,) and a float, or (n, 3) and (n,).");
-    path.def("answer", ask_answer, balls, polygon, "Every key of the contract: an Answer, or a list of them.");
+             "Returns the closest point of the polygon and its distance: (3,) and a float, or (n, 3) and (n,).");
+    path.def("answer", ask_answer, balls, polygon, "Returns the full answer: an Answer, or a list of them.");
   }
 
  private:
@@ -99,7 +100,7 @@ class Questions {
 
   static const Prepared& prepared(const ValidPolygon& polygon) { return polygon.prepared<Prepared>(); }
 
-  /// Other threads of Python go on meanwhile.
+  /// Releases the interpreter lock, so that other Python threads can run.
   template <class Work>
   static void unlocked(const Work& work) {
     const pybind11::gil_scoped_release release;
@@ -111,7 +112,7 @@ class Questions {
     using type = Enumerator;
   };
 
-  /// Arrays of words are NumPy's: taken from the three by number.
+  /// Returns a NumPy array of words, selected by number from the three words.
   template <class Enumerator, class Ask>
   static pybind11::object ask_word(const pybind11::object& rows, const ValidPolygon& polygon, Words<Enumerator>,
                                    const Ask& ask) {
@@ -134,7 +135,7 @@ class Questions {
     return {text.data(), text.size()};
   }
 
-  /// For answers of changing size: one, or a list.
+  /// For answers of varying size: returns one, or a list.
   template <class Ask, class Convert>
   static pybind11::object ask_each(const pybind11::object& rows, const ValidPolygon& polygon, const Ask& ask,
                                    const Convert& convert) {
