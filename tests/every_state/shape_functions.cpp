@@ -68,6 +68,17 @@ std::vector<PublicFunction> shape_functions() {
               const filtered::ClosestPoint here{{}, in.point, 0}, there{{}, in.point, neighbour(0)};
               return std::array{here == here, here == there};
             }),
+      gives("same_number",
+            [](const Input& in) {
+              const double x = in.point.x();
+              return std::array{same_number(x, x), same_number(x, neighbour(x)), same_number(0, neighbour(0))};
+            }),
+      gives("same_point",
+            [](const Input& in) {
+              Eigen::Vector3d other = in.point;
+              other.z() = neighbour(other.z());
+              return std::array{same_point(in.point, in.point), same_point(in.point, other)};
+            }),
       hands_on("BoxTree::BoxTree", [](const Input& in) { return BoxTree(in.boxes); }),
       hands_on("BoxTree::refit",
                [](const Input& in) {
