@@ -14,7 +14,7 @@
 #include "experiments/commands.h"
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/standard_output.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What every answer rests on: IEEE-754 doubles, evaluated as doubles, by a compiler that rewrites nothing.
-// Contraction to fused multiply-add cannot be seen from here; the build sets -ffp-contract=off. For flags that a
-// compiler defines no macro for, see robust/sound_arithmetic.h.
+// Refuses to compile unless doubles are IEEE-754 doubles, evaluated as doubles, by a compiler that leaves expressions
+// as written. Every answer depends on that. Contraction to fused multiply-add cannot be detected here; the build sets
+// -ffp-contract=off. Flags for which a compiler defines no macro are detected when the library is first used.
 
 #include <cfloat>
 #include <limits>
@@ -31,6 +31,6 @@
 #endif
 
 static_assert(0x1p-600 > 0 && 1 + 0x1p-48 > 1,
-              "Touchstone refuses -fsingle-precision-constant: its error bounds are doubles that are no floats.");
+              "Touchstone refuses -fsingle-precision-constant: its error bounds need double precision.");
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53,
               "Touchstone needs IEEE-754 binary64 doubles.");

@@ -133,7 +133,7 @@ def data_digests(results, files):
 def sources():
     """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
     text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
-    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), ROOT / "robust/filtered/bounds.h"]
+    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), ROOT / "robust/filtered/detail/bounds.h"]
 
 
 def run_latex(output, studies):

@@ -8,11 +8,11 @@
 
 namespace touchstone::python {
 
-/// Rows of x, y, z, r, taken as balls where they lie.
+/// Rows of x, y, z, r, used as balls without a copy.
 class Balls {
  public:
-  /// One ball (an array of 4) or many (n x 4). Throws as doubles_of does, and Rejected, which names the row, for what
-  /// is no ball.
+  /// Takes one ball (an array of 4) or many (n x 4). Throws what doubles_of throws, and Rejected, which names the row,
+  /// for an invalid ball.
   explicit Balls(pybind11::handle rows);
 
   [[nodiscard]] bool single() const { return rows_.ndim() == 1; }

@@ -38,29 +38,29 @@ bool has_masked(py::handle numbers, py::handle masked_array, py::handle is_maske
   return false;
 }
 
-/// Throws for Python's own objects that are no real numbers.
+/// Throws if one of these Python objects is not a real number.
 void expect_real(const py::array& objects) {
   const py::object real = py::module_::import("numbers").attr("Real");
   const py::object decimal = py::module_::import("decimal").attr("Decimal");
   for (const py::handle number : objects.attr("flat"))
     if (!py::isinstance(number, real) && !py::isinstance(number, decimal))
-      throw py::type_error("real numbers are wanted, not " + py::repr(number).cast<std::string>());
+      throw py::type_error("expected real numbers, got " + py::repr(number).cast<std::string>());
 }
 
 }  // namespace
 
 Doubles doubles_of(py::handle numbers) {
   const DefaultState state;
-  // NumPy would take words for the numbers that they spell, and drop imaginary parts and masks.
+  // NumPy would convert strings to numbers, and drop imaginary parts and masks.
   constexpr std::string_view kRealKinds = "fiubO";
   const auto numpy = py::module_::import("numpy");
   const py::object masked = numpy.attr("ma");
   if (has_masked(numbers, masked.attr("MaskedArray"), masked.attr("is_masked")))
-    throw py::type_error("some of these numbers are masked");
+    throw py::type_error("masked numbers are not supported");
   const py::array array = numpy.attr("asarray")(numbers);
   const char kind = array.dtype().kind();
   if (kRealKinds.find(kind) == std::string_view::npos)
-    throw py::type_error("real numbers are wanted, not " + py::str(array.dtype()).cast<std::string>());
+    throw py::type_error("expected real numbers, got " + py::str(array.dtype()).cast<std::string>());
   if (kind == 'O') expect_real(array);
   return Doubles(array);
 }

@@ -10,8 +10,8 @@
 
 namespace touchstone::python {
 
-/// How pybind11 finds the T in an object of Python. `T.__new__(T)` makes an object without a T in it; pybind11 by
-/// itself hands out memory then that nothing was written to.
+/// How pybind11 finds the T in a Python object. `T.__new__(T)` makes an object without a T; for such an object pybind11
+/// alone would return uninitialised memory.
 template <class T>
 class InitialisedCaster : public pybind11::detail::type_caster_base<T> {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The module that python/touchstone/__init__.py hands on.
+// The module that python/touchstone/__init__.py exports.
 #include <pybind11/eigen.h>
 #include <pybind11/operators.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "python/questions.h"
+#include "python/query_functions.h"
 
 namespace touchstone::python {
 namespace {
@@ -16,7 +16,7 @@ namespace py = pybind11;
 
 py::str text(std::string_view word) { return {word.data(), word.size()}; }
 
-/// As a verdict has it: {'kind': 'edge', 'index': 3}; the face has no index.
+/// Returns the nearest feature as in a verdict: {'kind': 'edge', 'index': 3}; the face has no index.
 py::dict nearest_of(const Answer& answer) {
   py::dict feature;
   feature["kind"] = text(word(answer.nearest.kind));
@@ -41,7 +41,8 @@ py::dict verdict_of(const Answer& answer) {
   return keys;
 }
 
-/// `pickle` and `copy` of protocol 0 and 1 would make a base object of pybind11's, which ends the interpreter.
+/// Makes `pickle` and `copy` raise: with protocols 0 and 1 they would create a pybind11 base object, which crashes the
+/// interpreter.
 template <class Class>
 void refuse_pickling(Class& type, const std::string& name) {
   const auto refuse = [name](py::args) -> py::object { throw py::type_error("cannot pickle '" + name + "' object"); };
@@ -50,7 +51,8 @@ void refuse_pickling(Class& type, const std::string& name) {
 }
 
 void add_answer(py::module_& module) {
-  py::class_<Answer> type(module, "Answer", "All that the contract asks about a ball and a polygon, in its words.");
+  py::class_<Answer> type(module, "Answer",
+                          "The full answer about a ball and a polygon, in the words of the contract.");
   refuse_pickling(type, "Answer");
   type.def_property_readonly("plane", [](const Answer& a) { return text(word(a.plane)); })
       .def_readonly("plane_tangent", &Answer::plane_tangent)
@@ -62,22 +64,23 @@ void add_answer(py::module_& module) {
       .def_readonly("point", &Answer::point)
       .def_readonly("distance", &Answer::distance)
       .def_readonly("off_plane", &Answer::off_plane)
-      .def("verdict", verdict_of, "The keys of a verdict, as `touchstone judge` prints them.")
+      .def("verdict", verdict_of, "Returns the keys of a verdict, as `touchstone judge` prints them.")
       .def(py::self == py::self)
       .def("__repr__", [](const Answer& a) { return "Answer(" + py::repr(verdict_of(a)).cast<std::string>() + ")"; })
       .attr("__hash__") = py::none();
 }
 
 void add_polygon(py::module_& module) {
-  py::class_<ValidPolygon> type(module, "Polygon",
-                                "An outer loop and holes in space, each an array of n x 3, non-convex and of either "
-                                "orientation: what the contract accepts. Raises Rejected, which names the loop and the "
-                                "vertex or edge. Prepared once for each path that is asked about it.");
+  py::class_<ValidPolygon> type(
+      module, "Polygon",
+      "A polygon in space: an outer loop and holes, each an array of n x 3. Loops may be "
+      "non-convex and have either orientation. Raises Rejected, which names the loop and the "
+      "vertex or edge, if the contract rejects it. Prepared once for each path that queries it.");
   refuse_pickling(type, "Polygon");
   type.def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
            py::arg("holes") = std::vector<py::object>())
       .def_property_readonly(
-          "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of its vertices, n x 3.")
+          "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of the vertices of the outer loop, n x 3.")
       .def_property_readonly(
           "holes",
           [](const ValidPolygon& p) {
@@ -85,7 +88,7 @@ void add_polygon(py::module_& module) {
             for (std::size_t i = 1; i < p.polygon().loop_count(); ++i) holes.append(p.loop(i));
             return holes;
           },
-          "Copies of theirs.")
+          "Copies of the vertices of each hole, n x 3.")
       .def("__repr__", [](const ValidPolygon& p) {
         const std::size_t holes = p.polygon().loop_count() - 1;
         return "Polygon(" + std::to_string(p.polygon().vertex_count()) + " vertices, " + std::to_string(holes) +
@@ -93,7 +96,7 @@ void add_polygon(py::module_& module) {
       });
 }
 
-/// Rejected of C++ as Rejected of Python: a ValueError with the contract's `code`.
+/// Translates Rejected to the Python exception Rejected: a ValueError with the `code` of the contract.
 void add_rejected(py::module_& module) {
   static py::handle type = py::exception<Rejected>(module, "Rejected", PyExc_ValueError).release();
   py::register_exception_translator([](std::exception_ptr pointer) {
@@ -111,10 +114,11 @@ PYBIND11_MODULE(_touchstone, module) {
   add_rejected(module);
   add_answer(module);
   add_polygon(module);
-  Questions<filtered::PreparedPolygon>::add_to(module, "filtered", "Exact, at about the price of fast.");
-  Questions<exact::PreparedPolygon>::add_to(module, "exact", "The statement of the truth, by an exact kernel of CGAL.");
-  Questions<fast::PreparedPolygon<>>::add_to(module, "fast",
-                                             "Plain doubles: wrong near a boundary, and does not say so.");
+  QueryFunctions<filtered::PreparedPolygon>::add_to(module, "filtered",
+                                                    "The answers of `exact`, at about the price of `fast`.");
+  QueryFunctions<exact::PreparedPolygon>::add_to(module, "exact", "Exact answers, over an exact kernel of CGAL.");
+  QueryFunctions<fast::PreparedPolygon<>>::add_to(
+      module, "fast", "Plain doubles: may be wrong near a boundary, without any indication.");
   module.attr("__version__") = TOUCHSTONE_VERSION;
 }
 

@@ -12,7 +12,7 @@ namespace {
 Loop loop_of(const Doubles& rows, std::size_t number) {
   if (rows.size() == 0) return {};  // has no shape that could be wrong
   if (rows.ndim() != 2 || rows.shape(1) != 3)
-    throw Rejected({RejectionCode::MalformedCase, loop_name(number) + " is not an array of n x 3 numbers"});
+    throw Rejected({RejectionCode::MalformedCase, loop_name(number) + " must be an array of n x 3 numbers"});
   const auto points = rows.unchecked<2>();
   Loop loop;
   loop.reserve(static_cast<std::size_t>(points.shape(0)));

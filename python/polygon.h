@@ -16,14 +16,15 @@
 
 namespace touchstone::python {
 
-/// A polygon that the contract accepts, prepared for each path when that path is first asked about it; by any thread.
+/// A valid polygon. It is prepared for each path when that path first queries it, from any thread.
 class ValidPolygon {
  public:
-  /// Loops are arrays of n x 3. Throws as doubles_of does, and Rejected, which names the loop and the vertex or edge.
+  /// Takes loops as arrays of n x 3. Throws what doubles_of throws, and Rejected, which names the loop and the vertex
+  /// or edge.
   ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes);
 
   [[nodiscard]] const Polygon& polygon() const { return polygon_; }
-  /// The vertices of one loop, n x 3.
+  /// Returns the vertices of one loop, n x 3.
   [[nodiscard]] Doubles loop(std::size_t number) const;
 
   template <class Prepared>

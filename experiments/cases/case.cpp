@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/harness/json/strict_json.h"
 #include "experiments/cases/verdict.h"
-#include "geometry/io/legible.h"
+#include "experiments/harness/json/strict_json.h"
+#include "geometry/io/detail/legible.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::cases {

@@ -14,9 +14,9 @@ Outcome compare_yes(bool answer, bool truth) {
   return answer ? Outcome::WronglyIn : Outcome::WronglyOut;
 }
 
-Outcome compare_feet(FootPlace answer, FootPlace truth, bool knows_boundary) {
-  if (answer == truth || (truth == FootPlace::Boundary && !knows_boundary)) return Outcome::Right;
-  const Outcome closed = compare_yes(answer != FootPlace::Outside, truth != FootPlace::Outside);
+Outcome compare_feet(PointLocation answer, PointLocation truth, bool knows_boundary) {
+  if (answer == truth || (truth == PointLocation::Boundary && !knows_boundary)) return Outcome::Right;
+  const Outcome closed = compare_yes(answer != PointLocation::Outside, truth != PointLocation::Outside);
   return closed == Outcome::Right ? Outcome::BoundaryMissed : closed;
 }
 
@@ -81,7 +81,7 @@ std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, co
 
 bool knows_boundary(const cases::Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::Question::Foot).foot == FootPlace::Boundary;
+  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::Question::Foot).foot == PointLocation::Boundary;
 }
 
 }  // namespace touchstone::cases

@@ -19,7 +19,7 @@ enum class Question { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 struct PartialAnswer {
   std::optional<PlaneSide> plane;
   std::optional<bool> plane_tangent;
-  std::optional<FootPlace> foot;
+  std::optional<PointLocation> foot;
   std::optional<std::vector<std::size_t>> edges_hit;
   std::optional<Relation> relation;
   std::optional<bool> contact;

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "experiments/workloads/balls.h"
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/placement.h"
+#include "experiments/workloads/ulp.h"
 
 namespace touchstone::cases {
 namespace {
@@ -87,7 +87,7 @@ PartialAnswer truth_of(const Ball& ball, const PreparedMethod& oracle) {
   truth.foot = oracle.ask(ball, Question::Foot).foot;
   truth.edges_hit = oracle.ask(ball, Question::EdgesHit).edges_hit;
   truth.contact =
-      (truth.plane == PlaneSide::Intersects && truth.foot != FootPlace::Outside) || !truth.edges_hit->empty();
+      (truth.plane == PlaneSide::Intersects && truth.foot != PointLocation::Outside) || !truth.edges_hit->empty();
   return truth;
 }
 
@@ -105,7 +105,7 @@ std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
 std::optional<std::vector<Ball>> move_foot(const Ball& drawn, int axis, const PreparedMethod& oracle) {
   constexpr std::int64_t kReach = 1024;
   const auto crossing = find_foot_crossing(drawn, axis, kReach, [&](const Ball& ball) {
-    return oracle.ask(ball, Question::Foot).foot == FootPlace::Outside;
+    return oracle.ask(ball, Question::Foot).foot == PointLocation::Outside;
   });
   if (!crossing) return std::nullopt;
   std::vector<Ball> balls;

@@ -90,8 +90,7 @@ struct FootCrossing {
 
 /// What one question has for answers about the balls of a crossing whose radius is moved, by a method that is right:
 /// answers do not change between two radii with the same one.
-[[nodiscard]] std::vector<cases::PartialAnswer> ask_growing(const std::vector<Ball>& balls,
-                                                              cases::Question question,
-                                                              const cases::PreparedMethod& oracle);
+[[nodiscard]] std::vector<cases::PartialAnswer> ask_growing(const std::vector<Ball>& balls, cases::Question question,
+                                                            const cases::PreparedMethod& oracle);
 
 }  // namespace touchstone::cases

@@ -109,13 +109,13 @@ int run(const AreaOptions& options) {
     return fmt::format("{},{},{},{},{}\n", name, s.home, s.angle, s.radius, s.height);
   };
   harness::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
-                                               station("storage", cell.storage) + station("machine", cell.machine));
-  harness::write_run_record(folder,
-                        {.command = command_line(options),
-                         .samples_asked = plan.size() + heights.size(),
-                         .samples_done = plan.size() + heights.size(),
-                         .threads = options.threads,
-                         .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+                                                   station("storage", cell.storage) + station("machine", cell.machine));
+  harness::write_run_record(
+      folder, {.command = command_line(options),
+               .samples_asked = plan.size() + heights.size(),
+               .samples_done = plan.size() + heights.size(),
+               .threads = options.threads,
+               .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
   harness::flush_standard_output();

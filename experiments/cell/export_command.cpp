@@ -15,7 +15,7 @@
 #include "experiments/cell/run_options.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {

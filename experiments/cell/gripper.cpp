@@ -53,11 +53,11 @@ std::string lines_about(const std::string& id, const std::string& origin, const 
     const cases::Verdict there = corpus::exact_answer(ball, polygon);
     if (corpus::failing_witnesses(ball, polygon, there).empty()) continue;
     lines += corpus::line_of({fmt::format("{}-k{}", id, doubles),
-                      ball,
-                      polygon,
-                      {"near"},
-                      fmt::format("{}, the radius {} doubles beside the distance", origin, doubles)},
-                     there);
+                              ball,
+                              polygon,
+                              {"near"},
+                              fmt::format("{}, the radius {} doubles beside the distance", origin, doubles)},
+                             there);
   }
   return lines;
 }

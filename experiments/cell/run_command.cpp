@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/method.h"
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
-#include "experiments/cases/method.h"
-#include "experiments/methods/registry.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
-#include "geometry/io/legible.h"
+#include "experiments/methods/registry.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {
@@ -72,9 +72,9 @@ int run(const RunCommandOptions& options) {
   if (!options.output.empty()) {
     write_run(options.output, workcell, process, contest);
     harness::write_run_record(options.output, {.command = command_line(options),
-                                           .samples_asked = process.stops.size(),
-                                           .samples_done = process.stops.size(),
-                                           .seconds = before + cycle + held});
+                                               .samples_asked = process.stops.size(),
+                                               .samples_done = process.stops.size(),
+                                               .seconds = before + cycle + held});
     fmt::print("moves, trajectory, methods and {} disagreements: {}\n", contest.disagreements.size(),
                io::all_legible(options.output));
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/cell/run_options.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
 
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::cell {
 

@@ -58,9 +58,9 @@ int run(const ShowOptions& options) {
   const std::size_t models = write_models(folder / "models", parts);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   harness::write_run_record(folder, {.command = command_line(options),
-                                 .samples_asked = parts.size(),
-                                 .samples_done = parts.size(),
-                                 .seconds = seconds});
+                                     .samples_asked = parts.size(),
+                                     .samples_done = parts.size(),
+                                     .seconds = seconds});
   fmt::print("\nfaces.csv and {} model files: {}\n", models, folder.string());
   return 0;
 }

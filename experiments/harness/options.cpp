@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "experiments/harness/whole_number.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::harness {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/write_file.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::harness {
 namespace {

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <exception>
 
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::harness {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "geometry/io/text_number.h"
+#include "geometry/io/detail/text_number.h"
 
 namespace touchstone::harness {
 

@@ -8,17 +8,17 @@
 #include <map>
 #include <system_error>
 
-#include "experiments/methods/registry.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/whole_number.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
 namespace {
 
-using cases::Verdict;
 using cases::Question;
+using cases::Verdict;
 
 // A method that never fails must not make the search for failures run for ever.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
@@ -108,7 +108,9 @@ void add_cases(CLI::App& app) {
   command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   harness::add_seed(*command, options->seed);
   command->add_option("--first", options->first, "Number of the first sample")->check(harness::whole_number(0));
-  command->add_option("--count", options->count, "Cases to print")->check(harness::whole_number(0))->capture_default_str();
+  command->add_option("--count", options->count, "Cases to print")
+      ->check(harness::whole_number(0))
+      ->capture_default_str();
   command->add_flag("--expected", options->expected, "Add the exact answer");
   harness::add_names(*command, "--failing", options->failing, "Only cases on which one of these methods errs");
   command->callback([options] { print(*options); });

@@ -6,10 +6,10 @@
 #include <exception>
 #include <thread>
 
-#include "experiments/methods/process/engine.h"
-#include "experiments/methods/process/interruption.h"
 #include "experiments/judge/proceedings.h"
 #include "experiments/judge/waiting.h"
+#include "experiments/methods/process/engine.h"
+#include "experiments/methods/process/interruption.h"
 
 namespace touchstone::judge {
 namespace {

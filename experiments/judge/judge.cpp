@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/judge.h"
 
-#include "experiments/judge/engine_trial.h"
 #include "experiments/cases/input_lines.h"
+#include "experiments/judge/engine_trial.h"
 #include "experiments/judge/proceedings.h"
 
 namespace touchstone::judge {

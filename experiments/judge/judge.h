@@ -13,9 +13,9 @@ namespace touchstone::judge {
 
 /// What is judged and where it is printed.
 struct Order {
-  std::vector<std::string> files;               ///< JSON Lines; none: standard input
+  std::vector<std::string> files;             ///< JSON Lines; none: standard input
   std::vector<const cases::Method*> methods;  ///< asked about each case, in this order
-  std::string engine;                           ///< a command that reads cases and prints verdicts; asked last
+  std::string engine;                         ///< a command that reads cases and prints verdicts; asked last
   /// For each verdict of the engine; none: it may read all cases before it answers.
   std::optional<std::chrono::milliseconds> time_limit{};
   bool explain = false;

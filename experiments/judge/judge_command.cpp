@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/methods/registry.h"
-#include "experiments/methods/process/interruption.h"
-#include "experiments/judge/judge.h"
 #include "experiments/harness/options.h"
+#include "experiments/judge/judge.h"
+#include "experiments/methods/process/interruption.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::commands {
 namespace {
@@ -45,7 +45,8 @@ void add_judge(CLI::App& app, int& status) {
   auto* command =
       app.add_subcommand("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
-  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all (default: exact)");
+  harness::add_names(*command, "--method", options->methods,
+                     "Method names, separated by commas, or all (default: exact)");
   command->add_option("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method")
       ->check(check_command, "COMMAND");
   command

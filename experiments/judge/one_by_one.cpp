@@ -5,11 +5,11 @@
 #include <optional>
 #include <variant>
 
-#include "experiments/methods/process/engine.h"
-#include "experiments/judge/engine_trial.h"
 #include "experiments/cases/input_lines.h"
+#include "experiments/judge/engine_trial.h"
 #include "experiments/judge/proceedings.h"
-#include "geometry/io/legible.h"
+#include "experiments/methods/process/engine.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {
@@ -86,7 +86,9 @@ class Restarted {
  private:
   static constexpr const char* kWell = "ended";
 
-  [[nodiscard]] methods::Engine::Deadline in_time() const { return std::chrono::steady_clock::now() + *order_.time_limit; }
+  [[nodiscard]] methods::Engine::Deadline in_time() const {
+    return std::chrono::steady_clock::now() + *order_.time_limit;
+  }
 
   /// Of one that has closed its output, or will be read no more: it has the time limit to end.
   [[nodiscard]] std::string ending_of(methods::Engine& engine) const {

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "experiments/methods/process/interruption.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "experiments/cases/input_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/reply.h"
-#include "experiments/cases/verdict.h"
 
 namespace touchstone::judge {
 

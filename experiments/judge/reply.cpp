@@ -2,7 +2,7 @@
 #include "experiments/judge/reply.h"
 
 #include "experiments/harness/json/strict_json.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 

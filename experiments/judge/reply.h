@@ -12,7 +12,7 @@ namespace touchstone::judge {
 struct Reply {
   std::optional<std::string> id;  ///< of the case that it is about; nothing where it names none, or names it twice
   std::optional<cases::Verdict> answer;  ///< nothing where it is no verdict
-  std::string echo;               ///< the legible beginning of the line, and what is wrong with it if that can be told
+  std::string echo;  ///< the legible beginning of the line, and what is wrong with it if that can be told
 };
 
 [[nodiscard]] Reply read_reply(const std::string& line);

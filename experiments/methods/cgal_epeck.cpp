@@ -3,7 +3,7 @@
 
 #include "experiments/methods/add_methods.h"
 #include "experiments/methods/kernel_method.h"
-#include "robust/exact/nearest_double.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::methods {
 namespace {

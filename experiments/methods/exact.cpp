@@ -31,7 +31,9 @@ class PreparedExact final : public PreparedMethod {
 class Exact final : public Method {
  public:
   std::string_view name() const override { return "exact"; }
-  std::string_view summary() const override { return "the truth: CGAL exact arithmetic, correctly rounded point and distance"; }
+  std::string_view summary() const override {
+    return "the truth: CGAL exact arithmetic, correctly rounded point and distance";
+  }
   bool slow() const override { return true; }
   std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<PreparedExact>(polygon);

@@ -5,7 +5,8 @@
 namespace touchstone::methods {
 
 void add_fast(std::vector<std::unique_ptr<Method>>& list) {
-  list.push_back(std::make_unique<Fast<double>>("fast", "double", "the three tests in plain doubles, carefully written"));
+  list.push_back(
+      std::make_unique<Fast<double>>("fast", "double", "the three tests in plain doubles, carefully written"));
   list.push_back(std::make_unique<Fast<float>>("fast-float", "float", "the code of fast over 32-bit floats"));
   list.push_back(
       std::make_unique<Fast<long double>>("fast-long-double", "long double", "the code of fast over long doubles"));

@@ -58,17 +58,17 @@ class KernelPolygon {
   }
   [[nodiscard]] bool plane_tangent(const Ball& ball) const { return against_radius(ball, plane_) == CGAL::EQUAL; }
 
-  [[nodiscard]] FootPlace foot(const Ball& ball) const {
+  [[nodiscard]] PointLocation foot(const Ball& ball) const {
     const auto foot = dropped(plane_.projection(point(ball.center)));
     bool inside = false;
     for (const auto& loop : loops_) {
       switch (CGAL::bounded_side_2(loop.begin(), loop.end(), foot, Kernel())) {
-        case CGAL::ON_BOUNDARY: return FootPlace::Boundary;
+        case CGAL::ON_BOUNDARY: return PointLocation::Boundary;
         case CGAL::ON_BOUNDED_SIDE: inside = !inside; break;
         case CGAL::ON_UNBOUNDED_SIDE: break;
       }
     }
-    return inside ? FootPlace::Inside : FootPlace::Outside;
+    return inside ? PointLocation::Inside : PointLocation::Outside;
   }
 
   [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball) const {
@@ -92,7 +92,7 @@ class KernelPolygon {
 
   [[nodiscard]] bool contact(const Ball& ball) const {
     if (plane_side(ball) != PlaneSide::Intersects) return false;
-    if (foot(ball) != FootPlace::Outside) return true;
+    if (foot(ball) != PointLocation::Outside) return true;
     for (const Segment& edge : edges_)
       if (against_radius(ball, edge) != CGAL::LARGER) return true;
     return false;
@@ -100,7 +100,7 @@ class KernelPolygon {
 
   [[nodiscard]] Relation relation(const Ball& ball) const {
     CGAL::Comparison_result least = CGAL::LARGER;
-    if (foot(ball) == FootPlace::Inside)
+    if (foot(ball) == PointLocation::Inside)
       least = against_radius(ball, plane_);
     else
       for (const Segment& edge : edges_) least = (CGAL::min)(least, against_radius(ball, edge));
@@ -109,7 +109,7 @@ class KernelPolygon {
   }
 
   [[nodiscard]] Answer answer(const Ball& ball) const {
-    const FootPlace place = foot(ball);
+    const PointLocation place = foot(ball);
     const auto [feature, nearest] = nearest_point(ball, place);
     return {.plane = plane_side(ball),
             .plane_tangent = plane_tangent(ball),
@@ -149,9 +149,9 @@ class KernelPolygon {
     return farthest;
   }
 
-  [[nodiscard]] std::pair<Feature, Point> nearest_point(const Ball& ball, FootPlace place) const {
+  [[nodiscard]] std::pair<Feature, Point> nearest_point(const Ball& ball, PointLocation place) const {
     const Point center = point(ball.center);
-    if (place == FootPlace::Inside) return {{Feature::Kind::Face, 0}, plane_.projection(center)};
+    if (place == PointLocation::Inside) return {{Feature::Kind::Face, 0}, plane_.projection(center)};
     Feature nearest{Feature::Kind::Vertex, 0};
     std::optional<FT> least;
     const auto consider = [&](Feature::Kind kind, std::size_t i, const FT& distance) {

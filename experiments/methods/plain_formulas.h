@@ -68,7 +68,7 @@ class PlainPolygon {
     [[nodiscard]] std::optional<bool> plane_tangent() const { return known(plane_distance() == radius_squared_); }
 
     /// By the crossings of a ray from the foot along u.
-    [[nodiscard]] std::optional<FootPlace> foot() const {
+    [[nodiscard]] std::optional<PointLocation> foot() const {
       const int u = (p_.axis_ + 1) % 3, v = (p_.axis_ + 2) % 3;
       const Number zero(0);
       bool inside = false;
@@ -84,7 +84,7 @@ class PlainPolygon {
         if (CGAL::certainly(side == zero)) {
           const auto on_edge = known(start * end <= zero);  // the foot lies between the ends
           if (!on_edge) return std::nullopt;
-          if (*on_edge) return FootPlace::Boundary;
+          if (*on_edge) return PointLocation::Boundary;
           continue;
         }
         if (CGAL::possibly(side == zero)) return std::nullopt;
@@ -92,7 +92,7 @@ class PlainPolygon {
         if (!start_above || !end_above) return std::nullopt;
         if (*start_above != *end_above && CGAL::certainly(side > zero) == *end_above) inside = !inside;
       }
-      return inside ? FootPlace::Inside : FootPlace::Outside;
+      return inside ? PointLocation::Inside : PointLocation::Outside;
     }
 
     [[nodiscard]] std::optional<std::vector<std::size_t>> edges_hit() const {
@@ -123,7 +123,7 @@ class PlainPolygon {
     [[nodiscard]] std::optional<Candidate> nearest() const {
       const auto place = foot();
       if (!place) return std::nullopt;
-      if (*place == FootPlace::Inside) return Candidate{{Feature::Kind::Face, 0}, plane_distance()};
+      if (*place == PointLocation::Inside) return Candidate{{Feature::Kind::Face, 0}, plane_distance()};
       return nearest_on_boundary();
     }
     [[nodiscard]] Vector closest_point(const Feature& feature) const {
@@ -172,7 +172,7 @@ class PlainPolygon {
       const Unsure plane = within(plane_distance(), closed);
       if (!CGAL::possibly(plane)) return false;
       const auto place = foot();
-      const Unsure face = place ? Unsure(*place != FootPlace::Outside) : Unsure::indeterminate();
+      const Unsure face = place ? Unsure(*place != PointLocation::Outside) : Unsure::indeterminate();
       Unsure any = plane & face;
       for (std::size_t i = 0; i < p_.vertices_.size() && !CGAL::certainly(any); ++i)
         any = any | touches_edge(i, closed);

@@ -46,4 +46,4 @@ std::vector<const Method*> find_methods(const std::vector<std::string>& names) {
   return found;
 }
 
-}  // namespace touchstone::cases
+}  // namespace touchstone::methods

@@ -21,8 +21,7 @@ class PreparedThesis final : public PreparedMethod {
     if (all || question == Question::Contact || question == Question::Relation) {
       answer.contact = thesis::contact(ball, polygon_);
       // A collision or none: the method does not tell touching from overlapping.
-      if (question != Question::Contact)
-        answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
+      if (question != Question::Contact) answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
     }
     answer.stage = stage_;
     return answer;
@@ -59,14 +58,18 @@ std::unique_ptr<Method> variant(std::string_view name, const thesis::Options& op
 
 void add_thesis(std::vector<std::unique_ptr<Method>>& list) {
   using namespace thesis;
-  list.push_back(variant<double>("thesis", {}, "the thesis's own tests (2008) in doubles: angle sum >= 0.99 x 2 pi, strict"));
+  list.push_back(
+      variant<double>("thesis", {}, "the thesis's own tests (2008) in doubles: angle sum >= 0.99 x 2 pi, strict"));
   list.push_back(variant<float>("thesis-float", {}, "thesis with 32-bit vectors, as in its source"));
   list.push_back(variant<double>("thesis-0.9999", {.match_factor = 0.9999}, "thesis with match factor 0.9999"));
   list.push_back(variant<double>("thesis-1", {.match_factor = 1}, "thesis with match factor 1"));
-  list.push_back(variant<double>("thesis-signed", {.angles = Angles::Signed}, "thesis with signed angles: right on non-convex outlines"));
+  list.push_back(variant<double>("thesis-signed", {.angles = Angles::Signed},
+                                 "thesis with signed angles: right on non-convex outlines"));
   list.push_back(variant<double>("thesis-atan2", {.arc = Arc::Tangent}, "thesis with atan2 in place of acos"));
-  list.push_back(variant<double>("thesis-newell", {.normal = Normal::Newell}, "thesis with the Newell normal in place of the first three vertices"));
-  list.push_back(variant<double>("thesis-closed", {.comparison = Comparison::Closed}, "thesis in which touching counts"));
+  list.push_back(variant<double>("thesis-newell", {.normal = Normal::Newell},
+                                 "thesis with the Newell normal in place of the first three vertices"));
+  list.push_back(
+      variant<double>("thesis-closed", {.comparison = Comparison::Closed}, "thesis in which touching counts"));
 }
 
 }  // namespace touchstone::methods

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/mesh/face_plane.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/mesh/detail/face_plane.h"
 
 namespace touchstone::methods {
 namespace {

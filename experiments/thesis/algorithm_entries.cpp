@@ -126,7 +126,8 @@ void add_points(const Study& study, EntryList& entries) {
               "Side view of a plane and a sphere that cuts it, with the centre C, its distance s from the plane along "
               "the normal N, and the intersection point Q under it.");
   const stability::GripperPoints points = stability::gripper_points(study.gripper());
-  const stability::AngleSum palm = stability::angle_sum(study.gripper(), points.palm), gap = stability::angle_sum(study.gripper(), points.gap);
+  const stability::AngleSum palm = stability::angle_sum(study.gripper(), points.palm),
+                            gap = stability::angle_sum(study.gripper(), points.gap);
   entries.add("4.8", Status::WithChosen,
               "The angles at which the edges are seen from the point, without signs, must add up to 0.99 x 360 = 356.4 "
               "degrees. From inside a polygon they do: with signs they would add up to 360, without to no less. They "

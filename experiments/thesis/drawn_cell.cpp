@@ -10,8 +10,8 @@
 #include <utility>
 #include <variant>
 
-#include "experiments/workloads/degrees.h"
 #include "experiments/methods/triangulate.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::thesis_figures {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "experiments/cell/kinematics/chain.h"
 #include "experiments/cell/model/model.h"
-#include "experiments/thesis/case_study.h"
 #include "experiments/studies/stability/outlines.h"
+#include "experiments/thesis/case_study.h"
 
 /// The cell as pictures need it.
 namespace touchstone::thesis_figures {

@@ -7,9 +7,9 @@
 #include <set>
 #include <variant>
 
-#include "experiments/workloads/degrees.h"
 #include "experiments/thesis/drawn_cell.h"
 #include "experiments/thesis/entries.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::thesis_figures {
 namespace {
@@ -31,7 +31,8 @@ Primitives primitives_of(const cell::Solid& solid) {
     sum.volume = (box->upper - box->lower).prod();
   } else if (const auto* cylinder = std::get_if<cell::Cylinder>(&solid.shape)) {
     sum.cylinders = 1;
-    const double area = cylinder->sides * cylinder->radius * cylinder->radius * workloads::sine(360.0 / cylinder->sides) / 2;
+    const double area =
+        cylinder->sides * cylinder->radius * cylinder->radius * workloads::sine(360.0 / cylinder->sides) / 2;
     sum.volume = area * (cylinder->to - cylinder->from).norm();
   } else if (const auto* boolean = std::get_if<cell::Boolean>(&solid.shape)) {
     for (const cell::Solid& part : boolean->parts) {

@@ -22,7 +22,7 @@ End end_of(const PreparedMethod& method, const Ball& ball) {
   const PlaneSide side = method.ask(ball, Question::PlaneSide).plane.value();
   if (side == PlaneSide::InFront) return End::InFront;
   if (side == PlaneSide::Behind) return End::Behind;
-  if (method.ask(ball, Question::Foot).foot.value() != FootPlace::Outside) return End::Inside;
+  if (method.ask(ball, Question::Foot).foot.value() != PointLocation::Outside) return End::Inside;
   return method.ask(ball, Question::EdgesHit).edges_hit.value().empty() ? End::Neither : End::Edge;
 }
 

@@ -66,7 +66,7 @@ std::vector<FactorReach> measure_factor_reach(const stability::Outline& outline)
       const double length = edge.along().norm();
       const Eigen::Vector3d middle = (edge.start + edge.end) / 2;
       const auto inside = [&](double away) {
-        return thesis::foot(Ball{middle + away * edge.outward(), 1}, method) == FootPlace::Inside;
+        return thesis::foot(Ball{middle + away * edge.outward(), 1}, method) == PointLocation::Inside;
       };
       double low = 0, high = 0;
       for (high = length * 1e-6; high < length && inside(high); high *= 2) low = high;
@@ -104,7 +104,7 @@ NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t 
     if (!is_not_number<float>(edge, point)) continue;
     ++result.in_floats;
     const thesis::PreparedPolygon<float> method(turned.polygon());
-    result.called_outside += thesis::foot(Ball{point, 1}, method) == FootPlace::Outside;
+    result.called_outside += thesis::foot(Ball{point, 1}, method) == PointLocation::Outside;
     result.misses += !thesis::contact(Ball{point, 1}, method);
   }
   return result;
@@ -216,7 +216,7 @@ FootErrors measure_foot_errors(const Polygon& polygon, double radius, std::uint6
     Random random(seed, i, kFeet);
     const Eigen::Vector3d shares{random.unit(), random.unit(), random.unit()};
     const Ball ball{box.min() + shares.cwiseProduct(box.sizes()), radius};
-    if (filtered::foot(ball, truth) != FootPlace::Inside) continue;
+    if (filtered::foot(ball, truth) != PointLocation::Inside) continue;
     const Eigen::Vector3d exact = filtered::answer(ball, truth).point;
     ++errors.samples;
     errors.in_doubles = std::max(errors.in_doubles, (foot(in_doubles, ball.center) - exact).norm());
@@ -225,7 +225,8 @@ FootErrors measure_foot_errors(const Polygon& polygon, double radius, std::uint6
   return errors;
 }
 
-EdgePlaces measure_edge_places(const stability::Outline& outline, double radius, std::uint64_t balls, std::uint64_t seed) {
+EdgePlaces measure_edge_places(const stability::Outline& outline, double radius, std::uint64_t balls,
+                               std::uint64_t seed) {
   const Polygon polygon = outline.polygon();
   const filtered::PreparedPolygon truth(polygon);
   const thesis::PreparedPolygon<double> in_doubles(polygon);
@@ -235,7 +236,7 @@ EdgePlaces measure_edge_places(const stability::Outline& outline, double radius,
   for (std::uint64_t i = 0; i < balls; ++i) {
     Random random(seed, i, kEdges);
     const Ball ball = random_ball(box, radius * extent(box), random);
-    if (filtered::foot(ball, truth) != FootPlace::Outside) continue;
+    if (filtered::foot(ball, truth) != PointLocation::Outside) continue;
     const auto hit = filtered::edges_hit(ball, truth);
     const std::array hits{thesis::edges_hit(ball, in_doubles), thesis::edges_hit(ball, in_floats)};
     for (std::size_t edge = 0; edge < in_doubles.edges().size(); ++edge) {

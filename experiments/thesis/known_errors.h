@@ -31,7 +31,8 @@ struct NotNumbers {
   std::uint64_t called_outside = 0;             ///< of those in floats, by the method in floats
   std::uint64_t misses = 0;                     ///< of those, balls of radius 1 there that it finds no contact of
 };
-[[nodiscard]] NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t samples, std::uint64_t seed);
+[[nodiscard]] NotNumbers measure_not_numbers(const stability::Outline& outline, std::uint64_t samples,
+                                             std::uint64_t seed);
 
 /// Balls that touch in one point, exactly.
 struct Touching {

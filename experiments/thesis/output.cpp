@@ -14,8 +14,8 @@ namespace touchstone::thesis_figures {
 namespace {
 
 using namespace kinematics;
-using nlohmann::ordered_json;
 using harness::csv_field;
+using nlohmann::ordered_json;
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 

@@ -89,8 +89,9 @@ std::vector<Task> tasks_of(Study& study) {
         const std::size_t number = i * kRadii.size() + k;
         study.flowcharts[number] = measure_flowchart(study.outlines[i], kRadii[k], samples, seed, kFlowcharts + number);
       });
-    tasks.emplace_back(
-        [&study, samples, seed, i] { study.areas[i] = stability::measure_false_area(study.outlines[i], 10 * samples, seed); });
+    tasks.emplace_back([&study, samples, seed, i] {
+      study.areas[i] = stability::measure_false_area(study.outlines[i], 10 * samples, seed);
+    });
   }
 
   const Layout& layout = study.layout;

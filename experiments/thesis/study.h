@@ -15,8 +15,8 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/harness/blocks.h"
 #include "experiments/studies/stability/angle_sum.h"
-#include "experiments/thesis/case_study.h"
 #include "experiments/studies/stability/false_areas.h"
+#include "experiments/thesis/case_study.h"
 #include "experiments/thesis/flowchart.h"
 #include "experiments/thesis/known_errors.h"
 #include "experiments/thesis/reconfiguration.h"
@@ -53,8 +53,8 @@ struct Study {
   kinematics::Layout layout;
   cell::Cell cell;
   std::vector<cell::ModelPart> parts;
-  std::vector<LinkFile> link_files;  ///< of every link, and of the machine's bottom part
-  std::vector<stability::Outline> outlines;     ///< the gripper's first, then those of outlines.h
+  std::vector<LinkFile> link_files;          ///< of every link, and of the machine's bottom part
+  std::vector<stability::Outline> outlines;  ///< the gripper's first, then those of outlines.h
 
   // Chapter 4
   std::vector<Flowchart> flowcharts;  ///< outline by outline, radius by radius

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/streams.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::workloads {

@@ -124,8 +124,7 @@ LatticeLoop hole(Random& random, LatticePoint centre, std::int64_t radius) {
   const std::int64_t half = std::max<std::int64_t>(1, radius * 2 / 3);
   LatticeLoop loop{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
   const std::int64_t kind = random.integer(0, 2);
-  if (kind != 0)
-    loop = star_of_radius(random, kind == 1 ? 3 : static_cast<std::size_t>(random.integer(5, 8)), half);
+  if (kind != 0) loop = star_of_radius(random, kind == 1 ? 3 : static_cast<std::size_t>(random.integer(5, 8)), half);
   for (LatticePoint& p : loop) p = p + centre;
   return loop;
 }
@@ -208,8 +207,8 @@ std::optional<Outline> try_outline(const Workload& workload, Random shape, Rando
 LatticeLoop triangle(Random& random) {
   LatticeLoop loop;
   for (int i = 0; i < 3; ++i)
-    loop.push_back(LatticePoint{random.integer(-kLatticeRadius, kLatticeRadius),
-                                random.integer(-kLatticeRadius, kLatticeRadius)});
+    loop.push_back(
+        LatticePoint{random.integer(-kLatticeRadius, kLatticeRadius), random.integer(-kLatticeRadius, kLatticeRadius)});
   return loop;
 }
 

@@ -45,15 +45,13 @@ Eigen::Vector3d random_origin(Random& random, double distance, double size) {
     length2 = direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2];
   }
   Eigen::Vector3d origin;
-  for (int k = 0; k < 3; ++k)
-    origin[k] = distance * (direction[k] / std::sqrt(length2)) + size * (random.unit() - 0.5);
+  for (int k = 0; k < 3; ++k) origin[k] = distance * (direction[k] / std::sqrt(length2)) + size * (random.unit() - 0.5);
   return origin;
 }
 
 Loop placed(const LatticeLoop& lattice, const Frame& frame) {
   Loop loop;
-  for (const LatticePoint& p : lattice)
-    loop.push_back(frame.at(static_cast<double>(p.x), static_cast<double>(p.y), 0));
+  for (const LatticePoint& p : lattice) loop.push_back(frame.at(static_cast<double>(p.x), static_cast<double>(p.y), 0));
   return loop;
 }
 

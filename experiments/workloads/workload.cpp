@@ -88,9 +88,9 @@ std::string_view word(BallPlace place) {
 }
 
 const std::vector<Family>& all_families() {
-  static const std::vector<Family> families{Family::Triangle,     Family::Convex, Family::Star, Family::Comb,
-                                            Family::Spiral,       Family::RandomSimple, Family::Koch,
-                                            Family::U,            Family::L,      Family::E};
+  static const std::vector<Family> families{
+      Family::Triangle,     Family::Convex, Family::Star, Family::Comb, Family::Spiral,
+      Family::RandomSimple, Family::Koch,   Family::U,    Family::L,    Family::E};
   return families;
 }
 

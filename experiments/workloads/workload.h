@@ -36,15 +36,15 @@ struct Workload {
   Family family = Family::Star;
   Placement placement = Placement::LatticeFrame;
   BallPlace ball = BallPlace::Anywhere;
-  std::size_t vertices = 24;       ///< of the outer loop, as near as the family allows; at most 2^17
+  std::size_t vertices = 24;  ///< of the outer loop, as near as the family allows; at most 2^17
   std::size_t holes = 0;
-  int doubles = 0;                 ///< how far a Near* or LatticeTangent radius is moved from the distance's double
-  double koch_dimension = 1.26;    ///< in (1, 2)
-  double origin_distance = 0;      ///< distance of the polygon from the origin, in units of its size
+  int doubles = 0;               ///< how far a Near* or LatticeTangent radius is moved from the distance's double
+  double koch_dimension = 1.26;  ///< in (1, 2)
+  double origin_distance = 0;    ///< distance of the polygon from the origin, in units of its size
 };
 
 struct Sample {
-  std::string id;                  ///< names workload, seed and index: all that is needed to draw it again
+  std::string id;  ///< names workload, seed and index: all that is needed to draw it again
   Ball ball;
   Polygon polygon;
   std::vector<std::string> tags;

@@ -12,11 +12,11 @@ std::string_view word(PlaneSide side) {
   return {};
 }
 
-std::string_view word(FootPlace place) {
+std::string_view word(PointLocation place) {
   switch (place) {
-    case FootPlace::Inside: return "inside";
-    case FootPlace::Boundary: return "boundary";
-    case FootPlace::Outside: return "outside";
+    case PointLocation::Inside: return "inside";
+    case PointLocation::Boundary: return "boundary";
+    case PointLocation::Outside: return "outside";
   }
   return {};
 }

@@ -6,48 +6,51 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/floating_point.h"
-#include "geometry/same_number.h"
+#include "../floating_point.h"
+#include "../same_number.h"
 
-/// What is asked about: balls, polygons, triangles, meshes and poses; and what an answer consists of. Each way to
-/// answer is a namespace of its own.
+/// Exact contact between balls and planar polygons: shapes, poses, meshes and answers. Each way to compute the answers
+/// has a namespace of its own.
 namespace touchstone {
 
-/// On which side of the supporting plane a closed ball lies; touching the plane is `Intersects`.
+/// The side of the supporting plane on which a closed ball lies. A ball that touches the plane intersects it.
 enum class PlaneSide { InFront, Behind, Intersects };
 
-/// Where the foot of the perpendicular from the ball's centre lies with respect to the polygon.
-enum class FootPlace { Inside, Boundary, Outside };
+/// The location of a point of the supporting plane with respect to the polygon: of the foot of the perpendicular from
+/// the ball's centre.
+enum class PointLocation { Inside, Boundary, Outside };
 
-/// Ball against polygon: distance > r, = r, < r.
+/// The distance from the ball's centre to the polygon against the radius: distance > r, = r, < r.
 enum class Relation { Separate, Touching, Overlapping };
 
-/// The feature that holds the closest point: the relative interior of the face or of an edge, or a vertex.
-/// Among equal distances an edge comes before a vertex, then the lowest index. The face's index is 0.
+/// The feature that contains the closest point: the relative interior of the face or of an edge, or a vertex.
+///
+/// Of several features at the same distance an edge is preferred to a vertex, then the lowest index is. The index of
+/// the face is 0.
 struct Feature {
-  /// The three kinds.
-  enum class Kind { Face, Edge, Vertex } kind;  ///< which it is
-  std::size_t index = 0;                        ///< of the edge or vertex in the polygon
+  /// The kinds of features.
+  enum class Kind { Face, Edge, Vertex } kind;  ///< the kind of this one
+  std::size_t index = 0;                        ///< the number of the edge or vertex in the polygon
 
   friend bool operator==(const Feature&, const Feature&) = default;
 };
 
-/// All that the contract asks about a ball and a polygon.
+/// The full answer about a ball and a polygon, as the contract defines it.
 ///
-/// Lengths are in the unit of the input. `off_plane` is a property of the polygon alone. Equality is that of every
-/// member, numbers by value.
+/// Lengths are in the unit of the input. `off_plane` is a property of the polygon alone. Two answers are equal if all
+/// their members are, numbers compared by value.
 struct Answer {
-  PlaneSide plane;                     ///< the first test
+  PlaneSide plane;                     ///< test 1
   bool plane_tangent;                  ///< the centre is at distance r from the supporting plane
-  FootPlace foot;                      ///< the second
-  std::vector<std::size_t> edges_hit;  ///< the third: edges at distance <= r from the centre, ascending
-  Relation relation;                   ///< distance against radius
-  Feature nearest;                     ///< which holds the closest point
+  PointLocation foot;                  ///< test 2
+  std::vector<std::size_t> edges_hit;  ///< test 3: the edges at distance <= r from the centre, ascending
+  Relation relation;                   ///< the distance against the radius
+  Feature nearest;                     ///< the feature that contains the closest point
   Eigen::Vector3d point;               ///< the closest point of the polygon
   double distance;                     ///< from the centre to the polygon
-  double off_plane;                    ///< the largest move of a vertex onto the supporting plane
+  double off_plane;                    ///< the largest displacement of a vertex onto the supporting plane
 
-  /// Do they touch?
+  /// Returns whether ball and polygon touch or overlap.
   [[nodiscard]] bool contact() const { return relation != Relation::Separate; }
   friend bool operator==(const Answer& a, const Answer& b) {
     return a.plane == b.plane && a.plane_tangent == b.plane_tangent && a.foot == b.foot && a.edges_hit == b.edges_hit &&
@@ -57,9 +60,9 @@ struct Answer {
 };
 
 /// @{
-/// The words of the contract, such as `in_front`, `boundary`, `touching`, `edge`.
+/// Returns the word of the contract, such as `in_front`, `boundary`, `touching`, `edge`.
 [[nodiscard]] std::string_view word(PlaneSide side);
-[[nodiscard]] std::string_view word(FootPlace place);
+[[nodiscard]] std::string_view word(PointLocation place);
 [[nodiscard]] std::string_view word(Relation relation);
 [[nodiscard]] std::string_view word(Feature::Kind kind);
 /// @}

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geometry/required.h"
+#include "geometry/detail/required.h"
 
 namespace touchstone::fast {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/required.h"
+#include "geometry/detail/required.h"
 
 namespace touchstone::thesis {
 namespace {
@@ -124,13 +124,13 @@ PlaneSide plane_side(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
 }
 
 template <class Scalar>
-FootPlace foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
+PointLocation foot(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   const Vector<Scalar> q = center<Scalar>(ball) - height(ball, polygon) * polygon.normal();
   const std::vector<std::size_t>& ends = polygon.loop_ends();
-  if (!inside_loop(q, polygon, 0, ends[0])) return FootPlace::Outside;
+  if (!inside_loop(q, polygon, 0, ends[0])) return PointLocation::Outside;
   for (std::size_t hole = 1; hole < ends.size(); ++hole)
-    if (inside_loop(q, polygon, ends[hole - 1], ends[hole])) return FootPlace::Outside;
-  return FootPlace::Inside;
+    if (inside_loop(q, polygon, ends[hole - 1], ends[hole])) return PointLocation::Outside;
+  return PointLocation::Inside;
 }
 
 template <class Scalar>
@@ -144,21 +144,20 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon<Scala
 template <class Scalar>
 bool contact(const Ball& ball, const PreparedPolygon<Scalar>& polygon) {
   if (plane_side(ball, polygon) != PlaneSide::Intersects) return false;
-  if (foot(ball, polygon) == FootPlace::Inside) return true;
-  return std::any_of(polygon.edges().begin(), polygon.edges().end(), [&](const Edge<Scalar>& edge) {
-    return hits<Scalar>(ball, edge, polygon.options().comparison);
-  });
+  if (foot(ball, polygon) == PointLocation::Inside) return true;
+  return std::any_of(polygon.edges().begin(), polygon.edges().end(),
+                     [&](const Edge<Scalar>& edge) { return hits<Scalar>(ball, edge, polygon.options().comparison); });
 }
 
 template class PreparedPolygon<float>;
 template PlaneSide plane_side(const Ball&, const PreparedPolygon<float>&);
-template FootPlace foot(const Ball&, const PreparedPolygon<float>&);
+template PointLocation foot(const Ball&, const PreparedPolygon<float>&);
 template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<float>&);
 template bool contact(const Ball&, const PreparedPolygon<float>&);
 
 template class PreparedPolygon<double>;
 template PlaneSide plane_side(const Ball&, const PreparedPolygon<double>&);
-template FootPlace foot(const Ball&, const PreparedPolygon<double>&);
+template PointLocation foot(const Ball&, const PreparedPolygon<double>&);
 template std::vector<std::size_t> edges_hit(const Ball&, const PreparedPolygon<double>&);
 template bool contact(const Ball&, const PreparedPolygon<double>&);
 

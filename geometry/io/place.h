@@ -4,23 +4,18 @@
 #include <cstddef>
 #include <string>
 
-#include "geometry/io/legible.h"
-
-/// How files are read.
+/// Mesh files: places in them, and messages about them.
 namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).
 struct Place {
-  /// What is counted.
+  /// What the number counts.
   enum class Unit { Line, Byte };
-  Unit unit;           ///< of the number
-  std::size_t number;  ///< from 1 or 0
+  Unit unit;           ///< lines or bytes
+  std::size_t number;  ///< from 1 for lines, from 0 for bytes
 };
 
-/// `arm.stl: line 12: reason`.
-[[nodiscard]] inline std::string sentence(const std::string& file, Place place, const std::string& reason) {
-  return all_legible(file) + (place.unit == Place::Unit::Line ? ": line " : ": byte ") + std::to_string(place.number) +
-         ": " + reason;
-}
+/// Returns `arm.stl: line 12: reason`.
+[[nodiscard]] std::string sentence(const std::string& file, Place place, const std::string& reason);
 
 }  // namespace touchstone::io

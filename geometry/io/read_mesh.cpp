@@ -11,11 +11,11 @@
 #include <system_error>
 #include <utility>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/io/legible.h"
-#include "geometry/io/mesh_builder.h"
-#include "geometry/io/mesh_formats.h"
-#include "geometry/io/mesh_source.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/mesh_builder.h"
+#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/mesh_source.h"
 
 namespace touchstone {
 namespace {
@@ -40,8 +40,8 @@ const Format& format_of(const std::filesystem::path& file) {
   const auto* const format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == extension; });
   if (format == kFormats.end())
-    throw BrokenMesh(io::all_legible(file.string()) + ": the extension '" + io::legible(extension) +
-                     "' is none of .obj, .off, .stl and .ply");
+    throw BrokenMesh(io::all_legible(file.string()) + ": unknown extension '" + io::legible(extension) +
+                     "'; expected .obj, .off, .stl or .ply");
   return *format;
 }
 

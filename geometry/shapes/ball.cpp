@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 
 namespace touchstone {
 

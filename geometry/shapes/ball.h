@@ -4,22 +4,23 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "geometry/floating_point.h"
-#include "geometry/shapes/rejection.h"
+#include "../floating_point.h"
+#include "rejection.h"
 
 namespace touchstone {
 
-/// The closed ball of the points at distance <= radius from the centre; radius 0 is a point.
+/// The closed ball of the points at distance <= radius from the centre. A ball of radius 0 is a point.
 ///
-/// Centre and radius are exact real numbers in one unit of length, that of the polygon asked about. Requires finite
-/// coordinates and a finite radius >= 0: what `find_fault` accepts. The contact functions do not look again; a debug
-/// build asserts it (geometry/required.h).
+/// Centre and radius are exact real numbers, in the same unit of length as the polygon. Requires finite coordinates and
+/// a finite radius >= 0; `find_fault` checks this. The contact functions do not check it again, but debug builds assert
+/// it.
 struct Ball {
   Eigen::Vector3d center;  ///< c
   double radius;           ///< r
 };
 
-/// The reason why a ball is none (`not-finite` before `negative-radius`), if there is one. A radius of -0 is 0.
+/// Returns why the ball is invalid (`not-finite` before `negative-radius`), or nothing if it is valid. A radius of -0
+/// is 0.
 [[nodiscard]] std::optional<Rejection> find_fault(const Ball& ball);
 
 }  // namespace touchstone

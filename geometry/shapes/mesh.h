@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/floating_point.h"
+#include "../floating_point.h"
 
 namespace touchstone {
 
-/// Vertices and faces as a file gives them: each face a loop of vertex numbers (from 0), of three or more vertices,
-/// planar or not. Nothing is welded, triangulated or repaired; coordinates are the doubles nearest to the file's
-/// numbers, in the file's own unit.
+/// Vertices and faces as read from a file.
+///
+/// Each face is a loop of three or more vertex numbers, counted from 0; it need not be planar. Nothing is welded,
+/// triangulated or repaired. Coordinates are the doubles nearest to the numbers in the file, in the file's unit.
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;          ///< in the order of the file
-  std::vector<std::vector<std::uint32_t>> faces;  ///< the numbers of each one's vertices
+  std::vector<std::vector<std::uint32_t>> faces;  ///< the vertex numbers of each face
 };
 
 }  // namespace touchstone

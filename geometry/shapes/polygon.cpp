@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 #include "geometry/same_number.h"
 
 namespace touchstone {
@@ -43,22 +43,21 @@ std::optional<Rejection> repeated(std::size_t number, std::size_t begin, const L
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const std::size_t next = (i + 1) % loop.size();
     if (same_point(loop[i], loop[next]))
-      return Rejection{RejectionCode::RepeatedVertex, vertex_name(number, begin + i) + " equals its neighbour, vertex " +
-                                                          std::to_string(begin + next)};
+      return Rejection{
+          RejectionCode::RepeatedVertex,
+          vertex_name(number, begin + i) + " equals its neighbour, vertex " + std::to_string(begin + next)};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::string loop_name(std::size_t loop) {
-  return loop == 0 ? "the outer loop" : "hole " + std::to_string(loop - 1);
-}
+std::string loop_name(std::size_t loop) { return loop == 0 ? "the outer loop" : "hole " + std::to_string(loop - 1); }
 
 Polygon::Polygon(const Loop& outer, const std::vector<Loop>& holes) {
   const FloatingPointState nearest;
-  for (const auto& fault : {first_fault(outer, holes, not_finite), first_fault(outer, holes, too_few),
-                            first_fault(outer, holes, repeated)})
+  for (const auto& fault :
+       {first_fault(outer, holes, not_finite), first_fault(outer, holes, too_few), first_fault(outer, holes, repeated)})
     if (fault) throw Rejected(*fault);
 
   std::size_t vertex_count = outer.size();

@@ -8,58 +8,59 @@
 #include <span>
 #include <vector>
 
-#include "geometry/floating_point.h"
-#include "geometry/shapes/rejection.h"
+#include "../floating_point.h"
+#include "rejection.h"
 
 namespace touchstone {
 
-/// The vertices of a closed loop in order; the last is joined to the first.
+/// The vertices of a closed loop, in order. An edge joins the last to the first.
 using Loop = std::vector<Eigen::Vector3d>;
 
-/// One outer loop and any number of hole loops in space, each of at least three vertices, of either orientation,
-/// convex or not.
+/// A polygon in space: one outer loop and any number of holes. Loops have at least three vertices, may be oriented
+/// either way and need not be convex.
 ///
-/// Vertices are numbered in order, the outer loop's first, then the holes'; edge i runs from vertex i to `next(i)`.
-/// The region meant is the closed planar one that the loops bound (even-odd) once every vertex is moved, along the
-/// axis of the normal's largest component, onto the supporting plane of the outer loop. A Polygon only promises what
-/// single comparisons decide; that its loops have a normal and do not meet is decided by `exact::validate`.
+/// Vertices are numbered through all loops, first those of the outer loop, then those of the holes. Edge i runs from
+/// vertex i to vertex `next(i)`. The polygon stands for a closed planar region: every vertex is moved onto the
+/// supporting plane of the outer loop, along the axis of the normal's largest component, and the moved loops bound the
+/// region by the even-odd rule. The constructor checks only what single comparisons decide; `exact::validate` decides
+/// whether the loops have a normal and do not meet.
 ///
-/// Coordinates are kept as one array an axis. Equality is that of the loops, vertex by vertex (0 = -0).
+/// Stores one array of coordinates per axis. Two polygons are equal if their loops are, vertex by vertex (0 = -0).
 class Polygon {
  public:
-  /// Throws Rejected with `not-finite`, `too-few-vertices` or `repeated-vertex` (the first that applies), naming the
-  /// loop and the vertex. Cost: linear.
+  /// Builds the polygon from its loops. Throws Rejected with `not-finite`, `too-few-vertices` or `repeated-vertex` (the
+  /// first that applies); the message names the loop and the vertex. Cost: linear.
   explicit Polygon(const Loop& outer, const std::vector<Loop>& holes = {});
 
-  /// Of all loops together: as many as there are edges.
+  /// Returns the number of vertices of all loops, which is also the number of edges.
   [[nodiscard]] std::size_t vertex_count() const { return coordinates_[0].size(); }
-  /// One more than there are holes.
+  /// Returns the number of loops: 1 plus the number of holes.
   [[nodiscard]] std::size_t loop_count() const { return loop_ends_.size(); }
 
-  /// Vertex i, of whichever loop. Requires i < vertex_count(), as all that takes a vertex does.
+  /// Returns vertex i. Requires i < vertex_count(), as do all functions that take a vertex.
   [[nodiscard]] Eigen::Vector3d vertex(std::size_t i) const {
     assert(i < vertex_count());
     return {coordinates_[0][i], coordinates_[1][i], coordinates_[2][i]};
   }
-  /// The coordinates of all vertices along one axis (0, 1 or 2).
+  /// Returns the coordinates of all vertices along one axis (0, 1 or 2).
   [[nodiscard]] std::span<const double> coordinates(int axis) const {
     assert(axis >= 0 && axis < 3);
     return coordinates_[static_cast<std::size_t>(axis)];
   }
 
   /// @{
-  /// First vertex of a loop, and one past its last; loop 0 is the outer one. Requires loop < loop_count().
+  /// Returns the first vertex of a loop, and one past its last. Loop 0 is the outer loop. Requires loop < loop_count().
   [[nodiscard]] std::size_t loop_begin(std::size_t loop) const { return loop == 0 ? 0 : loop_end(loop - 1); }
   [[nodiscard]] std::size_t loop_end(std::size_t loop) const {
     assert(loop < loop_count());
     return loop_ends_[loop];
   }
   /// @}
-  /// The loop that holds vertex i, and edge i. Cost: logarithmic in the number of loops.
+  /// Returns the loop to which vertex i and edge i belong. Cost: logarithmic in the number of loops.
   [[nodiscard]] std::size_t loop_of(std::size_t i) const;
 
   /// @{
-  /// The neighbours of vertex i in its loop.
+  /// Returns a neighbour of vertex i in its loop.
   [[nodiscard]] std::size_t next(std::size_t i) const {
     assert(i < vertex_count());
     return next_[i];
@@ -78,7 +79,7 @@ class Polygon {
   std::vector<std::size_t> next_, previous_;
 };
 
-/// `the outer loop`, `hole 0`, `hole 1`, ...: how messages name a loop.
+/// Returns how messages name a loop: `the outer loop`, `hole 0`, `hole 1`, ...
 [[nodiscard]] std::string loop_name(std::size_t loop);
 
 }  // namespace touchstone

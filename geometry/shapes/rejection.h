@@ -7,36 +7,35 @@
 
 namespace touchstone {
 
-/// Why an input is no ball or no polygon, in the order in which the reasons are looked for: where several apply, the
-/// first is given.
+/// Why an input is not a ball or not a polygon. Reasons are checked in this order; the first that applies is reported.
 enum class RejectionCode {
-  MalformedCase,    ///< not of the form of a case: a missing key, a wrong type, a point without three numbers
-  NotFinite,        ///< a number beyond the finite doubles
-  NegativeRadius,   ///< r < 0
-  TooFewVertices,   ///< a loop of fewer than three vertices
-  RepeatedVertex,   ///< two equal neighbours in a loop
-  ZeroNormal,       ///< the Newell normal of the outer loop is exactly zero
-  LoopMeetsItself,  ///< crossing, touching, spike, or an edge that becomes a point, in the dropped-axis projection
+  MalformedCase,   ///< the input does not have the form of a case: missing key, wrong type, point without three numbers
+  NotFinite,       ///< a number is not a finite double
+  NegativeRadius,  ///< r < 0
+  TooFewVertices,  ///< a loop has fewer than three vertices
+  RepeatedVertex,  ///< two neighbouring vertices of a loop are equal
+  ZeroNormal,      ///< the Newell normal of the outer loop is exactly zero
+  LoopMeetsItself,  ///< in the dropped-axis projection a loop crosses or touches itself, or has a spike or an edge of
+                    ///< length 0
   LoopsMeet,        ///< two loops share a point
-  HoleOutside,      ///< a hole that does not lie inside the outer loop
+  HoleOutside,      ///< a hole does not lie inside the outer loop
 };
 
-/// The code as it is written in verdicts, such as `zero-normal`.
+/// Returns the code as written in verdicts, such as `zero-normal`.
 [[nodiscard]] std::string_view word(RejectionCode code);
 
-/// A code and a sentence that names the loop and the vertex or edge.
+/// A code, and a message that names the loop and the vertex or edge.
 struct Rejection {
   RejectionCode code;   ///< the first reason that applies
-  std::string message;  ///< the sentence, without the name of a case
+  std::string message;  ///< without the name of the case
 };
 
-/// Thrown where a shape is built from an input that the contract rejects.
+/// The exception thrown by functions that build a shape from an input that the contract rejects.
 class Rejected : public std::invalid_argument {
  public:
-  /// `what()` is the rejection's sentence.
-  explicit Rejected(Rejection rejection)
-      : std::invalid_argument(rejection.message), rejection_(std::move(rejection)) {}
-  /// Why.
+  /// Makes the rejection's message the text of `what()`.
+  explicit Rejected(Rejection rejection) : std::invalid_argument(rejection.message), rejection_(std::move(rejection)) {}
+  /// Returns the reason.
   [[nodiscard]] const Rejection& rejection() const { return rejection_; }
 
  private:

@@ -3,15 +3,15 @@
 
 #include <Eigen/Core>
 
-#include "geometry/floating_point.h"
+#include "../floating_point.h"
 
 namespace touchstone {
 
-/// The closed triangle of three vertices, edge i from vertex i to the next: a polygon that needs no preparation.
+/// A closed triangle: a polygon that needs no preparation. Edge i runs from vertex i to the next.
 ///
-/// Coordinates are exact real numbers. Requires finite coordinates and vertices that are not collinear: what
-/// `exact::validate` accepts of the polygon with these three vertices. The contact functions do not look again; a debug
-/// build asserts what geometry/required.h says.
+/// Coordinates are exact real numbers. Requires finite coordinates and vertices that are not collinear, so that
+/// `exact::validate` would accept the polygon with these vertices. The contact functions do not check this; debug
+/// builds assert that coordinates are finite.
 struct Triangle {
   /// @{
   /// Vertices 0, 1 and 2.

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 __version__: str
 
 PlaneSide = Literal["in_front", "behind", "intersects"]
-FootPlace = Literal["inside", "boundary", "outside"]
+PointLocation = Literal["inside", "boundary", "outside"]
 Relation = Literal["separate", "touching", "overlapping"]
 
 class Rejected(ValueError):
@@ -25,7 +25,7 @@ class Answer:
     @property
     def plane_tangent(self) -> bool: ...
     @property
-    def foot(self) -> FootPlace: ...
+    def foot(self) -> PointLocation: ...
     @property
     def edges_hit(self) -> list[int]: ...
     @property
@@ -59,7 +59,7 @@ class _Path:
     @staticmethod
     def plane_side(balls: ArrayLike, polygon: Polygon) -> PlaneSide | NDArray[np.str_]: ...
     @staticmethod
-    def foot(balls: ArrayLike, polygon: Polygon) -> FootPlace | NDArray[np.str_]: ...
+    def foot(balls: ArrayLike, polygon: Polygon) -> PointLocation | NDArray[np.str_]: ...
     @staticmethod
     def edges_hit(balls: ArrayLike, polygon: Polygon) -> NDArray[np.uint64] | list[NDArray[np.uint64]]: ...
     @staticmethod

@@ -10,19 +10,19 @@
 #include <array>
 #include <cassert>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/required.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/nearest_double.h"
-#include "robust/sound_arithmetic.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/required.h"
+#include "robust/detail/sound_arithmetic.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::exact {
 namespace {
 
-// Mpzf: integers times powers of two, a ring without division, which is all that is needed here. A whole answer on a
-// 24-gon takes 42 us on its plane, 52 us off it; over Gmpq 5.5 and 8.8 times that, over Lazy_exact_nt<Gmpq> (the number
-// type of EPECK; near a boundary its intervals decide nothing) 12 and 14 times, with the same answers
-// (experiments/exact_number measures it).
+// Mpzf: integers times powers of two. It has no division, which is not needed here. A full answer for a 24-gon takes 42
+// us if it is planar and 52 us if not; Gmpq takes 5.5 and 8.8 times as long, Lazy_exact_nt<Gmpq> (the number type of
+// EPECK, whose intervals decide nothing near a boundary) 12 and 14 times, with the same answers (measured by
+// experiments/exact_number).
 #ifndef TOUCHSTONE_EXACT_NUMBER
 #define TOUCHSTONE_EXACT_NUMBER CGAL::Mpzf
 #endif
@@ -32,7 +32,7 @@ using Vector = Kernel::Vector_3;
 
 Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
 
-/// Newell sum of the outer loop.
+/// Returns the Newell sum of the outer loop.
 Vector newell_normal(const Polygon& polygon) {
   Vector sum(0, 0, 0);
   for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
@@ -55,7 +55,7 @@ mpq_class rational(const N& number) {
     return mpq_class(static_cast<CGAL::Gmpq>(number).mpq());
 }
 
-/// numerator / denominator as integers, and what `round` (nearest_double or nearest_root) makes of them.
+/// Returns numerator / denominator, rounded by `round` (nearest_double or nearest_root).
 template <class Round>
 double rounded(const Number& numerator, const Number& denominator, Round round) {
   const mpq_class a = rational(numerator), b = rational(denominator);
@@ -71,19 +71,21 @@ std::optional<int> dropped_axis(const Polygon& polygon) {
   return largest_component(normal);
 }
 
-// The lift divides by n N_k (n vertices in the outer loop). Instead, everything in space is multiplied by |n N_k|, so
-// that no number is ever divided; where all loops lie on the plane the factor is 1.
+// The lift divides by n N_k (n vertices in the outer loop). To avoid divisions, all lengths are multiplied by |n N_k|;
+// if all loops lie on the plane, the factor is 1.
 struct PreparedPolygon::Lifted {
   Vector normal;
   Number normal_squared;
   int dropped_axis;
-  Number scale;                   // > 0: what all lengths below are multiplied by
-  std::vector<Vector> vertices;   // lifted
+  Number scale;                  // > 0: what all lengths below are multiplied by
+  std::vector<Vector> vertices;  // lifted
   std::vector<std::size_t> next;
   double off_plane;
 
   explicit Lifted(const Polygon& polygon);
 };
+
+const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon) { return *polygon.lifted_; }
 
 PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0) {
   normal = newell_normal(polygon);
@@ -136,7 +138,7 @@ CGAL::Comparison_result compare(const Squared& a, const Squared& b) {
 /// A ball in the scaled space of a polygon.
 struct Query {
   Query(const Ball& ball, const PreparedPolygon& prepared)
-      : polygon(prepared.lifted()),
+      : polygon(lifted(prepared)),
         center(polygon.scale * vector(required(ball).center)),
         radius_squared(CGAL::square(polygon.scale * Number(ball.radius))),
         height(polygon.normal * (center - polygon.vertices[0])) {}
@@ -150,13 +152,13 @@ struct Query {
   [[nodiscard]] Squared vertex_distance(std::size_t i) const {
     return {(center - polygon.vertices[i]).squared_length(), Number(1)};
   }
-  /// distance < r, = r or > r, as SMALLER, EQUAL or LARGER.
+  /// Returns SMALLER, EQUAL or LARGER for distance < r, = r or > r.
   [[nodiscard]] CGAL::Comparison_result against_radius(const Squared& distance) const {
     return CGAL::compare(distance.numerator, radius_squared * distance.denominator);
   }
 };
 
-/// Edge i as seen from the centre.
+/// Edge i relative to the centre.
 struct EdgeView {
   EdgeView(const Query& query, std::size_t i)
       : direction(query.polygon.vertices[query.polygon.next[i]] - query.polygon.vertices[i]),
@@ -187,13 +189,13 @@ PlaneSide plane_side(const Query& query) {
   return CGAL::is_positive(query.height) ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
-/// Counts the edges that a ray from the foot crosses, in the plane with the dropped coordinate left out. The foot is
-/// q = c - (s / N.N) N; N.N q is compared, so nothing is divided.
-FootPlace foot(const Query& query) {
+/// Locates the foot by counting the edges that a ray from it crosses, in the projection without the dropped coordinate.
+/// The foot is q = c - (s / N.N) N; comparisons use N.N q, so nothing is divided.
+PointLocation foot(const Query& query) {
   const Lifted& polygon = query.polygon;
   const int v = (polygon.dropped_axis + 2) % 3;
   const Number foot_v = polygon.normal_squared * query.center[v] - query.height * polygon.normal[v];
-  std::vector<CGAL::Sign> above(polygon.vertices.size());  // vertex above the foot?
+  std::vector<CGAL::Sign> above(polygon.vertices.size());  // of each vertex above the foot
   for (std::size_t i = 0; i < above.size(); ++i)
     above[i] = CGAL::compare(polygon.normal_squared * polygon.vertices[i][v], foot_v);
 
@@ -204,14 +206,14 @@ FootPlace foot(const Query& query) {
     const EdgeView edge(query, i);
     const CGAL::Sign side = CGAL::sign(polygon.normal * CGAL::cross_product(edge.direction, edge.from_start));
     if (side == CGAL::ZERO) {
-      if (!CGAL::is_negative(edge.along) && edge.along <= edge.length_squared) return FootPlace::Boundary;
+      if (!CGAL::is_negative(edge.along) && edge.along <= edge.length_squared) return PointLocation::Boundary;
       continue;
     }
     const bool upwards = start != CGAL::POSITIVE && end == CGAL::POSITIVE;
     const bool downwards = start == CGAL::POSITIVE && end != CGAL::POSITIVE;
     if ((upwards && side == CGAL::POSITIVE) || (downwards && side == CGAL::NEGATIVE)) inside = !inside;
   }
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 std::vector<std::size_t> edges_hit(const Query& query) {
@@ -221,7 +223,7 @@ std::vector<std::size_t> edges_hit(const Query& query) {
   return hit;
 }
 
-/// The nearest edge or vertex: edges first, so that on a tie the earlier candidate stays.
+/// Returns the nearest edge or vertex. Edges are compared first, so that on a tie the earlier candidate wins.
 std::pair<Feature, Squared> nearest_on_boundary(const Query& query) {
   std::optional<std::pair<Feature, Squared>> nearest;
   const auto consider = [&nearest](Feature feature, const Squared& distance) {
@@ -234,8 +236,8 @@ std::pair<Feature, Squared> nearest_on_boundary(const Query& query) {
   return *nearest;
 }
 
-std::pair<Feature, Squared> nearest_feature(const Query& query, FootPlace place) {
-  if (place == FootPlace::Inside) return {{Feature::Kind::Face, 0}, query.plane_distance()};
+std::pair<Feature, Squared> nearest_feature(const Query& query, PointLocation place) {
+  if (place == PointLocation::Inside) return {{Feature::Kind::Face, 0}, query.plane_distance()};
   return nearest_on_boundary(query);
 }
 
@@ -279,9 +281,7 @@ PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;
 PreparedPolygon& PreparedPolygon::operator=(PreparedPolygon&&) noexcept = default;
 PreparedPolygon::~PreparedPolygon() = default;
 
-bool contact(const Ball& ball, const PreparedPolygon& polygon) {
-  return relation(ball, polygon) != Relation::Separate;
-}
+bool contact(const Ball& ball, const PreparedPolygon& polygon) { return relation(ball, polygon) != Relation::Separate; }
 
 Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
@@ -295,7 +295,7 @@ PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
   return plane_side(Query(ball, polygon));
 }
 
-FootPlace foot(const Ball& ball, const PreparedPolygon& polygon) {
+PointLocation foot(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
   return foot(Query(ball, polygon));
 }
@@ -308,23 +308,24 @@ std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& poly
 Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
   const Query query(ball, polygon);
-  const FootPlace place = foot(query);
+  const PointLocation place = foot(query);
   const auto [feature, distance] = nearest_feature(query, place);
-  return {.plane = plane_side(query),
-          .plane_tangent = query.against_radius(query.plane_distance()) == CGAL::EQUAL,
-          .foot = place,
-          .edges_hit = edges_hit(query),
-          .relation = relation(query, distance),
-          .nearest = feature,
-          .point = closest_point(query, feature),
-          .distance = rounded(distance.numerator, distance.denominator * CGAL::square(query.polygon.scale), nearest_root),
-          .off_plane = query.polygon.off_plane};
+  return {
+      .plane = plane_side(query),
+      .plane_tangent = query.against_radius(query.plane_distance()) == CGAL::EQUAL,
+      .foot = place,
+      .edges_hit = edges_hit(query),
+      .relation = relation(query, distance),
+      .nearest = feature,
+      .point = closest_point(query, feature),
+      .distance = rounded(distance.numerator, distance.denominator * CGAL::square(query.polygon.scale), nearest_root),
+      .off_plane = query.polygon.off_plane};
 }
 
 bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }
 Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon)); }
 PlaneSide plane_side(const Ball& ball, const Polygon& polygon) { return plane_side(ball, PreparedPolygon(polygon)); }
-FootPlace foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
+PointLocation foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
 std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
   return edges_hit(ball, PreparedPolygon(polygon));
 }

@@ -5,83 +5,85 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
+#include "../../geometry/contact/answer.h"
+#include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/polygon.h"
 
-/// The statement of the truth: the questions of `fast` over a CGAL exact kernel.
+/// Exact answers, which define what is correct: the functions of `fast` over an exact kernel of CGAL.
 ///
-/// Every answer is that of the exact real numbers that the doubles are; `point`, `distance` and `off_plane` are the
-/// doubles nearest to the exact values (ties to even; infinite beyond the finite doubles). All finite doubles are
-/// legal, subnormal ones too. The answers do not depend on the caller's rounding mode or flush-to-zero setting,
-/// which are left as found, as are the INVALID, OVERFLOW and DIVBYZERO flags.
+/// Every answer is that of exact real arithmetic on the given doubles. `point`, `distance` and `off_plane` are the
+/// doubles nearest to the exact values (ties to even; infinite beyond the finite doubles). All finite doubles are valid
+/// input, subnormal ones included. The answers do not depend on the caller's rounding mode or flush-to-zero setting.
+/// These are left as found, as are the INVALID, OVERFLOW and DIVBYZERO flags.
 ///
 /// Guarantees, for every ball and every polygon that `validate` accepts:
 ///  (1) rotating the start of a loop, or reordering holes, renumbers edges and vertices and changes nothing else,
-///      but which of several nearest features has the lowest index, and `point` with it;
-///  (2) reversing the outer loop swaps InFront and Behind; reversing a hole does not; apart from the renumbering,
-///      as in (1), nothing else changes;
+///  except
+///      which of several nearest features has the lowest index, and `point` with it;
+///  (2) reversing the outer loop swaps InFront and Behind, reversing a hole does not; apart from the renumbering, as in
+///      (1), nothing else changes;
 ///  (3) mirroring in a coordinate plane or exchanging two axes mirrors `point`, swaps InFront and Behind, and changes
-///      nothing else, where no tie decides the dropped axis;
-///  (4) scaling by a power of two scales `point`, `distance` and `off_plane` and changes nothing else, while no
+///      nothing else, unless a tie decides the dropped axis;
+///  (4) scaling by a power of two scales `point`, `distance` and `off_plane` and changes nothing else, provided that no
 ///      number leaves the normal doubles;
-///  (5) a translation that is exact in every coordinate moves `point` (rounded anew) and changes nothing else;
-///  (6) growing r never loses a contact, an edge of edges_hit, or Intersects;
-///  (7) closed: r = d is Touching, r one double less is Separate, one double more Overlapping, wherever d is a double;
-///  (8) together: contact if and only if the plane is Intersects and the foot is not Outside, or an edge is hit;
+///  (5) a translation that is exact in every coordinate moves `point` (which is rounded again) and changes nothing
+///  else; (6) growing r never loses a contact, an edge of edges_hit, or Intersects; (7) ball and polygon are closed: if
+///  the distance d is a double, r = d is Touching, the double below d is Separate and
+///      the double above d is Overlapping;
+///  (8) the parts agree: contact if and only if the plane is Intersects and the foot is not Outside, or an edge is hit;
 ///      foot Inside <=> nearest is the face; contact => plane Intersects;
-///  (9) equal to `fast` wherever the input is far from every boundary;
-/// (10) a hole is a difference of regions: with hole H in the region P, and in its plane, the foot is in (P without H)
-///      exactly where it is in P and not inside H, boundary in either's boundary; the edges hit are those of P, then
-///      those of H.
+///  (9) the answers equal those of `fast` unless the input lies within rounding error of a decision boundary;
+/// (10) a hole is a difference of regions: for a hole H in the region P, in the plane of P, the foot is in (P without
+/// H)
+///      if and only if it is in P and not inside H, and on the boundary if it is on either boundary; the edges hit are
+///      those of P, then those of H.
 /// Source: [arshad2008, ch. 4]; kernel [cgal2022].
 namespace touchstone::exact {
 
 /// A polygon lifted exactly onto its supporting plane.
 ///
-/// Throws Rejected with `zero-normal` where there is no such plane; that the loops are simple and do not meet is
-/// required (`validate` decides it). Cost: linear; about 1 us a vertex.
+/// Throws Rejected with `zero-normal` if there is no such plane. Requires that the loops are simple and do not meet, as
+/// `validate` decides. Cost: linear, about 1 us per vertex.
 class PreparedPolygon {
  public:
-  /// Prepares it.
+  /// Prepares the polygon.
   explicit PreparedPolygon(const Polygon& polygon);
   /// @{
-  /// One that was moved from may only be assigned to or destroyed.
+  /// A moved-from object may only be assigned to or destroyed.
   PreparedPolygon(PreparedPolygon&&) noexcept;
   PreparedPolygon& operator=(PreparedPolygon&&) noexcept;
   /// @}
   ~PreparedPolygon();
 
-  struct Lifted;
-  /// What was prepared; for the functions of this namespace.
-  [[nodiscard]] const Lifted& lifted() const { return *lifted_; }
+  struct Lifted;  ///< internal
 
  private:
+  friend const Lifted& lifted(const PreparedPolygon& polygon);
   std::unique_ptr<const Lifted> lifted_;
 };
 
-/// Does the ball touch the polygon?
+/// Returns whether the ball touches the polygon.
 [[nodiscard]] bool contact(const Ball& ball, const PreparedPolygon& polygon);
-/// Distance against radius: > is Separate, = Touching, < Overlapping.
+/// Returns the distance against the radius: > is Separate, = is Touching, < is Overlapping.
 [[nodiscard]] Relation relation(const Ball& ball, const PreparedPolygon& polygon);
-/// Test 1: the ball against the supporting plane.
+/// Test 1: returns the side of the supporting plane on which the ball lies.
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon);
-/// Test 2: the foot of the perpendicular against the lifted loops.
-[[nodiscard]] FootPlace foot(const Ball& ball, const PreparedPolygon& polygon);
-/// Test 3: the lifted edges at distance <= r from the centre, ascending.
+/// Test 2: returns where the foot of the perpendicular lies with respect to the lifted loops.
+[[nodiscard]] PointLocation foot(const Ball& ball, const PreparedPolygon& polygon);
+/// Test 3: returns the lifted edges at distance <= r from the centre, ascending.
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const PreparedPolygon& polygon);
-/// Every key of the contract.
+/// Returns the full answer.
 [[nodiscard]] Answer answer(const Ball& ball, const PreparedPolygon& polygon);
 
-/// Which of two polygons is nearer to the ball's centre: the first (-1), neither (0), the second (+1).
+/// Returns which of two polygons is nearer to the ball's centre: the first (-1), neither (0) or the second (+1).
 [[nodiscard]] int compare_distances(const Ball& ball, const PreparedPolygon& first, const PreparedPolygon& second);
 
 /// @{
-/// The same questions on a polygon asked about once.
+/// The same for a polygon that is queried only once: prepares it first.
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);
-[[nodiscard]] FootPlace foot(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] PointLocation foot(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Answer answer(const Ball& ball, const Polygon& polygon);
 /// @}

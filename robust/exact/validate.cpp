@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/edge_sweep.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 
 namespace touchstone::exact {
 namespace {
@@ -14,10 +14,10 @@ std::string edge_name(const Polygon& polygon, std::size_t i) {
   return "edge " + std::to_string(i) + " (vertices " + std::to_string(i) + ", " + std::to_string(polygon.next(i)) + ")";
 }
 
-/// `edge 2 (vertices 2, 3) meets edge 5 (vertices 5, 0)`, or that an edge has become a point.
+/// Returns `edge 2 (vertices 2, 3) meets edge 5 (vertices 5, 0)`, or says that an edge becomes a point.
 std::string meeting(const Polygon& polygon, const Meeting& edges) {
   if (edges.first == edges.second)
-    return edge_name(polygon, edges.first) + " becomes a point when the polygon is seen along its dropped axis";
+    return edge_name(polygon, edges.first) + " becomes a point when the polygon is projected along its dropped axis";
   return edge_name(polygon, edges.first) + " meets " + edge_name(polygon, edges.second);
 }
 
@@ -41,9 +41,9 @@ std::optional<Rejection> validate(const Polygon& polygon) {
 
   for (std::size_t loop = 1; loop < polygon.loop_count(); ++loop)
     if (!is_inside(loops, polygon.loop_begin(loop), 0, polygon.loop_end(0)))
-      return Rejection{RejectionCode::HoleOutside, loop_name(loop) + ": vertex " +
-                                                       std::to_string(polygon.loop_begin(loop)) +
-                                                       " is not inside the outer loop"};
+      return Rejection{
+          RejectionCode::HoleOutside,
+          loop_name(loop) + ": vertex " + std::to_string(polygon.loop_begin(loop)) + " is not inside the outer loop"};
   return std::nullopt;
 }
 

@@ -9,7 +9,7 @@ std::string_view word(Stage stage) {
     case Stage::Permanent: return "permanent";
     case Stage::DoubleDouble: return "double-double";
     case Stage::FixedInteger: return "fixed-integer";
-    case Stage::Unlimited: break;
+    case Stage::BigInteger: break;
   }
   return "unlimited";
 }

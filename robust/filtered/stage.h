@@ -7,28 +7,28 @@
 
 namespace touchstone::filtered {
 
-/// The stages of a decision, each slower and surer than the one before.
+/// The stages of a decision, each slower and more precise than the one before.
 enum class Stage {
-  Double,        ///< doubles with proved bounds: the whole question at once
-  Permanent,     ///< one sign in doubles, with a bound from the products that were formed
-  DoubleDouble,  ///< one sign in 106-bit arithmetic on error-free differences
-  FixedInteger,  ///< one sign in integers of fixed width
-  Unlimited,     ///< one sign, or one correctly rounded number, in integers of any size
+  Double,        ///< a whole query, in doubles with proved bounds
+  Permanent,     ///< one sign, in doubles with a bound computed from the products
+  DoubleDouble,  ///< one sign, in 106-bit arithmetic on error-free differences
+  FixedInteger,  ///< one sign, in integers of fixed width
+  BigInteger,    ///< one sign or one correctly rounded number, in integers of any size
 };
-inline constexpr std::size_t kStages = 5;  ///< how many there are
+inline constexpr std::size_t kStages = 5;  ///< the number of stages
 
-/// The words of `--explain`: `double`, `permanent`, `double-double`, `fixed-integer`, `unlimited`.
+/// Returns the word that `--explain` prints: `double`, `permanent`, `double-double`, `fixed-integer` or `unlimited`.
 [[nodiscard]] std::string_view word(Stage stage);
 
-/// How many decisions each stage took. Double counts whole questions that nothing later was asked about; the others
-/// count single signs and roundings.
+/// The number of decisions taken by each stage. `Double` counts whole queries that needed no later stage; the other
+/// stages count single signs and roundings.
 class StageCounts {
  public:
-  /// One decision more.
+  /// Counts one decision.
   void count(Stage stage) { ++counts_[static_cast<std::size_t>(stage)]; }
-  /// How many this one took.
+  /// Returns the number of decisions taken by a stage.
   [[nodiscard]] std::uint64_t decided_by(Stage stage) const { return counts_[static_cast<std::size_t>(stage)]; }
-  /// The slowest stage that decided anything.
+  /// Returns the slowest stage that took a decision; `Double` if none did.
   [[nodiscard]] Stage last() const {
     std::size_t stage = kStages - 1;
     while (stage > 0 && counts_[stage] == 0) --stage;
@@ -40,9 +40,9 @@ class StageCounts {
   std::array<std::uint64_t, kStages> counts_{};
 };
 
-/// Counts nothing, at no cost.
+/// Counts nothing, at no cost: stands in for StageCounts.
 struct NoCounts {
-  void count(Stage) const {}  ///< nothing
+  void count(Stage) const {}  ///< does nothing
 };
 
 }  // namespace touchstone::filtered

@@ -14,27 +14,27 @@
 #include <utility>
 #include <variant>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/dropped_axis.h"
-#include "robust/exact/edge_sweep.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/edge_sweep.h"
 #include "robust/exact/validate.h"
-#include "robust/mesh/face_graph.h"
-#include "robust/mesh/face_plane.h"
-#include "robust/mesh/parts.h"
+#include "robust/mesh/detail/face_graph.h"
+#include "robust/mesh/detail/face_plane.h"
+#include "robust/mesh/detail/parts.h"
 #include "robust/mesh/weld.h"
 
 namespace touchstone::mesh {
 namespace {
 
-/// What single faces are, whatever their neighbours.
+/// Properties of single faces, independent of their neighbours.
 struct Faces {
-  /// Those that were not come to before `stop` was set are not accepted.
+  /// Examines all faces. Faces that were not examined before `stop` was set are not accepted.
   Faces(const Mesh& mesh, const std::atomic<bool>& stop) : accepted(mesh.faces.size()), planes(mesh.faces.size()) {
     for (std::uint32_t face = 0; face < mesh.faces.size() && !stop; ++face) look_at(mesh, face);
   }
 
   std::vector<bool> accepted;
-  std::vector<std::optional<FacePlane>> planes;  ///< of those that are accepted and planar
+  std::vector<std::optional<FacePlane>> planes;  ///< of accepted planar faces
   std::vector<RejectedFace> rejected;
 
  private:
@@ -73,7 +73,7 @@ class Merger {
     grow();
     MergedMesh result;
     for (std::uint32_t part = 0; part < parts_.count(); ++part) {
-      // The part's first group keeps its number, so it is looked at again.
+      // The first group keeps the part's number, so examine this number again.
       for (;;) {
         if (stop_) return std::nullopt;
         auto outcome = polygon_of(part);
@@ -94,7 +94,8 @@ class Merger {
 
  private:
   void grow() {
-    std::vector<std::uint32_t> plane_of(mesh_.vertices.size(), Parts::kNone);  // the last part whose plane it is on
+    std::vector<std::uint32_t> plane_of(mesh_.vertices.size(),
+                                        Parts::kNone);  // the last part in whose plane the vertex lies
     for (const std::uint32_t seed : seeds()) {
       if (parts_.taken(seed)) continue;
       if (!faces_.planes[seed]) {
@@ -118,7 +119,7 @@ class Merger {
     }
   }
 
-  /// In which order regions are begun; without a tolerance any order gives the same regions.
+  /// Returns the order in which regions are started. Without a tolerance any order yields the same regions.
   [[nodiscard]] std::vector<std::uint32_t> seeds() const {
     std::vector<std::uint32_t> order;
     std::vector<double> size(mesh_.faces.size());  // four times the square of the area
@@ -136,7 +137,7 @@ class Merger {
     return order;
   }
 
-  /// The polygon of a part, or why there is none.
+  /// Returns the polygon of a part, or why it is not valid.
   [[nodiscard]] std::variant<MergedFace, Conflict> polygon_of(std::uint32_t part) const {
     std::vector<std::uint32_t> faces = parts_.faces(part);
     if (faces.size() == 1) {
@@ -154,8 +155,9 @@ class Merger {
       const auto [a, b] = meeting(polygon, loops);
       return between(a, b);
     }
-    // How many faces lie over a point, seen along the dropped axis, is how often the loops wind about it, if all faces
-    // turn one way; and that is once in the region and never outside, if the holes turn the other way.
+    // If all faces have the same orientation in the projection along the dropped axis, the number of faces over a point
+    // is the winding number of the loops about it. If the holes have the opposite orientation, that is 1 in the region,
+    // 0 outside.
     const int axis = exact::dropped_axis(polygon).value(), outer = turn(polygon, 0, axis);
     for (std::size_t loop = 1; loop < loops.size(); ++loop)
       if (turn(polygon, loop, axis) != -outer) return between(loops[0][0], loops[loop][0]);
@@ -167,7 +169,8 @@ class Merger {
     return MergedFace{polygon, std::move(faces), off};
   }
 
-  /// Two faces that must not be together; if they are one, the first and the last of the part.
+  /// Returns two faces that must not be in the same part. If they are the same face, returns the first and the last of
+  /// the part.
   [[nodiscard]] static Conflict conflict_of(const std::vector<std::uint32_t>& faces, std::uint32_t a, std::uint32_t b) {
     if (a == b) return {{faces.front()}, {faces.back()}};
     return {{a}, {b}};
@@ -193,7 +196,8 @@ class Merger {
     return Polygon(points[0], {points.begin() + 1, points.end()});
   }
 
-  /// The outer loop is the first that turns as the faces do.
+  /// Returns the polygon of the loops, after moving the outer loop to the front: the first with the orientation of the
+  /// faces.
   [[nodiscard]] Polygon with_outer_loop_first(Parts::Loops& loops, const FacePlane& plane) const {
     const Polygon polygon = polygon_of(loops);
     const int axis = plane.dropped_axis(), as_faces = plane.turn(axis);
@@ -205,7 +209,7 @@ class Merger {
     return polygon_of(loops);
   }
 
-  /// Two sides of a polygon that was rejected, which meet if any do.
+  /// Returns two sides of a rejected polygon, which meet if any sides do.
   [[nodiscard]] static std::pair<HalfEdge, HalfEdge> meeting(const Polygon& polygon, const Parts::Loops& loops) {
     const auto side = [&](std::size_t i) {
       const std::size_t loop = polygon.loop_of(i);
@@ -249,7 +253,7 @@ class Merger {
   Parts parts_;
 };
 
-/// The shortest decimal that is read as this double.
+/// Returns the shortest decimal that is read as this double.
 std::string shortest(double x) {
   char digits[32];
   return {digits, std::to_chars(std::begin(digits), std::end(digits), x).ptr};
@@ -266,8 +270,7 @@ std::optional<MergedMesh> merge_faces(const Mesh& mesh, double tolerance, const 
   const FloatingPointState nearest;
   tolerance = pinned(tolerance);
   if (!(tolerance >= 0) || std::isinf(tolerance))
-    throw std::invalid_argument("the tolerance of a merge must be a finite number that is not negative, not " +
-                                shortest(tolerance));
+    throw std::invalid_argument("the tolerance must be finite and not negative, not " + shortest(tolerance));
   return Merger(weld(mesh), tolerance, stop).run();
 }
 

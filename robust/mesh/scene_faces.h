@@ -5,22 +5,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/shapes/mesh.h"
-#include "robust/mesh/merge.h"
-#include "robust/scene/scene.h"
+#include "../../geometry/shapes/mesh.h"
+#include "../scene/scene.h"
+#include "merge.h"
 
 namespace touchstone::mesh {
 
-/// The faces of a mesh as an object of a scene.
+/// The faces of a merged mesh, ready to be added to a scene.
 struct SceneFaces {
-  scene::Faces faces;                 ///< for scene::Scene::add
-  std::vector<std::uint32_t> merged;  ///< by the number of a face in the scene: its place in MergedMesh::faces
+  scene::Faces faces;                 ///< to pass to scene::Scene::add
+  std::vector<std::uint32_t> merged;  ///< for each of these faces, its index in MergedMesh::faces
 };
 
-/// A merged face of at least `least` faces of the mesh comes as one polygon, one of fewer as the faces that it was
-/// merged from. What has three vertices comes as a triangle. Rejected faces are left out.
+/// Returns the faces of a merged mesh for a scene. A merged face made of at least `least` faces of the mesh becomes one
+/// polygon; one made of fewer is returned as the faces that it was merged from. Faces with three vertices become
+/// triangles. Rejected faces are left out.
 ///
-/// Requires the mesh that was merged. Cost: linear.
+/// Requires that `merged` is the result of merging `mesh`. Cost: linear.
 [[nodiscard]] SceneFaces scene_faces(const Mesh& mesh, const MergedMesh& merged, std::size_t least = 2);
 
 }  // namespace touchstone::mesh

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 
 namespace touchstone::mesh {
 
@@ -38,7 +38,7 @@ Mesh weld(const Mesh& mesh) {
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t i, std::uint32_t j) { return less(i, j) || (!less(j, i) && i < j); });
 
-  std::vector<std::uint32_t> first(count);  // of the equal ones
+  std::vector<std::uint32_t> first(count);  // the first of equal vertices
   for (std::uint32_t k = 0; k < count; ++k)
     first[order[k]] = k > 0 && !less(order[k - 1], order[k]) ? first[order[k - 1]] : order[k];
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/shapes/mesh.h"
+#include "../../geometry/shapes/mesh.h"
 
 namespace touchstone::mesh {
 
-/// The mesh with one vertex for every point: vertices of equal coordinates (0 = -0) become the first of them.
+/// Returns the mesh with one vertex for every point: vertices with equal coordinates (0 = -0) become the first of them.
 ///
-/// Faces keep their order and their corners, those that have become repeated ones too; vertices keep their order.
-/// Throws std::invalid_argument for a vertex that is NaN and for a face with a vertex that the mesh lacks. Cost:
-/// O(n log n), about 0.2 us a vertex.
+/// Faces and vertices keep their order. Faces keep all corners, even if two of them become the same vertex. Throws
+/// std::invalid_argument for a vertex that is NaN and for a face with a vertex number out of range. Cost: O(n log n),
+/// about 0.2 us per vertex.
 [[nodiscard]] Mesh weld(const Mesh& mesh);
 
 }  // namespace touchstone::mesh

@@ -7,12 +7,12 @@
 #include <iterator>
 #include <optional>
 
-#include "robust/filtered/vector3.h"
+#include "robust/filtered/detail/vector3.h"
 
-/// The error calculus in rationals: a number type whose operations carry the bounds that bounds.h's model gives.
+/// The error calculus in rationals: a number type whose operations propagate bounds by the model of bounds.h.
 namespace touchstone::filtered::proofs {
 
-/// What `dot` and `cross` are off where they round once in all: so many units of the product of their vectors' maxima.
+/// The errors of `dot` and `cross` if they round only once, in units of the product of their vectors' maxima.
 struct SumsOfProducts {
   mpq_class dot, cross;
 };
@@ -20,15 +20,14 @@ struct SumsOfProducts {
 /// Every operation returns its exact result times (1 + d), |d| <= unit, plus at most `underflow` in magnitude.
 struct ErrorModel {
   mpq_class unit, underflow;
-  /// A number times itself is known to be positive. Without that, all bounds are polynomials in the inputs' maxima and
-  /// errors, with coefficients that are not negative.
+  /// Whether a number times itself is known to be positive. If not, all bounds are polynomials in the inputs' maxima
+  /// and errors, with coefficients that are not negative.
   bool knows_squares;
-  /// None where sums of products round every product and every sum, as in vector3.h.
+  /// Empty if sums of products round every product and every sum, as in vector3.h.
   std::optional<SumsOfProducts> sums_of_products = std::nullopt;
 };
 
-/// All that is known of a number: its computed value lies in [low, high] and differs from the exact one by at most
-/// `error`.
+/// Bounds of a number: its computed value lies in [low, high] and differs from the exact one by at most `error`.
 struct ErrorBound {
   const ErrorModel* model;
   mpq_class low, high, error;
@@ -40,7 +39,7 @@ inline ErrorBound known_within(const ErrorModel& model, const mpq_class& magnitu
   return {&model, -magnitude, magnitude, error};
 }
 
-/// The bound of a result that would have the bound `a` if the operation were exact.
+/// Returns the bound of a result that would have the bound `a` if the operation were exact.
 inline ErrorBound rounded(const ErrorBound& a) {
   const mpq_class below = a.model->unit * abs(a.low) + a.model->underflow;
   const mpq_class above = a.model->unit * abs(a.high) + a.model->underflow;
@@ -48,7 +47,7 @@ inline ErrorBound rounded(const ErrorBound& a) {
 }
 
 /// @{
-/// Without any rounding.
+/// An exact operation.
 inline ErrorBound exact_sum(const ErrorBound& a, const ErrorBound& b) {
   return {a.model, a.low + b.low, a.high + b.high, a.error + b.error};
 }
@@ -69,7 +68,7 @@ inline ErrorBound operator+(const ErrorBound& a, const ErrorBound& b) { return r
 inline ErrorBound operator-(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_difference(a, b)); }
 inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) { return rounded(exact_product(a, b)); }
 
-/// By a number that is known exactly.
+/// Multiplies by a number that is known exactly.
 inline ErrorBound operator/(const ErrorBound& a, double count) {
   const mpq_class divisor = count;
   return rounded({a.model, a.low / divisor, a.high / divisor, a.error / divisor});
@@ -79,7 +78,7 @@ inline mpq_class largest_magnitude(const Vector3<ErrorBound>& v) {
   return std::max({v.x.magnitude(), v.y.magnitude(), v.z.magnitude()});
 }
 
-/// An exact result that is off by `units` of the product of two vectors' maxima, and by underflow.
+/// Returns the bound of an exact result plus an error of `units` of the product of two vectors' maxima, and underflow.
 inline ErrorBound off_by(const mpq_class& units, const ErrorBound& exact, const Vector3<ErrorBound>& a,
                          const Vector3<ErrorBound>& b) {
   const mpq_class off =
@@ -88,7 +87,7 @@ inline ErrorBound off_by(const mpq_class& units, const ErrorBound& exact, const 
 }
 
 /// @{
-/// As the model says; found before the ones of vector3.h.
+/// An operation in the model; preferred to that of vector3.h by overload resolution.
 inline ErrorBound dot(const Vector3<ErrorBound>& a, const Vector3<ErrorBound>& b) {
   const auto& apart = a.x.model->sums_of_products;
   if (!apart) return filtered::dot<ErrorBound, ErrorBound>(a, b);
@@ -105,10 +104,10 @@ inline Vector3<ErrorBound> cross(const Vector3<ErrorBound>& a, const Vector3<Err
 }
 /// @}
 
-/// Fused or not: the model allows for both, and what is not fused is off by more.
+/// Fused or not: the model allows both, and the error of the unfused form is larger.
 inline ErrorBound multiply_add(const ErrorBound& a, const ErrorBound& b, const ErrorBound& c) { return a * b + c; }
 
-/// The larger of two, and a magnitude: neither is rounded.
+/// The larger of two numbers, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {
   return {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)};
 }

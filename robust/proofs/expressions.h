@@ -6,20 +6,20 @@
 #include <string_view>
 #include <vector>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/edge_frame.h"
-#include "robust/filtered/signs.h"
-#include "robust/filtered/vector3.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/edge_frame.h"
+#include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/vector3.h"
 
-/// The one list of what is proved: every expression of signs.h and edge_frame.h with its inputs, its constant and the
-/// maxima that the constant is multiplied by, and what double_double.h makes of its operations. Records, error calculus
-/// and toy arithmetic all walk this list.
+/// The list of all claims that are proved: every expression of signs.h and edge_frame.h with its inputs, its constant
+/// and the maxima by which the constant is multiplied, and the operations of double_double.h. Records, error calculus
+/// and toy arithmetic all use this list.
 namespace touchstone::filtered::proofs {
 
-/// Of every constant this much pays for the rounding of the bound that is computed with it.
+/// The part of every constant that covers the rounding of the bound computed with it.
 inline constexpr double kRoundingOfBound = 0x1p-5;
-/// What a maximum bounds may exceed it by this much, relatively: high parts serve for double-doubles, and the computed
-/// 2 m_u m_v serves for the normal.
+/// The relative amount by which magnitudes may exceed their maximum: so high parts may replace double-doubles, and the
+/// computed 2 m_u m_v may serve for the normal.
 inline constexpr double kExcess = 0x1p-50;
 
 /// The maxima of bounds.h; One bounds axes and unit directions.
@@ -32,7 +32,7 @@ constexpr double largest(Maximum maximum) {
   return maximum == Maximum::Normal ? 2 * bounds::kLargest * bounds::kLargest : bounds::kLargest;
 }
 
-/// The smallest value from which on kTiny is not needed.
+/// The smallest value of a maximum from which on kTiny is not needed.
 constexpr double smallest(Maximum maximum) {
   if (maximum == Maximum::One || maximum == Maximum::Foot) return 1;
   return maximum == Maximum::Normal ? 2 * bounds::kSmallest * bounds::kSmallest : bounds::kSmallest;
@@ -49,14 +49,14 @@ struct Input {
 /// The inputs of all expressions; each expression takes those that it needs.
 template <class Number>
 struct Inputs {
-  Vector3<Number> from, edge;
+  Vector3<Number> to_center, edge;
   Number radius;
   Vector3<Number> first_edge, second_edge, normal;
   Vector3<Number> axis, from_origin;
   Number foot_x, foot_y, start_x, start_y, direction_x, direction_y;
 };
 
-/// make(Input) is asked for each number, in the order of the members.
+/// Calls make(Input) for each number, in the order of the members.
 template <class Number, class Make>
 Inputs<Number> make_inputs(Make make) {
   const auto vector = [&](const std::string& name, Maximum maximum, double error) {
@@ -67,7 +67,7 @@ Inputs<Number> make_inputs(Make make) {
     return make(Input{name, maximum, error});
   };
   using enum Maximum;
-  return {vector("from", Ball, 1),
+  return {vector("to_center", Ball, 1),
           vector("edge", Edge, 1),
           number("radius", Ball, 0),
           vector("first_edge", FirstEdge, 1),
@@ -83,31 +83,31 @@ Inputs<Number> make_inputs(Make make) {
           number("direction_y", One, 1)};
 }
 
-/// The claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
+/// A claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
 struct Claim {
   std::string_view constant;  ///< its name in bounds.h
-  std::string_view instance;  ///< tells claims about the same constant apart
+  std::string_view instance;  ///< distinguishes claims about the same constant
   double value;
   double factor;
   std::vector<Maximum> maxima;
 
-  /// Where a maximum bounds inputs of two groups, scaling the maxima to 1 leaves one group smaller than 1. What is
-  /// proved must then not use that both factors of a square are one number: of `edge` one factor is scaled by m_e, the
-  /// other by the larger maximum, and both are at most 1.
+  /// Returns whether the proof must treat squares as products of different numbers. If a maximum bounds inputs of two
+  /// groups, scaling the maxima to 1 leaves one group smaller than 1: one factor of `edge` is scaled by m_e, the other
+  /// by the larger maximum, and both are at most 1.
   [[nodiscard]] bool squares_are_products() const {
     return std::find(maxima.begin(), maxima.end(), Maximum::BallOrEdge) != maxima.end();
   }
 };
 
-/// The claim about double-doubles of magnitude at most 1: computed and exact value differ by at most
-/// constant kDoubleDoubleUnit. Proved is `proved` u^2, u = 2^-53, which is no more; a u^2 less is refused.
+/// A claim about double-doubles of magnitude at most 1: computed and exact value differ by at most constant
+/// kDoubleDoubleUnit. The proof is for `proved` u^2, u = 2^-53, which is at most that; it fails for one u^2 less.
 struct SumOfProducts {
   std::string_view constant, instance;
   double value, proved;
 };
 
-/// visit(SumOfProducts, expression) for each such claim; expression(a, b) is its value over Vector3s of any number
-/// type. Over double-doubles that is the function of double_double.h, over others the one of vector3.h.
+/// Calls visit(SumOfProducts, expression) for each such claim. expression(a, b) is its value over Vector3s of any
+/// number type: for double-doubles the function of double_double.h, for other types that of vector3.h.
 template <class Visit>
 void for_each_sum_of_products(Visit visit) {
   using bounds::kDot, bounds::kCross;
@@ -117,14 +117,14 @@ void for_each_sum_of_products(Visit visit) {
   visit(SumOfProducts{"kCross", "z", kCross, 31}, [](const auto& a, const auto& b) { return cross(a, b).z; });
 }
 
-/// The claim about a quotient or a root of double-doubles: it is off by at most constant kDoubleDoubleUnit of itself.
-/// Proved is `proved` u^2, which is no more; a u^2 less is refused.
+/// A claim about a quotient or a root of double-doubles: its relative error is at most constant kDoubleDoubleUnit. The
+/// proof is for `proved` u^2, which is at most that; it fails for one u^2 less.
 struct Quotient {
   std::string_view constant, instance;
   double value, proved;
 };
 
-/// visit(Quotient, expression) for each such claim; expression(a, b) is its value over double-doubles.
+/// Calls visit(Quotient, expression) for each such claim. expression(a, b) is its value over double-doubles.
 template <class Visit>
 void for_each_quotient(Visit visit) {
   using bounds::kQuotient;
@@ -132,18 +132,19 @@ void for_each_quotient(Visit visit) {
   visit(Quotient{"kQuotient", "sqrt", kQuotient, 5}, [](const auto& a, const auto&) { return sqrt(a); });
 }
 
-/// visit(Claim, expression) for each claim; expression(Inputs<Number>) is its value over any number type.
+/// Calls visit(Claim, expression) for each claim. expression(Inputs<Number>) is its value over any number type.
 template <class Visit>
 void for_each_claim(Visit visit) {
   using namespace bounds;
   using enum Maximum;
   visit(Claim{"kVertex", "", kVertex, 1, {Ball, Ball}},
-        [](const auto& in) { return signs::vertex(in.from, in.radius); });
-  visit(Claim{"kAlong", "", kAlong, 1, {Ball, Edge}}, [](const auto& in) { return signs::along(in.from, in.edge); });
+        [](const auto& in) { return signs::vertex(in.to_center, in.radius); });
+  visit(Claim{"kAlong", "", kAlong, 1, {Ball, Edge}},
+        [](const auto& in) { return signs::along(in.to_center, in.edge); });
   visit(Claim{"kBeyond", "", kBeyond, 1, {BallOrEdge, Edge}},
-        [](const auto& in) { return signs::beyond(in.from, in.edge); });
+        [](const auto& in) { return signs::beyond(in.to_center, in.edge); });
   visit(Claim{"kLine", "", kLine, 1, {Ball, Ball, Edge, Edge}},
-        [](const auto& in) { return signs::line(in.from, in.edge, in.radius); });
+        [](const auto& in) { return signs::line(in.to_center, in.edge, in.radius); });
   visit(Claim{"kNormal", "x", kNormal, 2, {FirstEdge, SecondEdge}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).x; });
   visit(Claim{"kNormal", "y", kNormal, 2, {FirstEdge, SecondEdge}},
@@ -151,17 +152,17 @@ void for_each_claim(Visit visit) {
   visit(Claim{"kNormal", "z", kNormal, 2, {FirstEdge, SecondEdge}},
         [](const auto& in) { return signs::normal(in.first_edge, in.second_edge).z; });
   visit(Claim{"kFront", "", kFront, 1, {Normal, Ball}},
-        [](const auto& in) { return signs::front(in.normal, in.from); });
+        [](const auto& in) { return signs::front(in.normal, in.to_center); });
   visit(Claim{"kPlane", "", kPlane, 1, {Normal, Normal, Ball, Ball}},
-        [](const auto& in) { return signs::plane(in.normal, in.from, in.radius); });
+        [](const auto& in) { return signs::plane(in.normal, in.to_center, in.radius); });
   visit(Claim{"kSide", "", kSide, 1, {Normal, Edge, Ball}},
-        [](const auto& in) { return signs::side(in.normal, in.edge, in.from); });
+        [](const auto& in) { return signs::side(in.normal, in.edge, in.to_center); });
   visit(Claim{"kAbove", "x", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.x, in.from.x); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.x, in.to_center.x); });
   visit(Claim{"kAbove", "y", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.y, in.from.y); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.y, in.to_center.y); });
   visit(Claim{"kAbove", "z", kAbove, 1, {Normal, Normal, Ball}},
-        [](const auto& in) { return signs::above(in.normal, in.from, in.normal.z, in.from.z); });
+        [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.z, in.to_center.z); });
   visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}},
         [](const auto& in) { return frame::coordinate(in.axis, in.from_origin); });
   visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {

@@ -11,7 +11,8 @@
 namespace touchstone::filtered::proofs {
 namespace {
 
-/// The nodes that some results are made of, as a JSON array; print_input(node) prints what is known of an input.
+/// Prints the nodes from which some results are computed, as a JSON array. print_input(node) prints what is known of an
+/// input.
 template <class PrintInput>
 void print_nodes(const Recording& recording, const std::vector<int>& results, PrintInput print_input) {
   std::vector<bool> is_needed(recording.nodes.size(), false);
@@ -39,7 +40,7 @@ void print_nodes(const Recording& recording, const std::vector<int>& results, Pr
   std::cout << "]";
 }
 
-/// Records the expressions over inputs of which the maxima and errors are known.
+/// Records the expressions over inputs with known maxima and errors.
 struct Printer {
   Recording recording;
   std::vector<Input> inputs;  // node i is input i
@@ -67,8 +68,8 @@ const char* const kNames[] = {"a_x", "a_y", "a_z", "b_x", "b_y", "b_z"};
 
 Recorded input(Recording& recording) { return {&recording, recording.add('i', -1, -1)}; }
 
-/// An operation on two vectors of double-doubles, and what it would be without rounding, each with the same inputs in
-/// the same order: of double-doubles both words.
+/// Prints an operation on two vectors of double-doubles, and the same without rounding. Both have the same inputs in
+/// the same order: the two words of each double-double.
 template <class Expression>
 void print(const SumOfProducts& claim, const Expression& expression) {
   Recording words, exact;
@@ -116,7 +117,7 @@ const char* name(char operation) {
   }
 }
 
-/// An operation on double-doubles, and on words where it takes them apart. Nodes 0 and 1 are its operands.
+/// Prints an operation on double-doubles, and on their words if it uses them. Nodes 0 and 1 are its operands.
 template <class Expression>
 void print(const Quotient& claim, const Expression& expression) {
   Recording recording;

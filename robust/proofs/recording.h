@@ -4,18 +4,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/double_double.h"
 
 namespace touchstone::filtered::proofs {
 
-/// The straight line of operations that an expression carries out. Nodes are numbered in order, inputs among them.
+/// The operations that an expression carries out, in order, without branches. Nodes are numbered in this order, inputs
+/// included.
 struct Recording {
   struct Node {
-    /// '+', '-', '*', '/', 's' for a root, 'd' for the double, 'i' for an input, or 'r' for what the rounding of a node
-    /// has left out. Of double-doubles 'A', 'S', 'P' for sum, difference, product; 'h' and 'l' for the words of one,
-    /// 'e' for the one that two words are.
+    /// '+', '-', '*', '/', 's' for a root, 'd' for doubling, 'i' for an input, or 'r' for the rounding error of a node.
+    /// For double-doubles 'A', 'S', 'P' for sum, difference and product, 'h' and 'l' for the high and low word, 'e' for
+    /// the double-double made of two words.
     char operation;
-    int left, right;  ///< nodes; -1 for none
+    int left, right;  ///< nodes; -1 if unused
   };
   std::vector<Node> nodes;
 
@@ -25,13 +26,13 @@ struct Recording {
   }
 };
 
-/// A number type that computes nothing and writes down what is asked of it.
+/// A number type that computes nothing and records its operations.
 struct Recorded {
   Recording* recording;
   int node;
 
   Recorded(Recording* of, int number) : recording(of), node(number) {}
-  /// Zero, the low word of a double-double that is a word.
+  /// Makes a zero: the low word of a double-double that is one word.
   Recorded(int) : recording(nullptr), node(-1) {}  // NOLINT: it is one
 };
 
@@ -48,13 +49,13 @@ inline Recorded operator*(const Recorded& a, const Recorded& b) {
 inline Recorded operator/(const Recorded& a, const Recorded& b) {
   return {a.recording, a.recording->add('/', a.node, b.node)};
 }
-/// Twice a word.
+/// Returns twice a word.
 inline Recorded operator*(int, const Recorded& a) { return {a.recording, a.recording->add('d', a.node, -1)}; }
 inline Recorded sqrt(const Recorded& a) { return {a.recording, a.recording->add('s', a.node, -1)}; }
-/// What is recorded is recorded for numbers that are not zero.
+/// Returns false: recorded numbers are assumed to be nonzero.
 inline bool operator==(const Recorded&, int) { return false; }
 
-/// The error-free transformations of double_double.h: a rounded operation and the rest, which has no error.
+/// The error-free transformations of double_double.h: a rounded operation and its exact rounding error.
 inline DoubleWord<Recorded> with_rest(const Recorded& rounded) {
   return {rounded, {rounded.recording, rounded.recording->add('r', rounded.node, -1)}};
 }
@@ -63,7 +64,7 @@ inline DoubleWord<Recorded> two_difference(const Recorded& a, const Recorded& b)
 inline DoubleWord<Recorded> two_product(const Recorded& a, const Recorded& b) { return with_rest(a * b); }
 inline DoubleWord<Recorded> quick_two_sum(const Recorded& a, const Recorded& b) { return with_rest(a + b); }
 
-/// The words of a double-double, and the double-double of two words.
+/// Returns the words of a double-double, or the double-double of two words.
 inline DoubleWord<Recorded> words_of(Recording* recording, int number) {
   return {{recording, recording->add('h', number, -1)}, {recording, recording->add('l', number, -1)}};
 }

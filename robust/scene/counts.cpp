@@ -5,15 +5,17 @@
 
 namespace touchstone::scene {
 
-std::string_view word(Fate fate) {
-  constexpr std::array<std::string_view, kFates> words{"box", "known", "slab", "foot", "edges", "touched"};
-  return words[static_cast<std::size_t>(fate)];
+std::string_view word(CullOutcome outcome) {
+  constexpr std::array<std::string_view, kCullOutcomes> words{"box", "known", "slab", "foot", "edges", "touched"};
+  return words[static_cast<std::size_t>(outcome)];
 }
 
-std::uint64_t FaceCounts::faces() const { return std::accumulate(fates_.begin(), fates_.end(), std::uint64_t{0}); }
+std::uint64_t FaceCounts::faces() const {
+  return std::accumulate(outcomes_.begin(), outcomes_.end(), std::uint64_t{0});
+}
 
 FaceCounts& FaceCounts::operator+=(const FaceCounts& other) {
-  for (std::size_t i = 0; i < kFates; ++i) fates_[i] += other.fates_[i];
+  for (std::size_t i = 0; i < kCullOutcomes; ++i) outcomes_[i] += other.outcomes_[i];
   for (std::size_t i = 0; i < stages_.size(); ++i) stages_[i] += other.stages_[i];
   edges_ += other.edges_;
   edges_looked_at_ += other.edges_looked_at_;

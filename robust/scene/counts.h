@@ -6,64 +6,65 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robust/filtered/stage.h"
+#include "../filtered/stage.h"
 
 namespace touchstone::scene {
 
-/// What settled a face for a question about a ball: for each face exactly one, the first that applies.
+/// The test that settled a face in a query with a ball. Each face has exactly one outcome, the first that applies.
 ///
-/// Slab to Touched are decided exactly: they depend on the ball and the face alone, but for Foot and Edges of polygons,
-/// which depend on the polygon's own hierarchy too. For `nearest` the ball is the one about the centre that has shrunk
-/// to little more than the distance of the nearest face met so far.
-enum class Fate {
-  Box,      ///< never come to: some box of the object's hierarchy misses the ball
-  Known,    ///< no box misses the ball, but the answer was known by then (`touches` alone)
-  Slab,     ///< the ball does not reach the face's supporting plane
-  Foot,     ///< it does, but no edge needed a look. Triangle: the foot is beyond the line of an edge, and the ball does
-            ///< not reach that line. Polygon: the part of the plane in the ball meets no leaf of the edges' hierarchy,
-            ///< and the foot is outside
-  Edges,    ///< the foot is outside, and the edges that were looked at are out of the ball
-  Touched,  ///< the ball touches the face; for `nearest` it was a candidate then
+/// Slab to Touched are decided exactly and depend only on the ball and the face, except that Foot and Edges of a
+/// polygon also depend on the polygon's own hierarchy. In `nearest` the ball is the one about the centre that has
+/// shrunk to little more than the distance of the nearest face found so far.
+enum class CullOutcome {
+  Box,    ///< not tested: some box of the object's hierarchy misses the ball
+  Known,  ///< not tested: no box misses the ball, but the answer was already known (`touches` only)
+  Slab,   ///< the ball does not reach the face's supporting plane
+  Foot,   ///< the ball reaches the plane, but no edge had to be examined. Triangle: the foot is beyond the line of an
+          ///< edge, and the ball does not reach that line. Polygon: the disc in which the ball cuts the plane meets no
+          ///< leaf of the edges' hierarchy, and the foot is outside
+  Edges,  ///< the foot is outside, and the ball misses every edge that was examined
+  Touched,  ///< the ball touches the face; in `nearest` the face was a candidate at that time
 };
-inline constexpr std::size_t kFates = 6;  ///< how many there are
+inline constexpr std::size_t kCullOutcomes = 6;  ///< the number of outcomes
 
-/// `box`, `known`, `slab`, `foot`, `edges`, `touched`.
-[[nodiscard]] std::string_view word(Fate fate);
+/// Returns `box`, `known`, `slab`, `foot`, `edges` or `touched`.
+[[nodiscard]] std::string_view word(CullOutcome outcome);
 
-/// What became of the faces that one question, or several in sum, were about.
+/// The outcomes of all faces in one query, or in several queries together.
 ///
 /// Guarantees
-///  (1) every face asked about has one fate: the fates add up to `faces()`;
-///  (2) every face that was tested (slab, foot, edges or touched) has one stage: the stages add up to `tested()`;
-///  (3) the counts of several questions are the sum of each one's; answers are the same with and without counts;
-///  (4) one machine gives the same counts each time. Machines with other vector instructions may differ in stages and,
-///      within roundings, in boxes.
+///  (1) every face in the query has one outcome: the outcomes add up to `faces()`;
+///  (2) every face that was tested (Slab, Foot, Edges or Touched) has one stage: the stages add up to `tested()`;
+///  (3) the counts of several queries are the sum of their counts; answers are the same with and without counts;
+///  (4) the same machine returns the same counts each time. Machines with other vector instructions may differ in
+///  stages
+///      and, within rounding errors, in boxes.
 class FaceCounts {
  public:
-  /// Faces that were asked about: all of the objects.
+  /// Returns the number of faces in the query: all faces of its objects.
   [[nodiscard]] std::uint64_t faces() const;
-  /// Those of one fate.
-  [[nodiscard]] std::uint64_t faces(Fate fate) const { return fates_[static_cast<std::size_t>(fate)]; }
-  /// Faces about which the contact question was asked.
-  [[nodiscard]] std::uint64_t tested() const { return faces() - faces(Fate::Box) - faces(Fate::Known); }
-  /// Of these, those whose slowest stage was this one: later stages were never entered for them.
+  /// Returns the number of faces with an outcome.
+  [[nodiscard]] std::uint64_t faces(CullOutcome outcome) const { return outcomes_[static_cast<std::size_t>(outcome)]; }
+  /// Returns the number of faces that were tested for contact.
+  [[nodiscard]] std::uint64_t tested() const { return faces() - faces(CullOutcome::Box) - faces(CullOutcome::Known); }
+  /// Returns the number of tested faces for which this was the slowest stage used.
   [[nodiscard]] std::uint64_t tested(filtered::Stage slowest) const {
     return stages_[static_cast<std::size_t>(slowest)];
   }
-  /// Edges of the faces that were asked about.
+  /// Returns the number of edges of all faces in the query.
   [[nodiscard]] std::uint64_t edges() const { return edges_; }
-  /// Edges whose distance from the ball was needed. Triangle: all three where the foot is outside, if neither slab nor
-  /// foot settled it, else none (the first stage computes with all three either way). Polygon: those in the leaves of
-  /// its hierarchy that were come to, all where only `exact` reaches.
+  /// Returns the number of edges whose distance from the ball was needed. Triangle: all three if the foot is outside
+  /// and neither Slab nor Foot settled it, else none (the first stage computes with all three either way). Polygon: the
+  /// edges in the leaves of its hierarchy that were visited, or all edges if only `exact` can decide.
   [[nodiscard]] std::uint64_t edges_looked_at() const { return edges_looked_at_; }
 
-  /// Adds the counts of other questions.
+  /// Adds the counts of other queries.
   FaceCounts& operator+=(const FaceCounts& other);
   friend bool operator==(const FaceCounts&, const FaceCounts&) = default;
 
  private:
   friend class Tally;
-  std::array<std::uint64_t, kFates> fates_{};
+  std::array<std::uint64_t, kCullOutcomes> outcomes_{};
   std::array<std::uint64_t, filtered::kStages> stages_{};
   std::uint64_t edges_ = 0, edges_looked_at_ = 0;
 };

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/floating_point_state.h"
-#include "robust/exact/nearest_double.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/numbers/double_double.h"
-#include "robust/filtered/numbers/permanent.h"
-#include "robust/scene/rounded_sum.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/scene/detail/rounded_sum.h"
 
 namespace touchstone::scene {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using filtered::Stage;
 using filtered::two_product;
 
-/// Is every number 0, or of a magnitude within [least, largest]?
+/// Returns whether every number is 0 or has a magnitude within [least, largest].
 template <class Numbers>
 bool within(const Numbers& numbers, double least, double largest) {
   const auto magnitudes = numbers.array().abs();
@@ -29,7 +29,7 @@ bool within(const Numbers& numbers, double least, double largest) {
 
 constexpr int kSmallestExponent = -1074;
 
-/// x 2^1074, an integer.
+/// Returns x 2^1074, an integer.
 mpz_class in_smallest_units(double x) {
   constexpr int digits = 53;
   int exponent = 0;
@@ -37,7 +37,7 @@ mpz_class in_smallest_units(double x) {
   const mpz_class integer(std::ldexp(mantissa, digits));
   const int shift = exponent - digits - kSmallestExponent;
   if (shift >= 0) return mpz_class(integer << static_cast<mp_bitcnt_t>(shift));
-  return mpz_class(integer >> static_cast<mp_bitcnt_t>(-shift));  // the bits of a subnormal number that are not there
+  return mpz_class(integer >> static_cast<mp_bitcnt_t>(-shift));  // drops bits that a subnormal number does not have
 }
 
 double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis) {
@@ -48,10 +48,11 @@ double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis)
   return exact::nearest_double(sum, squared_unit);
 }
 
-/// Poses finite points one after the other. Requires round to nearest, without flush-to-zero, throughout.
+/// Poses finite points. Requires round to nearest, without flush-to-zero, during its lifetime.
 class Posing {
  public:
-  // Products of what is within are 0 or above 2^-900: no bit of them is below 2^-1074. Sums do not overflow.
+  // Products of numbers within these limits are 0 or above 2^-900, so no bit of them is below 2^-1074. Sums do not
+  // overflow.
   explicit Posing(const Pose& pose)
       : pose_(pose), within_(within(pose.rotation, 0x1p-400, 0x1p400) && within(pose.translation, 0, 0x1p1000)) {
     if (!within_ && !is_finite(pose)) throw Rejected({RejectionCode::NotFinite, "the pose is not finite"});
@@ -66,7 +67,7 @@ class Posing {
       if (in_doubles)
         rounded = rounded_sum(two_product(pose_.rotation(axis, 0), p[0]), two_product(pose_.rotation(axis, 1), p[1]),
                               two_product(pose_.rotation(axis, 2), p[2]), pose_.translation[axis]);
-      counts.count(rounded ? Stage::DoubleDouble : Stage::Unlimited);
+      counts.count(rounded ? Stage::DoubleDouble : Stage::BigInteger);
       result[axis] = rounded ? *rounded : rounded_by_integers(pose_, p, axis);
     }
     return result;
@@ -83,13 +84,13 @@ class Posing {
 
 bool is_finite(const Triangle& t) { return t.a.allFinite() && t.b.allFinite() && t.c.allFinite(); }
 
-/// Is some component of the normal surely not zero? Then a finite triangle is one.
+/// Returns whether some component of the normal is certainly not zero. A finite triangle is then valid.
 bool has_surely_normal(const Triangle& t) {
   const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
   const auto known = [](double difference) { return filtered::rounded_double(difference); };
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (filtered::sure_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
+    if (filtered::certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
       return true;
   }
   return false;

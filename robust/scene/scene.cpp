@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/floating_point_state.h"
-#include "geometry/required.h"
-#include "robust/scene/engine.h"
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/required.h"
+#include "robust/scene/detail/walks.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {
 namespace {
 
-/// What make() gives; where it throws FaceRejected, that is told of a face of an object whose set starts at `first`.
+/// Returns make(). If that throws FaceRejected, throws Rejected for the face of the object; its set starts at face
+/// `first`.
 template <class Make>
 auto made(const std::string& object, std::size_t first, const Make& make) {
   try {
@@ -65,7 +66,7 @@ Scene::~Scene() = default;
 std::uint32_t Scene::add(std::string name, Faces faces, const Pose& pose) {
   const FloatingPointState nearest;
   for (const auto& object : objects_)
-    if (object->name == name) throw std::invalid_argument("there is an object \"" + name + "\" already");
+    if (object->name == name) throw std::invalid_argument("there is already an object \"" + name + "\"");
   auto object = std::make_unique<const Object>(std::move(name), std::move(faces));
   if (!(pose == Pose())) object = moved(*object, pose);
   objects_.push_back(std::move(object));
@@ -127,7 +128,7 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
 template <class T>
 bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = engine(tally);
+  const auto& walks = fastest_walks(tally);
   return any_of(objects,
                 [&](std::uint32_t, const Object& object) {
                   return (object.has_triangles() && walks.touches_triangle(ball, object.triangles, tally)) ||
@@ -139,7 +140,7 @@ bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
 template <class T>
 std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = engine(tally);
+  const auto& walks = fastest_walks(tally);
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles())
@@ -158,13 +159,13 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   NearestSearch search(ball.center);
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
-    engine(tally).nearest_triangle(object.triangles, search, tally);
+    fastest_walks(tally).nearest_triangle(object.triangles, search, tally);
     search.enter(object.first_polygon(number));
-    engine(tally).nearest_polygon(object.polygons, search, tally);
+    fastest_walks(tally).nearest_polygon(object.polygons, search, tally);
     return false;
   });
   if (auto found = search.nearest()) return found;
-  // Faces that no ball reaches: farther than the largest double.
+  // All faces are farther than the largest double, so no ball reaches them.
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     for (std::uint32_t place = 0; place < object.triangle_count(); ++place)

@@ -11,94 +11,100 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/contact/answer.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
-#include "geometry/shapes/pose.h"
-#include "geometry/shapes/triangle.h"
-#include "robust/scene/counts.h"
+#include "../../geometry/contact/answer.h"
+#include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/polygon.h"
+#include "../../geometry/shapes/pose.h"
+#include "../../geometry/shapes/triangle.h"
+#include "counts.h"
 
-/// Many faces at once: exact contact questions about whole scenes, at a price that grows with what a ball is near.
+/// Exact contact with many faces under poses. The cost of a query grows with the number of faces near the ball.
 ///
 /// Guarantees, for every ball that `find_fault` accepts and faces that `exact::validate` accepts:
-///  (1) a face is said to be touched exactly where `exact::contact` of the ball and that face is true, whatever the
-///      caller's rounding mode and flush-to-zero setting, and however many threads a batch has; a posed object's faces
-///      are those of its posed vertices, each coordinate of R p + t rounded once to the nearest double (posing.h);
-///  (2) the nearest face is the one of least exact distance; among equal distances that of the lowest object, then of
-///      the lowest number;
-///  (3) answers depend on where objects stand, not on how they came there: moved and moved back is as before;
+///  (1) a face is reported as touched if and only if `exact::contact` of the ball and that face is true, whatever the
+///      caller's rounding mode and flush-to-zero setting, and however many threads run a batch. The faces of a posed
+///      object have posed vertices: each coordinate of R p + t is rounded once, to the nearest double (posing.h);
+///  (2) the nearest face is the one at the least exact distance; among equal distances the lowest object comes first,
+///  then
+///      the lowest face number;
+///  (3) answers depend on the current poses only: an object that is moved and moved back answers as before;
 ///  (4) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
 namespace touchstone::scene {
 
-/// The faces of an object: triangles first, then polygons, numbered together from 0.
+/// The faces of an object, numbered together from 0: first the triangles, then the polygons.
 struct Faces {
-  std::vector<Triangle> triangles;  ///< first
-  std::vector<Polygon> polygons;    ///< then
+  std::vector<Triangle> triangles;  ///< faces 0, 1, ...
+  std::vector<Polygon> polygons;    ///< the faces after the triangles
 };
 
-/// A face of an object of a scene. Ordered by object, then by number.
+/// A face of an object of a scene. Ordered by object, then by face.
 struct FaceId {
   /// @{
-  /// Their numbers, from 0.
+  /// The numbers of the object in the scene and of the face in the object, from 0.
   std::uint32_t object, face;
   /// @}
   friend auto operator<=>(const FaceId&, const FaceId&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// The face of a scene that is nearest to a centre.
+/// The face of a scene nearest to a centre.
 struct NearestFace {
-  FaceId face;            ///< the lowest of equals
-  Feature feature;        ///< of that face
-  Eigen::Vector3d point;  ///< of that face, rounded as in Answer
+  FaceId face;            ///< the lowest of several at the same distance
+  Feature feature;        ///< the feature of that face that contains the closest point
+  Eigen::Vector3d point;  ///< the closest point, rounded as in Answer
   double distance;        ///< rounded as in Answer
 };
 
-/// Objects by name, each under a pose. Asking is safe from several threads, while nothing is added or moved.
+/// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added or
+/// moved.
 class Scene {
  public:
-  Scene();  ///< no objects
+  Scene();  ///< makes a scene without objects
   /// @{
-  /// One that was moved from may only be assigned to or destroyed.
+  /// A moved-from object may only be assigned to or destroyed.
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
   /// @}
   ~Scene();
 
-  /// Returns the number of the object: objects are numbered from 0 as they are added. Throws std::invalid_argument for
-  /// a name that is taken, Rejected naming the object and the face for a triangle that exact::validate rejects as a
-  /// polygon and for a polygon without a normal, and what set_pose throws. Cost: about 1 us a triangle, 0.1 us a vertex
-  /// of a polygon, and 1 to 3 us more in the first question whose ball comes near; memory: about 90 bytes a triangle,
-  /// up to 120 where they lie so that leaves hold few.
+  /// Adds an object and returns its number; objects are numbered from 0 in the order in which they are added.
+  ///
+  /// Throws std::invalid_argument if the name is taken; Rejected, naming the object and the face, for a triangle that
+  /// exact::validate rejects as a polygon and for a polygon without a normal; and whatever set_pose throws. Cost: about
+  /// 1 us per triangle; 0.1 us per vertex of a polygon, and 1 to 3 us more in the first query whose ball comes near it.
+  /// Memory: about 90 bytes per triangle, up to 120 if the triangles lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 
-  /// Moves an object from wherever it stands: its vertices are posed anew from those that were added, so nothing adds
-  /// up. Its hierarchies are refitted, or built anew where turning has made their boxes a fifth larger. Polygons are
-  /// prepared again when a ball comes near. Throws std::out_of_range for a number that no object has, and Rejected
-  /// naming the object for a pose that is not finite (`not-finite`) or a face, the lowest one, whose posed vertices
-  /// exact::validate rejects; then the object stays where it was. Cost: about 0.4 us a triangle, 1.2 us where the
-  /// hierarchy is built anew, 1.2 us a vertex of a polygon, divided among all cores but for the refitting; memory: 72
-  /// bytes more a triangle for as long as the pose is not the identity.
+  /// Sets the pose of an object. Its vertices are computed from those that were added, not from their current
+  /// positions, so errors do not accumulate. The hierarchies are refitted, or rebuilt if rotation has made their boxes
+  /// a fifth larger. Polygons are prepared again when a ball comes near.
+  ///
+  /// Throws std::out_of_range if there is no object with this number; Rejected, naming the object, if the pose is not
+  /// finite (`not-finite`) or if exact::validate rejects the posed vertices of a face (the lowest such face). The
+  /// object then keeps its pose. Cost: about 0.4 us per triangle, 1.2 us if the hierarchy is rebuilt, and 1.2 us per
+  /// vertex of a polygon; all but the refitting is divided among all cores. Memory: 72 more bytes per triangle while
+  /// the pose is not the identity.
   void set_pose(std::uint32_t object, const Pose& pose);
-  /// Where the object stands. Throws std::out_of_range, as above.
+  /// Returns the pose of an object. Throws std::out_of_range, as above.
   [[nodiscard]] const Pose& pose(std::uint32_t object) const;
 
-  /// How many objects were added.
+  /// Returns the number of objects.
   [[nodiscard]] std::size_t object_count() const { return objects_.size(); }
-  /// The name that it was added by. Throws std::out_of_range, as above.
+  /// Returns the name under which an object was added. Throws std::out_of_range, as above.
   [[nodiscard]] const std::string& name(std::uint32_t object) const;
-  /// The object of that name. Throws std::invalid_argument where there is none.
+  /// Returns the number of the object with this name. Throws std::invalid_argument if there is none.
   [[nodiscard]] std::uint32_t find(std::string_view name) const;
-  /// How many triangles and polygons it has.
+  /// Returns the number of faces of an object. Throws std::out_of_range, as above.
   [[nodiscard]] std::size_t face_count(std::uint32_t object) const;
-  /// What the object's triangles and their hierarchy occupy in memory, in bytes.
+  /// Returns the memory that the object's triangles and their hierarchy occupy, in bytes. Throws std::out_of_range, as
+  /// above.
   [[nodiscard]] std::size_t triangle_memory(std::uint32_t object) const;
 
-  /// Which objects are asked about: all, or some. Asking throws std::out_of_range for a number that no object has,
-  /// whatever the answer.
+  /// The objects that take part in a query: all, or some. A query throws std::out_of_range if one of the numbers
+  /// belongs to no object, whatever the answer.
   class Objects {
    public:
-    Objects() = default;  ///< all
-    /// Some.
+    Objects() = default;  ///< selects all objects
+    /// Selects the objects with these numbers.
     Objects(std::vector<std::uint32_t> numbers);  // NOLINT: it is a set of objects
 
    private:
@@ -106,16 +112,17 @@ class Scene {
     std::optional<std::vector<std::uint32_t>> some_;
   };
 
-  /// Does the ball touch any face?
+  /// Returns whether the ball touches any face.
   [[nodiscard]] bool touches(const Ball& ball, const Objects& objects = {}) const;
-  /// The faces that the ball touches, ascending.
+  /// Returns the faces that the ball touches, ascending.
   [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, const Objects& objects = {}) const;
-  /// The face nearest to the ball's centre; none where there is no face. Cost: a few times that of `touches` for a ball
-  /// that reaches it; each face at the very same distance that does not share the nearest vertex or edge adds 20 us.
+  /// Returns the face nearest to the ball's centre; nothing if there are no faces. Cost: a few times that of `touches`
+  /// for a ball that reaches the nearest face. Each further face at exactly the same distance adds 20 us, unless it
+  /// shares the nearest vertex or edge.
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects = {}) const;
 
   /// @{
-  /// The same questions; what became of each face is added to the counts. Cost: twice the time or more.
+  /// The same, and adds the outcome of each face to the counts. Cost: at least twice the time.
   [[nodiscard]] bool touches(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, FaceCounts& counts,
@@ -123,8 +130,8 @@ class Scene {
   /// @}
 
   /// @{
-  /// The same for many balls, by all cores of the machine: answer i is that of ball i. Throws std::invalid_argument for
-  /// spans of different lengths.
+  /// The same for many balls, on all cores of the machine: answer i is that of ball i. Throws std::invalid_argument if
+  /// the spans differ in length.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;
@@ -137,16 +144,16 @@ class Scene {
 
   /// Throws std::out_of_range, as above.
   [[nodiscard]] const Object& at(std::uint32_t number) const;
-  /// Throws it for a number among these that no object has.
+  /// Throws std::out_of_range if one of these numbers belongs to no object.
   void expect(const Objects& objects) const;
-  /// The object under another pose.
+  /// Returns the object under another pose.
   static std::unique_ptr<const Object> moved(const Object& object, const Pose& pose);
 
-  /// Calls f(number, object) for each of these, ascending; stops where it returns true, and returns that.
+  /// Calls f(number, object) for each of these, ascending. Stops if it returns true, and returns whether it did.
   template <class F>
   bool any_of(const Objects& objects, const F& f) const;
 
-  // The questions for one way of counting.
+  // The queries, for one way of counting.
   template <class T>
   bool touches(const Ball& ball, const Objects& objects, T& tally) const;
   template <class T>

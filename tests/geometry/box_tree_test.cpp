@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/scene/box_tree.h"
+#include "geometry/bvh/box_tree.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "geometry/io/mesh_formats.h"
-#include "tests/geometry/mesh_fixture.h"
+#include "geometry/io/detail/mesh_formats.h"
 #include "tests/experiments/support/address_sanitizer.h"
+#include "tests/geometry/mesh_fixture.h"
 
 namespace touchstone::geometry_tests {
 namespace {

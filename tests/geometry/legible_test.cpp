@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 #include <gtest/gtest.h>
 

@@ -36,7 +36,7 @@ TEST(ReadMesh, NamesAnExtensionThatItDoesNotKnow) {
     (void)read_mesh(file.path(), OnFault::Skip);
     FAIL();
   } catch (const BrokenMesh& broken) {
-    EXPECT_EQ(after_file(file, broken.what()), "the extension '.step' is none of .obj, .off, .stl and .ply");
+    EXPECT_EQ(after_file(file, broken.what()), "unknown extension '.step'; expected .obj, .off, .stl or .ply");
   }
 }
 
@@ -49,7 +49,7 @@ TEST(ReadMesh, AnEmptyFileIsOfNoFormatButObj) {
   EXPECT_EQ(fault(".obj", ""), "the file has no face");
   EXPECT_EQ(fault(".off", ""), "line 1: the file is truncated: expected 'OFF'");
   EXPECT_EQ(fault(".stl", ""), "line 1: the file is truncated: expected 'solid'");
-  EXPECT_EQ(fault(".ply", ""), "line 1: the file is truncated: its header has no end");
+  EXPECT_EQ(fault(".ply", ""), "line 1: the file is truncated: its header has no 'end_header'");
 }
 
 TEST(ReadMesh, ReadsTheNearestDouble) {

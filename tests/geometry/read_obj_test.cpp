@@ -64,8 +64,8 @@ TEST(ReadObj, PassesOverLinesWithoutVertexOrFace) {
 // As a file in which every letter is a capital, or one of another format.
 TEST(ReadObj, NamesTheFirstWordThatItDoesNotKnowWhereNoFaceIs) {
   EXPECT_EQ(fault(".obj", "# capitals\no part\nV 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n"),
-            "line 3: 'V' is no word of OBJ; the file has no face");
-  EXPECT_EQ(fault(".obj", kObj + "F 1 2 3\n"), "line 4: 'F' is no word of OBJ; the file has no face");
+            "line 3: 'V' is not an OBJ keyword; the file has no face");
+  EXPECT_EQ(fault(".obj", kObj + "F 1 2 3\n"), "line 4: 'F' is not an OBJ keyword; the file has no face");
   EXPECT_EQ(read(".obj", kObj + "F 1 2 3\nf 1 2 3\n").faces, (Faces{{0, 1, 2}}));
 }
 
@@ -111,7 +111,7 @@ TEST(ReadObj, SkipLeavesOutWrongVerticesAndTheFacesThatNeedThem) {
   EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}, {2, 1, 0}}));
   EXPECT_EQ(result.left_out,
             (Sentences{"line 2: 'x' is not a number", "line 7: a face needs at least 3 vertices, this one has 2",
-                       "line 5: the face needs vertex 2, which is left out",
+                       "line 5: the face uses vertex 2, which was left out",
                        "line 8: vertex 9 is out of range: 4 vertices were read, numbered from 1"}));
 }
 

@@ -45,7 +45,7 @@ TEST(ReadOff, RefusesABadHeader) {
   EXPECT_EQ(fault(".off", "FOO\n1 0 0\n"), "line 1: expected 'OFF', found 'FOO'");
   EXPECT_EQ(fault(".off", "4OFF\n1 0 0\n"), "line 1: expected 'OFF', found '4OFF'");
   EXPECT_EQ(fault(".off", "OFF BINARY\n"), "line 1: 'BINARY' is not a count");
-  EXPECT_EQ(fault(".off", "OFF\n3\n"), "line 2: the line ends where a count is expected");
+  EXPECT_EQ(fault(".off", "OFF\n3\n"), "line 2: expected a count, found the end of the line");
   EXPECT_EQ(fault(".off", "OFF\n-3 1 0\n"), "line 2: the count -3 is negative");
   EXPECT_EQ(fault(".off", "OFF\n3 99999999999999999999 0\n"), "line 2: '99999999999999999999' is not a count");
   EXPECT_EQ(fault(".off", "OFF\n\n"), "line 2: the file is truncated: the counts of vertices and faces are missing");
@@ -56,7 +56,7 @@ TEST(ReadOff, RefusesAWrongCount) {
   EXPECT_EQ(fault(".off", "OFF 3 2 0\n" + kOffPoints + "3 0 1 2\n"),
             "line 5: the file is truncated: face 1 of 2 is missing");
   EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "3 0 1 2\n3 0 1 2\n"),
-            "line 6: the file goes on after what the counts promise");
+            "line 6: unexpected data after the elements that the counts declare");
   EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "4 0 1 2\n"), "line 5: expected 4 vertex numbers, found 3");
   EXPECT_EQ(fault(".off", "OFF 3 1 0\n" + kOffPoints + "-3 0 1 2\n"), "line 5: the count -3 is negative");
 }
@@ -87,7 +87,7 @@ TEST(ReadOff, SkipLeavesOutWrongLinesAndKeepsWhatCameBeforeTheEnd) {
   EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
   EXPECT_EQ(result.left_out, (Sentences{"line 3: 'inf' is not a finite double", "line 7: 'x' is not a vertex number",
                                         "line 8: the file is truncated: face 3 of 4 is missing",
-                                        "line 6: the face needs vertex 1, which is left out"}));
+                                        "line 6: the face uses vertex 1, which was left out"}));
 }
 
 }  // namespace

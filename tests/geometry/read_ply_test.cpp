@@ -158,17 +158,17 @@ TEST(ReadPly, BinaryValuesMayBeginWithTheByteOfALineEnd) {
 TEST(ReadPly, RefusesABadHeader) {
   const auto header_fault = [](const std::string& rest) { return fault(".ply", "ply\nformat ascii 1.0\n" + rest); };
   EXPECT_EQ(fault(".ply", "plot\n"), "line 1: expected 'ply', found 'plot'");
-  EXPECT_EQ(fault(".ply", "ply\nformat utf8 1.0\n"), "line 2: the format 'utf8' is not known");
+  EXPECT_EQ(fault(".ply", "ply\nformat utf8 1.0\n"), "line 2: unknown format 'utf8'");
   EXPECT_EQ(fault(".ply", "ply\n" + vertex_element("float", "0") + "end_header\n"),
             "line 6: the header has no line 'format'");
-  EXPECT_EQ(header_fault("element vertex\n"), "line 3: the line ends where a count is expected");
+  EXPECT_EQ(header_fault("element vertex\n"), "line 3: expected a count, found the end of the line");
   EXPECT_EQ(header_fault("element vertex -1\n"), "line 3: the count -1 is negative");
   EXPECT_EQ(header_fault("element vertex 99999999999999999999\n"), "line 3: '99999999999999999999' is not a count");
-  EXPECT_EQ(header_fault("element\n"), "line 3: the line ends where a name is expected");
+  EXPECT_EQ(header_fault("element\n"), "line 3: expected a name, found the end of the line");
   EXPECT_EQ(header_fault("property float x\n"), "line 3: a property comes before the first element");
-  EXPECT_EQ(header_fault("element vertex 1\nproperty int64 x\n"), "line 4: 'int64' is not a type of numbers");
-  EXPECT_EQ(header_fault("elephant\n"), "line 3: 'elephant' means nothing in a header");
-  EXPECT_EQ(header_fault("element vertex 1\n"), "line 3: the file is truncated: its header has no end");
+  EXPECT_EQ(header_fault("element vertex 1\nproperty int64 x\n"), "line 4: 'int64' is not a number type");
+  EXPECT_EQ(header_fault("elephant\n"), "line 3: 'elephant' is not a PLY header keyword");
+  EXPECT_EQ(header_fault("element vertex 1\n"), "line 3: the file is truncated: its header has no 'end_header'");
   EXPECT_EQ(header_fault("end_header\n"), "line 3: expected one element 'vertex', found 0");
   EXPECT_EQ(header_fault(vertex_element("float") + vertex_element("float") + "end_header\n"),
             "line 11: expected one element 'vertex', found 2");
@@ -184,8 +184,8 @@ TEST(ReadPly, RefusesABadHeader) {
 
 TEST(ReadPly, RefusesWrongText) {
   const std::string vertices = kAsciiTriangle + "0 0 0\n1 0 0\n0 1 0\n";
-  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n1 0\n"), "line 13: the line ends where a number is expected");
-  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0 0\n"), "line 12: the line goes on after the last property");
+  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n1 0\n"), "line 13: expected a number, found the end of the line");
+  EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0 0\n"), "line 12: unexpected values after the last property");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 1e400\n"), "line 12: '1e400' is not a finite double");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 zero\n"), "line 12: 'zero' is not a number");
   EXPECT_EQ(fault(".ply", kAsciiTriangle + "0 0 0\n"), "line 12: the file is truncated: vertex 1 of 3 is missing");
@@ -195,7 +195,8 @@ TEST(ReadPly, RefusesWrongText) {
   EXPECT_EQ(fault(".ply", vertices + "2 0 1\n"), "line 15: a face needs at least 3 vertices, this one has 2");
   EXPECT_EQ(fault(".ply", vertices + "3 0 1 3\n"),
             "line 15: vertex 3 is out of range: 3 vertices were read, numbered from 0");
-  EXPECT_EQ(fault(".ply", vertices + "3 0 1 2\n3 0 1 2\n"), "line 16: the file goes on after what the counts promise");
+  EXPECT_EQ(fault(".ply", vertices + "3 0 1 2\n3 0 1 2\n"),
+            "line 16: unexpected data after the elements that the counts declare");
 }
 
 TEST(ReadPly, SkipLeavesOutWrongLines) {
@@ -206,7 +207,7 @@ TEST(ReadPly, SkipLeavesOutWrongLines) {
   EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
   EXPECT_EQ(result.left_out,
             (Sentences{"line 13: 'nan' is not a finite double", "line 17: expected 3 vertex numbers, found 2",
-                       "line 16: the face needs vertex 1, which is left out"}));
+                       "line 16: the face uses vertex 1, which was left out"}));
 }
 
 /// Four vertices, of which the second is not finite, and three faces: the first needs that vertex, the second names one
@@ -232,7 +233,7 @@ TEST(ReadPly, NamesTheByteOfABinaryPartThatIsWrong) {
   EXPECT_EQ(result.mesh.faces, (Faces{{0, 1, 2}}));
   EXPECT_EQ(result.left_out,
             (Sentences{file.byte(24) + "a coordinate is not a finite number",
-                       file.byte(96) + "the face needs vertex 1, which is left out",
+                       file.byte(96) + "the face uses vertex 1, which was left out",
                        file.byte(100) + "vertex 4 is out of range: 4 vertices were read, numbered from 0"}));
 }
 
@@ -254,8 +255,9 @@ TEST(ReadPly, EveryTruncationOfABinaryFileIsAFaultAndKeepsWhatCameBefore) {
 
 TEST(ReadPly, RefusesBytesAfterTheLastElement) {
   const std::string header = ply_header("binary_little_endian", vertex_element("float", "1"));
-  EXPECT_EQ(fault(".ply", header + row({1.0f, 2.0f, 3.0f}) + "x"),
-            "byte " + std::to_string(header.size() + 12) + ": 1 bytes follow what the counts promise");
+  EXPECT_EQ(
+      fault(".ply", header + row({1.0f, 2.0f, 3.0f}) + "x"),
+      "byte " + std::to_string(header.size() + 12) + ": 1 bytes left over after the elements that the counts declare");
 }
 
 // After the wrong count of a list nobody knows where the next element begins.
@@ -275,10 +277,9 @@ TEST(ReadPly, AWrongCountOfABinaryListEndsTheReading) {
   expect_lost(bytes(std::int8_t{-1}), at_count + "the count -1 is negative");
   expect_lost(bytes(std::int8_t{100}) + row({0.0f, 1.0f, 2.0f}),
               at_count + "the file is truncated within a list of 100");
-  expect_lost(bytes(std::int8_t{3}) + row({0.5f, 1.0f, 2.0f}),
-              at_value + "a count or vertex number is not a whole number");
+  expect_lost(bytes(std::int8_t{3}) + row({0.5f, 1.0f, 2.0f}), at_value + "a count or vertex number is not an integer");
   expect_lost(bytes(std::int8_t{3}) + row({static_cast<float>(kNan), 1.0f, 2.0f}),
-              at_value + "a count or vertex number is not a whole number");
+              at_value + "a count or vertex number is not an integer");
 }
 
 TEST(ReadPly, AbsurdCountsCostNothing) {

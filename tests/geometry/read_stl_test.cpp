@@ -73,7 +73,7 @@ TEST(ReadStl, RefusesBinaryOfAnotherSizeThanItsCountPromises) {
   const std::string whole = binary_stl("", 2, kBinaryFacet + kBinaryFacet);
   EXPECT_EQ(fault(".stl", whole.substr(0, whole.size() - 1)),
             "byte 134: the file is truncated: facet 1 of 2 is not complete");
-  EXPECT_EQ(fault(".stl", whole + "ab"), "byte 184: 2 bytes follow what the counts promise");
+  EXPECT_EQ(fault(".stl", whole + "ab"), "byte 184: 2 bytes left over after the elements that the counts declare");
   EXPECT_EQ(fault(".stl", whole.substr(0, 50)), "byte 50: the file is truncated within its header of 84 bytes");
   EXPECT_EQ(skip(".stl", whole.substr(0, 150)).mesh.faces, (Faces{{0, 1, 2}}));
 }

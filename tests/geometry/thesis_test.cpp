@@ -29,7 +29,7 @@ const Polygon kFrame({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{3, 3, 0}, 
 /// The first three vertices lie on a line.
 const Polygon kCollinearStart({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
 
-FootPlace foot_of(double x, double y, const Polygon& polygon, const Options& options = {}) {
+PointLocation foot_of(double x, double y, const Polygon& polygon, const Options& options = {}) {
   return foot(Ball{{x, y, 0}, 1}, PreparedPolygon<>(polygon, options));
 }
 
@@ -62,7 +62,7 @@ TEST(ThesisNormal, CollinearFirstThreeVerticesMissSilently) {
   const PreparedPolygon<> first(kCollinearStart);
   EXPECT_TRUE(first.normal().array().isNaN().all());
   EXPECT_EQ(plane_side(ball, first), PlaneSide::Behind);
-  EXPECT_EQ(foot(ball, first), FootPlace::Outside);
+  EXPECT_EQ(foot(ball, first), PointLocation::Outside);
   EXPECT_FALSE(contact(ball, first));
   EXPECT_EQ(edges_hit(on_edge, first), (Edges{0, 1}));
   EXPECT_FALSE(contact(on_edge, first));
@@ -102,21 +102,21 @@ TEST(ThesisEdgesHit, AnEdgeThatVanishesInFloatIsNeverHit) {
 }
 
 TEST(ThesisFoot, TellsInsideFromOutside) {
-  EXPECT_EQ(foot_of(0.5, 0.5, kSquare), FootPlace::Inside);
-  EXPECT_EQ(foot_of(1.5, 0.5, kSquare), FootPlace::Outside);
-  EXPECT_EQ(foot_of(-3, 7, kSquare), FootPlace::Outside);
+  EXPECT_EQ(foot_of(0.5, 0.5, kSquare), PointLocation::Inside);
+  EXPECT_EQ(foot_of(1.5, 0.5, kSquare), PointLocation::Outside);
+  EXPECT_EQ(foot_of(-3, 7, kSquare), PointLocation::Outside);
 }
 
 // Two angles are 0/0, so 0; the other two add up to 90 degrees. The edges make up for it.
 TEST(ThesisFoot, AVertexIsOutside) {
-  EXPECT_EQ(foot_of(1, 1, kSquare), FootPlace::Outside);
+  EXPECT_EQ(foot_of(1, 1, kSquare), PointLocation::Outside);
   EXPECT_TRUE(contact_of({{1, 1, 0}, 0.01}, kSquare));
 }
 
 // In the notch's corner of the U the same two angles are 0, yet the others add up to more than 2 pi.
 TEST(ThesisFoot, ANotchMakesUpForAnglesThatAreNaN) {
-  EXPECT_EQ(foot_of(1, 1, kU), FootPlace::Inside);
-  EXPECT_EQ(foot_of(1, 1, kU, {.angles = Angles::Signed}), FootPlace::Outside);
+  EXPECT_EQ(foot_of(1, 1, kU), PointLocation::Inside);
+  EXPECT_EQ(foot_of(1, 1, kU, {.angles = Angles::Signed}), PointLocation::Outside);
 }
 
 // The gripper: between the jaws the unsigned angles add up to 2 pi at the mouth and to more within.
@@ -124,8 +124,8 @@ TEST(ThesisAngles, UnsignedFillsTheNotchOfAU) {
   for (int i = 1; i < 16; ++i)
     for (int j = 1; j < 32; ++j) {
       const double x = 1 + i / 16., y = 1 + j / 16.;
-      EXPECT_EQ(foot_of(x, y, kU, {.angles = Angles::Unsigned}), FootPlace::Inside) << x << ", " << y;
-      EXPECT_EQ(foot_of(x, y, kU, {.angles = Angles::Signed}), FootPlace::Outside) << x << ", " << y;
+      EXPECT_EQ(foot_of(x, y, kU, {.angles = Angles::Unsigned}), PointLocation::Inside) << x << ", " << y;
+      EXPECT_EQ(foot_of(x, y, kU, {.angles = Angles::Signed}), PointLocation::Outside) << x << ", " << y;
     }
 }
 
@@ -134,9 +134,9 @@ TEST(ThesisAngles, SignedKnowsEitherOrientation) {
   for (const Polygon& u : {kU, reversed})
     for (const Normal normal : {Normal::FirstThreeVertices, Normal::Newell}) {
       const Options options{.angles = Angles::Signed, .normal = normal};
-      EXPECT_EQ(foot_of(0.5, 2, u, options), FootPlace::Inside);
-      EXPECT_EQ(foot_of(1.5, 2, u, options), FootPlace::Outside);
-      EXPECT_EQ(foot_of(4, 2, u, options), FootPlace::Outside);
+      EXPECT_EQ(foot_of(0.5, 2, u, options), PointLocation::Inside);
+      EXPECT_EQ(foot_of(1.5, 2, u, options), PointLocation::Outside);
+      EXPECT_EQ(foot_of(4, 2, u, options), PointLocation::Outside);
     }
 }
 
@@ -149,11 +149,11 @@ TEST(ThesisMatchFactor, TakesInABandOutsideEachEdge) {
     const Polygon square({{0, 0, 0}, {length, 0, 0}, {length, length, 0}, {0, length, 0}});
     const Polygon triangle({{0, 0, 0}, {length, 0, 0}, {0, length, 0}});
     for (const Polygon& polygon : {square, triangle}) {
-      EXPECT_EQ(foot_of(length / 2, -0.00780 * length, polygon), FootPlace::Inside);
-      EXPECT_EQ(foot_of(length / 2, -0.00790 * length, polygon), FootPlace::Outside);
-      EXPECT_EQ(foot_of(length / 2, -band * (1 - 1e-9) * length, polygon), FootPlace::Inside);
-      EXPECT_EQ(foot_of(length / 2, -band * (1 + 1e-9) * length, polygon), FootPlace::Outside);
-      EXPECT_EQ(foot_of(length / 2, -0.00780 * length, polygon, {.match_factor = 0.9999}), FootPlace::Outside);
+      EXPECT_EQ(foot_of(length / 2, -0.00780 * length, polygon), PointLocation::Inside);
+      EXPECT_EQ(foot_of(length / 2, -0.00790 * length, polygon), PointLocation::Outside);
+      EXPECT_EQ(foot_of(length / 2, -band * (1 - 1e-9) * length, polygon), PointLocation::Inside);
+      EXPECT_EQ(foot_of(length / 2, -band * (1 + 1e-9) * length, polygon), PointLocation::Outside);
+      EXPECT_EQ(foot_of(length / 2, -0.00780 * length, polygon, {.match_factor = 0.9999}), PointLocation::Outside);
     }
   }
 }
@@ -163,8 +163,8 @@ TEST(ThesisMatchFactor, OneLosesPointsInside) {
   int lost = 0;
   for (int i = 1; i < 64; ++i)
     for (int j = 1; j < 64; ++j) {
-      EXPECT_EQ(foot_of(i / 64., j / 64., kSquare, {.match_factor = 0.9999}), FootPlace::Inside);
-      lost += foot_of(i / 64., j / 64., kSquare, {.match_factor = 1}) == FootPlace::Outside;
+      EXPECT_EQ(foot_of(i / 64., j / 64., kSquare, {.match_factor = 0.9999}), PointLocation::Inside);
+      lost += foot_of(i / 64., j / 64., kSquare, {.match_factor = 1}) == PointLocation::Outside;
     }
   EXPECT_GT(lost, 0);  // 155 of 3969 with glibc 2.36
 }
@@ -180,8 +180,8 @@ TEST(ThesisMatchFactor, ABoundingBoxRemovesFalseHits) {
 TEST(ThesisArc, CosineLosesAnAngleOnAnEdge) {
   const Polygon triangle({{0, 0, 0}, {3, 1, 0}, {1, 3, 0}});
   const double t = 15 / 64.;
-  EXPECT_EQ(foot_of(3 * t, t, triangle, {.arc = Arc::Cosine}), FootPlace::Outside);
-  EXPECT_EQ(foot_of(3 * t, t, triangle, {.arc = Arc::Tangent}), FootPlace::Inside);
+  EXPECT_EQ(foot_of(3 * t, t, triangle, {.arc = Arc::Cosine}), PointLocation::Outside);
+  EXPECT_EQ(foot_of(3 * t, t, triangle, {.arc = Arc::Tangent}), PointLocation::Inside);
 }
 
 // Points rounded to float on an edge of a random triangle of size 1000: where acos is NaN, and only there, the cosine
@@ -199,8 +199,8 @@ TEST(ThesisArc, CosineIsNaNForAboutAQuarterOfPointsOnAnEdgeInFloat) {
     const Eigen::Vector3d a = vertex(), b = vertex(), c = vertex();
     const Ball ball{a + random.unit() * (b - a), 1};
     const Polygon triangle({a, b, c});
-    lost += foot(ball, PreparedPolygon<float>(triangle)) == FootPlace::Outside;
-    EXPECT_EQ(foot(ball, PreparedPolygon<float>(triangle, {.arc = Arc::Tangent})), FootPlace::Inside);
+    lost += foot(ball, PreparedPolygon<float>(triangle)) == PointLocation::Outside;
+    EXPECT_EQ(foot(ball, PreparedPolygon<float>(triangle, {.arc = Arc::Tangent})), PointLocation::Inside);
   }
   const double share = static_cast<double>(lost) / static_cast<double>(samples);
   RecordProperty("share_of_nan", std::to_string(share));
@@ -209,9 +209,9 @@ TEST(ThesisArc, CosineIsNaNForAboutAQuarterOfPointsOnAnEdgeInFloat) {
 
 // Chosen for holes: inside the outer loop and inside no hole; the edges of holes count.
 TEST(ThesisHoles, AreLeftOut) {
-  EXPECT_EQ(foot_of(1.5, 1.5, kFrame), FootPlace::Inside);
-  EXPECT_EQ(foot_of(4, 4, kFrame), FootPlace::Outside);
-  EXPECT_EQ(foot_of(9, 4, kFrame), FootPlace::Outside);
+  EXPECT_EQ(foot_of(1.5, 1.5, kFrame), PointLocation::Inside);
+  EXPECT_EQ(foot_of(4, 4, kFrame), PointLocation::Outside);
+  EXPECT_EQ(foot_of(9, 4, kFrame), PointLocation::Outside);
   EXPECT_FALSE(contact_of({{4, 4, 0}, 0.9}, kFrame));
   EXPECT_TRUE(contact_of({{4, 4, 0}, 1.1}, kFrame));
   EXPECT_EQ(edges_hit({{4, 3.5, 0}, 0.75}, PreparedPolygon<>(kFrame)), Edges{4});

@@ -105,12 +105,12 @@ def what_is_stale_is_told(root, results, output, scratch):
     copy = scratch / "root"
     for folder in ("papers", "experiments/report", "tests/corpus"):
         shutil.copytree(root / folder, copy / folder)
-    (copy / "robust/filtered").mkdir(parents=True)
-    shutil.copy(root / "robust/filtered/bounds.h", copy / "robust/filtered")
+    (copy / "robust/filtered/detail").mkdir(parents=True)
+    shutil.copy(root / "robust/filtered/detail/bounds.h", copy / "robust/filtered/detail")
     expect(build(copy, results, output, "--no-latex").returncode == 0, "the paper cannot be built elsewhere")
     expect(build(copy, results, output, "--check").returncode == 0, "a fresh paper is called stale")
     for file, old, new in [("papers/sections/limits.tex", "Limits", "Bounds"), ("experiments/report/names.py", "slivers", "needles"),
-                           ("experiments/report/readings/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/bounds.h", "kVertex", "kVertices"),
+                           ("experiments/report/readings/near_edge.py", "<= 1", "<= 2"), ("robust/filtered/detail/bounds.h", "kVertex", "kVertices"),
                            ("tests/corpus/holes.jsonl", "\n", "\n\n")]:
         edit(copy / file, old, new)
         stale = build(copy, results, output, "--check")

@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "experiments/cases/method.h"
 #include "experiments/cell/browser/setting.h"
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/contest.h"
 #include "experiments/cell/simulation/process.h"
 #include "experiments/cell/simulation/workcell.h"
-#include "experiments/cases/method.h"
 #include "geometry/shapes/pose.h"
 #include "robust/scene/scene.h"
 
@@ -38,7 +38,7 @@ struct Recording {
 
 /// How runs are made, whatever the setting.
 struct Manner {
-  double overhang = 8;                          ///< of the balls that cover the arm, as in BallCover
+  double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
   std::vector<const cases::Method*> methods;  ///< asked of every face beside the exact answer
 };
 

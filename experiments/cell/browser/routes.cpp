@@ -8,7 +8,7 @@
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/page.h"
 #include "experiments/cell/model/cell_entry.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell::browser {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/cell/first_contact/arc.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 
 namespace touchstone::kinematics {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/cell/first_contact/integer_vector.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::kinematics {

@@ -7,10 +7,10 @@
 
 #include "experiments/cell/first_contact/arc_face.h"
 #include "experiments/cell/first_contact/arc_pieces.h"
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 #include "geometry/shapes/ball.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/lifted_box.h"
+#include "robust/scene/detail/lifted_box.h"
 
 namespace touchstone::kinematics {
 namespace {

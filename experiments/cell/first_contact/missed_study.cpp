@@ -9,11 +9,11 @@
 
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/first_contact/stepped_contact.h"
-#include "experiments/workloads/degrees.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
+#include "experiments/workloads/degrees.h"
 #include "experiments/workloads/random.h"
 
 namespace touchstone::kinematics {

@@ -29,7 +29,8 @@ Eigen::Matrix3d turn_about(const Eigen::Vector3d& axis, double degrees) {
 }  // namespace
 
 Pose link_of(const DenavitHartenberg& row) {
-  const double c = workloads::cosine(row.theta), s = workloads::sine(row.theta), ca = workloads::cosine(row.alpha), sa = workloads::sine(row.alpha);
+  const double c = workloads::cosine(row.theta), s = workloads::sine(row.theta), ca = workloads::cosine(row.alpha),
+               sa = workloads::sine(row.alpha);
   Pose pose;
   pose.rotation << c, -s * ca, s * sa,  //
       s, c * ca, -c * sa,               //

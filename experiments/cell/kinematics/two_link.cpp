@@ -21,7 +21,8 @@ std::vector<LinkAngles> TwoLinks::inverse(const Reach& point) const {
   std::vector<LinkAngles> solutions;
   for (const double side : {1.0, -1.0}) {
     const double up = to_point + side * opened;  // elevation of the first link
-    const double elevation = workloads::arc_tangent(point.up - first * workloads::sine(up), point.out - first * workloads::cosine(up));
+    const double elevation =
+        workloads::arc_tangent(point.up - first * workloads::sine(up), point.out - first * workloads::cosine(up));
     const double lean = 90 - up;
     solutions.push_back({std::remainder(lean, 360), elevation});
     if (opened == 0 || opened == 180) break;

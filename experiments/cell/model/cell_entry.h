@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 

@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "experiments/cell/model/circle.h"
-#include "geometry/floating_point_state.h"
-#include "robust/exact/nearest_double.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::cell {
 namespace {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "experiments/cell/model/read_at_most.h"
-#include "geometry/io/legible.h"
-#include "geometry/io/text_reader.h"
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/text_reader.h"
 
 namespace touchstone::cell {
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/workloads/degrees.h"
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/cell_entry.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::cell {
 namespace {

@@ -11,7 +11,7 @@ namespace touchstone::cell {
 
 /// What the solids of a cell file refer to.
 struct SolidContext {
-  workloads::Unit unit;                  ///< of the cell
+  workloads::Unit unit;               ///< of the cell
   std::filesystem::path mesh_folder;  ///< that names of mesh files are relative to
 };
 

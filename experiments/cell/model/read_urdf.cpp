@@ -17,7 +17,7 @@
 
 #include "experiments/cell/model/check_xml.h"
 #include "experiments/cell/model/read_at_most.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::cell {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "experiments/cell/model/exact_boolean.h"
 #include "geometry/io/read_mesh.h"
-#include "robust/exact/nearest_double.h"
+#include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
-#include "robust/mesh/face_plane.h"
+#include "robust/mesh/detail/face_plane.h"
 #include "robust/mesh/merge.h"
 #include "robust/scene/posing.h"
 

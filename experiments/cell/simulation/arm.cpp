@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "experiments/workloads/degrees.h"
 #include "experiments/cell/model/cell_entry.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::cell {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/lifted_box.h"
+#include "robust/scene/detail/lifted_box.h"
 
 namespace touchstone::cell {
 namespace {

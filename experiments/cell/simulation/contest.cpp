@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "experiments/cases/comparison.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "robust/scene/lifted_box.h"
+#include "robust/scene/detail/lifted_box.h"
 
 namespace touchstone::cell {
 namespace {
@@ -88,8 +88,8 @@ class Jury {
 
 }  // namespace
 
-Contest hold_contest(const Workcell& workcell, const Process& process,
-                     const std::vector<const cases::Method*>& methods, bool every_face) {
+Contest hold_contest(const Workcell& workcell, const Process& process, const std::vector<const cases::Method*>& methods,
+                     bool every_face) {
   const Obstacles& obstacles = workcell.obstacles();
   std::vector<Contested> standing = contested(obstacles.faces, obstacles.owners);
   std::vector<std::vector<Contested>> material;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/simulation/process.h"
 #include "experiments/cases/method.h"
+#include "experiments/cell/simulation/process.h"
 
 namespace touchstone::cell {
 

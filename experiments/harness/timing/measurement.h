@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/timing/contest.h"
 #include "experiments/harness/blocks.h"
+#include "experiments/harness/timing/contest.h"
 
 namespace touchstone::timing {
 
@@ -43,8 +43,8 @@ inline constexpr double kSecondsOfRepetition = 0.05;
 
 /// Times every contestant in each repetition, in turn, each beginning once in so many repetitions; so drifts of the
 /// machine's speed meet all alike, and a ratio is one of times that lie close together. (Google Benchmark would run one
-/// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries, the
-/// first ones. Fewer repetitions where stopped. Then counts wrong answers.
+/// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries,
+/// the first ones. Fewer repetitions where stopped. Then counts wrong answers.
 [[nodiscard]] Result measure(const std::string& family, const Contest& contest, unsigned repetitions,
                              const std::atomic<bool>& stop, const harness::Progress& progress,
                              double most_seconds = kSecondsOfRepetition);

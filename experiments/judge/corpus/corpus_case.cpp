@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
 #include <algorithm>
 #include <exception>
 
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::corpus {

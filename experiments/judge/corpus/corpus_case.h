@@ -39,7 +39,7 @@ struct CorpusCase {
 [[nodiscard]] const std::vector<const cases::Method*>& witnesses();
 /// Those that are wrong about a decisive key.
 [[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
-                                                                    const cases::Verdict& truth);
+                                                                  const cases::Verdict& truth);
 
 /// The case in the contract's form with its whole answer, the tag `fails:NAME` for each failing witness, and `origin`:
 /// one line.

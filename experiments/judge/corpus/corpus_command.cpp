@@ -14,18 +14,20 @@
 #include <string>
 #include <vector>
 
-#include "experiments/methods/registry.h"
-#include "experiments/judge/corpus/check.h"
-#include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/judge/corpus/make.h"
-#include "experiments/judge/corpus/shrink.h"
 #include "experiments/cases/input_lines.h"
+#include "experiments/cell/gripper.h"
+#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/write_file.h"
-#include "geometry/io/legible.h"
+#include "experiments/judge/corpus/check.h"
+#include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/judge/corpus/make.h"
+#include "experiments/judge/corpus/shrink.h"
+#include "experiments/methods/registry.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -40,7 +42,7 @@ struct MakeOptions {
 
 int make(const MakeOptions& options) {
   const harness::OutputFolder held(options.folder, "touchstone corpus make " + harness::shell_quoted(options.folder),
-                               {.force = options.force});
+                                   {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) harness::write_file(std::filesystem::path(options.folder) / name, text);
   fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));

@@ -12,8 +12,8 @@
 namespace touchstone::corpus {
 namespace {
 
-using Eigen::Vector3d;
 using cases::Verdict;
+using Eigen::Vector3d;
 using workloads::BallPlace;
 using workloads::Placement;
 using workloads::Workload;
@@ -154,10 +154,11 @@ double extent_of(const Polygon& polygon) {
 }
 
 std::string off_plane() {
-  return drawn_text({soak_stream(adversarial::Family::Outline, 190)}, [](const CorpusCase& drawn, const Verdict& truth) {
-    const Verdict& off = truth["off_plane"];
-    return off.is_number() && off.get<double>() > 0x1p-30 * extent_of(drawn.polygon);
-  });
+  return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
+                    [](const CorpusCase& drawn, const Verdict& truth) {
+                      const Verdict& off = truth["off_plane"];
+                      return off.is_number() && off.get<double>() > 0x1p-30 * extent_of(drawn.polygon);
+                    });
 }
 
 std::string holes() {

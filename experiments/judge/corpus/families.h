@@ -23,8 +23,8 @@ struct Family {
 /// In the order of the page that tells of them.
 ///
 /// A text is the same whenever and wherever it is made: cases are drawn as functions of (seed, index), or read from
-/// experiments/judge/corpus/given. It holds the exact answers. Texts throw std::runtime_error, which names the file and line,
-/// where a given case cannot be used, and std::logic_error where one is larger than kMostBytes. (Some cases of
+/// experiments/judge/corpus/given. It holds the exact answers. Texts throw std::runtime_error, which names the file and
+/// line, where a given case cannot be used, and std::logic_error where one is larger than kMostBytes. (Some cases of
 /// `soak` are drawn in long doubles: those of x86-64.)
 [[nodiscard]] const std::vector<Family>& all_families();
 

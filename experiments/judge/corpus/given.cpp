@@ -7,8 +7,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/judge/corpus/corpus_case.h"
 
 namespace touchstone::corpus {
 namespace {

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "experiments/harness/blocks.h"
+#include "experiments/harness/json/strict_json.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/families.h"
 #include "experiments/judge/corpus/page.h"
-#include "experiments/harness/json/strict_json.h"
-#include "experiments/harness/blocks.h"
 
 namespace touchstone::corpus {
 namespace {

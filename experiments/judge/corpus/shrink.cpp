@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "experiments/judge/corpus/corpus_case.h"
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/loops.h"
+#include "experiments/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -19,8 +19,8 @@
 namespace touchstone::corpus {
 namespace {
 
-using Eigen::Vector3d;
 using cases::Verdict;
+using Eigen::Vector3d;
 
 /// |x| = significand 2^exponent with an odd significand; both 0 for 0.
 struct Parts {

@@ -13,7 +13,7 @@
 
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/json/strict_json.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::regress {
 namespace {

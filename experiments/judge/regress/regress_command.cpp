@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/methods/registry.h"
 #include "experiments/cases/verdict.h"
-#include "experiments/judge/regress/baseline.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -21,8 +19,10 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/judge/regress/baseline.h"
+#include "experiments/methods/registry.h"
 #include "experiments/statistics/percent.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::commands {
@@ -181,13 +181,13 @@ int run(const Options& options) {
     const std::filesystem::path folder = options.output;
     harness::write_file(folder / "standing.csv", standing_text(*standing));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
-    harness::write_run_record(folder,
-                          {.command = command_line(options),
-                           .seed = settings.seed,
-                           .samples_asked = settings.samples,
-                           .samples_done = settings.samples,
-                           .threads = options.threads,
-                           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+    harness::write_run_record(
+        folder, {.command = command_line(options),
+                 .seed = settings.seed,
+                 .samples_asked = settings.samples,
+                 .samples_done = settings.samples,
+                 .threads = options.threads,
+                 .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   }
   return worse > 0 ? 1 : 0;
 }

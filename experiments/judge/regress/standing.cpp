@@ -53,7 +53,8 @@ std::uint64_t blocks_of(const Settings& settings) {
 }
 
 std::optional<Standing> find_standing(const Settings& settings, const std::vector<const cases::Method*>& methods,
-                                      unsigned threads, const std::atomic<bool>& stop, const harness::Progress& progress) {
+                                      unsigned threads, const std::atomic<bool>& stop,
+                                      const harness::Progress& progress) {
   const auto& families = workloads::all_families();
   const std::size_t blocks = kPlaces.size() * settings.samples;
   std::vector<Outcomes> outcomes(methods.size(), Outcomes(families.size() * settings.cases()));

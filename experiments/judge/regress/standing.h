@@ -53,9 +53,8 @@ using Standing = std::map<std::string, std::map<std::string, Outcomes>>;
 /// any number of threads; nothing where `stop` became true. `progress` is told of blocks, of which there are
 /// `blocks_of(settings)`.
 [[nodiscard]] std::optional<Standing> find_standing(const Settings& settings,
-                                                    const std::vector<const cases::Method*>& methods,
-                                                    unsigned threads, const std::atomic<bool>& stop,
-                                                    const harness::Progress& progress);
+                                                    const std::vector<const cases::Method*>& methods, unsigned threads,
+                                                    const std::atomic<bool>& stop, const harness::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
 
 /// How a method stands with a family.

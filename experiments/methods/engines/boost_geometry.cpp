@@ -40,9 +40,9 @@ class Prepared : public PreparedMethod {
     const Point2 foot = flat(ball.center - height * normal_);
     PartialAnswer answer;
     answer.stage = "boost-geometry";
-    answer.foot = bg::within(foot, flat_)       ? FootPlace::Inside
-                  : bg::covered_by(foot, flat_) ? FootPlace::Boundary
-                                                : FootPlace::Outside;
+    answer.foot = bg::within(foot, flat_)       ? PointLocation::Inside
+                  : bg::covered_by(foot, flat_) ? PointLocation::Boundary
+                                                : PointLocation::Outside;
     return answer;
   }
 

@@ -3,8 +3,8 @@
 
 namespace touchstone::methods {
 
-/// While one exists, the first SIGINT or SIGTERM ends this process with harness::kInterrupted, though not within a Writing.
-/// A second one ends it as ever. Engines end with this process (see Supervisor). One at a time.
+/// While one exists, the first SIGINT or SIGTERM ends this process with harness::kInterrupted, though not within a
+/// Writing. A second one ends it as ever. Engines end with this process (see Supervisor). One at a time.
 ///
 /// It does not wait for the judge to look: that may be reading, from a terminal or an engine, for as long as they like.
 class Interruption {

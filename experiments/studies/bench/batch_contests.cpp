@@ -20,7 +20,7 @@ constexpr std::size_t kTriangles = 1024;  // that one ball is asked about
 using Fill = std::function<void(std::span<bool> touches)>;
 
 timing::Contestant fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,
-                 const Fill& fill, std::optional<timing::Comparison> comparison = std::nullopt) {
+                         const Fill& fill, std::optional<timing::Comparison> comparison = std::nullopt) {
   const std::shared_ptr<bool[]> touches(new bool[queries]());
   const auto ask = [touches, fill](std::size_t count) {
     const std::span<bool> first(touches.get(), count);
@@ -46,8 +46,9 @@ std::shared_ptr<const std::vector<bool>> truths(std::size_t count, const Fill& f
 }
 
 std::vector<timing::Contestant> contestants(std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truth,
-                                    const Fill& fast, const Fill& single, const Fill& batch) {
-  return {fills("fast", queries, truth, fast), fills("filtered", queries, truth, single, timing::Comparison{"fast", {}}),
+                                            const Fill& fast, const Fill& single, const Fill& batch) {
+  return {fills("fast", queries, truth, fast),
+          fills("filtered", queries, truth, single, timing::Comparison{"fast", {}}),
           fills("filtered, batch", queries, truth, batch, timing::Comparison{"filtered", {}})};
 }
 
@@ -88,7 +89,8 @@ timing::Contest ball_against_triangles(const Settings& settings) {
   };
   Data drawn;
   for (std::uint64_t i = 0; i < settings.samples; ++i) {
-    const workloads::TriangleQuery query = workloads::draw_triangle_query(workloads::TriangleFamily::Random, settings.seed, i);
+    const workloads::TriangleQuery query =
+        workloads::draw_triangle_query(workloads::TriangleFamily::Random, settings.seed, i);
     if (i % kTriangles == 0) drawn.balls.push_back(query.ball);
     drawn.triangles.push_back(query.triangle);
   }

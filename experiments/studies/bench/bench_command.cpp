@@ -11,8 +11,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "experiments/studies/bench/families.h"
-#include "experiments/harness/timing/output.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -20,8 +18,10 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/timing/output.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/studies/bench/families.h"
 
 namespace touchstone::commands {
 namespace {
@@ -118,7 +118,7 @@ void write(const std::filesystem::path& folder, const Options& options, const st
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
   harness::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
-                  options.force);
+                      options.force);
 }
 
 int measure_all(const Options& options) {

@@ -23,8 +23,12 @@ struct Size {
 };
 
 const std::vector<Size>& sizes() {
-  static const std::vector<Size> list{
-      {8, {}}, {32, {}}, {128, timing::Goal{0.25}}, {1024, timing::Goal{0.08}}, {10'000, {}}, {100'000, timing::Goal{0.002}}};
+  static const std::vector<Size> list{{8, {}},
+                                      {32, {}},
+                                      {128, timing::Goal{0.25}},
+                                      {1024, timing::Goal{0.08}},
+                                      {10'000, {}},
+                                      {100'000, timing::Goal{0.002}}};
   return list;
 }
 
@@ -78,8 +82,9 @@ auto truths(const Question& question, const std::vector<Polygon>& polygons, cons
 }
 
 template <class Prepared, class Question, class Truths>
-timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries, const Truths& truths,
-                const Question& question, std::optional<timing::Comparison> comparison = std::nullopt) {
+timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries,
+                        const Truths& truths, const Question& question,
+                        std::optional<timing::Comparison> comparison = std::nullopt) {
   return contestant(
       std::move(name), queries, truths,
       [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
@@ -88,8 +93,8 @@ timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, co
 
 /// One question about the same polygons, to fast and to filtered.
 template <class Question>
-timing::Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices, const Settings& settings,
-                const Question& question, std::optional<timing::Goal> goal) {
+timing::Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices,
+                        const Settings& settings, const Question& question, std::optional<timing::Goal> goal) {
   const auto queries =
       std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
   timing::Contest contest;
@@ -115,8 +120,8 @@ timing::Contest contacts(Outline outline, const Size& size, const Settings& sett
 }
 
 template <class Prepared>
-timing::Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons, std::size_t most,
-                    std::optional<timing::Comparison> comparison = std::nullopt) {
+timing::Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons,
+                            std::size_t most, std::optional<timing::Comparison> comparison = std::nullopt) {
   const auto ask = [polygons](std::size_t count) {
     std::uint64_t made = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -136,8 +141,9 @@ timing::Contest preparations(std::size_t vertices, const Settings& settings) {
   contest.name = "preparation";
   contest.note = "all outlines";
   contest.unit = "polygon";
-  contest.contestants = {prepares<fast::PreparedPolygon<>>("fast", polygons, most),
-                         prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", {}})};
+  contest.contestants = {
+      prepares<fast::PreparedPolygon<>>("fast", polygons, most),
+      prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", {}})};
   return contest;
 }
 
@@ -164,7 +170,8 @@ timing::Contest off_plane(std::size_t vertices, const Settings& settings) {
     const auto truth = truths(kContact, polygons, queries, contest.checked);
     const bool base = moved.share == 0;
     contest.contestants.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
-                                       kContact, base ? std::nullopt : std::optional(timing::Comparison{"planar", kGoal})));
+                                       kContact,
+                                       base ? std::nullopt : std::optional(timing::Comparison{"planar", kGoal})));
   }
   return contest;
 }

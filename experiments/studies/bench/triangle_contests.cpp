@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "experiments/studies/bench/cgal.h"
 #include "experiments/methods/ericson.h"
+#include "experiments/statistics/percent.h"
+#include "experiments/studies/bench/cgal.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/workloads/lattice/triangle_queries.h"
-#include "experiments/statistics/percent.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -45,7 +45,7 @@ std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
 
 /// EPECK's objects are made before each repetition, so that none knows its exact value yet.
 timing::Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
-                          const std::shared_ptr<const std::vector<bool>>& truth) {
+                                  const std::shared_ptr<const std::vector<bool>>& truth) {
   const auto objects = std::make_shared<cgal::EpeckQueries>();
   const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
   const auto ask = [objects](std::size_t count) {
@@ -67,7 +67,8 @@ timing::Contest draw(workloads::TriangleFamily family, const Settings& settings)
   constexpr std::size_t kMostChecked = 20'000;  // a second
   TriangleQueries drawn;
   drawn.reserve(settings.samples);
-  for (std::uint64_t i = 0; i < settings.samples; ++i) drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
+  for (std::uint64_t i = 0; i < settings.samples; ++i)
+    drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
   const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
 
   timing::Contest contest;
@@ -90,7 +91,8 @@ timing::Contest draw(workloads::TriangleFamily family, const Settings& settings)
   add("fast", fast, std::nullopt);
   add("filtered", filtered, timing::Comparison{"fast", goal_of(family)});
   add("Ericson", ericson,
-      timing::Comparison{"fast", family == workloads::TriangleFamily::Random ? std::optional(timing::Goal{1, false}) : std::nullopt});
+      timing::Comparison{
+          "fast", family == workloads::TriangleFamily::Random ? std::optional(timing::Goal{1, false}) : std::nullopt});
   if (const auto goal = goal_of_epeck(family)) {
     const auto cartesian = [](const Ball& b, const Triangle& t) { return cgal::cartesian_contact(b, t); };
     const auto epick = [](const Ball& b, const Triangle& t) { return cgal::epick_contact(b, t); };

@@ -8,18 +8,18 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/harness/timing/output.h"
-#include "experiments/studies/bench_scenes/output.h"
-#include "experiments/studies/bench_scenes/study.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
-#include "experiments/harness/run_record.h"
 #include "experiments/harness/processes.h"
+#include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/timing/output.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/studies/bench_scenes/output.h"
+#include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::commands {
 namespace {
@@ -72,11 +72,11 @@ void write(const SceneOptions& options, const std::vector<SceneResult>& results,
   write_scene_tables(folder, results);
   const std::uint64_t samples = options.settings.samples;
   harness::write_run_record(folder, {.command = command_line(options),
-                                 .seed = options.settings.seed,
-                                 .samples_asked = samples,
-                                 .samples_done = stopped ? 0 : samples,
-                                 .seconds = seconds,
-                                 .interrupted = stopped});
+                                     .seed = options.settings.seed,
+                                     .samples_asked = samples,
+                                     .samples_done = stopped ? 0 : samples,
+                                     .seconds = seconds,
+                                     .interrupted = stopped});
   Json all = {{"run", read_json(folder / "run.json")},
               {"processor_features", processor_features()},
               {"absent", absent_libraries()}};

@@ -9,8 +9,8 @@
 
 #include "experiments/methods/ericson.h"
 #include "experiments/studies/bench_scenes/library.h"
+#include "geometry/bvh/box.h"
 #include "geometry/contact/fast_triangle.h"
-#include "geometry/scene/box.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -58,7 +58,9 @@ class RTreeScene : public BuiltScene {
 
   /// The triangle of the nearest box says how far others may be.
   std::uint32_t nearest(const Eigen::Vector3d& center) override {
-    const auto squared = [&](std::uint32_t triangle) { return methods::ericson_squared_distance(center, triangles_[triangle]); };
+    const auto squared = [&](std::uint32_t triangle) {
+      return methods::ericson_squared_distance(center, triangles_[triangle]);
+    };
     std::uint32_t nearest = tree_.qbegin(bg::index::nearest(point(center), 1))->second;
     double least = squared(nearest);
     const auto meet = [&](const Entry& entry) {

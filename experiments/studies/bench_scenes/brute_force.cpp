@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "experiments/methods/ericson.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::bench_scenes {

@@ -116,7 +116,8 @@ class EmbreeScene : public BuiltScene {
 
   static bool meet_for_nearest(RTCPointQueryFunctionArguments* arguments) {
     auto& search = *static_cast<Search*>(arguments->userPtr);
-    const double squared = methods::ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
+    const double squared =
+        methods::ericson_squared_distance(search.ball.center, search.scene.triangles_[arguments->primID]);
     if (!(squared < search.squared_distance)) return false;
     search.squared_distance = squared;
     search.nearest = arguments->primID;

@@ -164,7 +164,8 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
         const timing::Quartiles ns = timing::quartiles(m.nanoseconds);
         queries += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},", result.kind, result.triangles,
                                word(contest.place), word(contest.question), m.name, ns.median, ns.lower, ns.upper);
-        queries += m.ratios.empty() ? "," : fmt::format("{:.6g},{}", timing::quartiles(m.ratios).median, m.comparison->base);
+        queries +=
+            m.ratios.empty() ? "," : fmt::format("{:.6g},{}", timing::quartiles(m.ratios).median, m.comparison->base);
         queries += m.wrong ? fmt::format(",{},{}\n", m.wrong->count, m.wrong->of) : ",,\n";
       }
   }

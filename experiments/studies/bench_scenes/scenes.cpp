@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "experiments/workloads/random.h"
+#include "geometry/bvh/box.h"
 #include "geometry/io/read_mesh.h"
-#include "geometry/scene/box.h"
 #include "robust/exact/validate.h"
 
 namespace touchstone::bench_scenes {

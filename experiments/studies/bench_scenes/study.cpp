@@ -9,9 +9,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/statistics/percent.h"
+#include "experiments/studies/bench_scenes/brute_force.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -157,8 +157,9 @@ std::optional<timing::Goal> goal_of(std::size_t triangles, BallPlace place, Scen
   return timing::Goal{1};
 }
 
-timing::Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact, BallPlace place,
-                   SceneQuestion question, const Balls& balls, std::vector<std::string>& disputes, std::uint64_t seed) {
+timing::Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact,
+                           BallPlace place, SceneQuestion question, const Balls& balls,
+                           std::vector<std::string>& disputes, std::uint64_t seed) {
   constexpr std::size_t kMostChecked = 2000;
   timing::Contest contest;
   contest.name = name_of(place, question);
@@ -256,7 +257,8 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
     const Balls balls = draw(place, scene, settings, *exact->scene);
     for (const SceneQuestion question : {Any, All, Nearest}) {
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
-      const timing::Contest contest = contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
+      const timing::Contest contest =
+          contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
       harness::ProgressLine line(fmt::format("bench: {}, {}", title, contest.name), settings.repetitions);
       result.contests.push_back({place, question,
                                  measure(

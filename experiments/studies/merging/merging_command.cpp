@@ -9,9 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/studies/merging/output.h"
-#include "experiments/studies/merging/study.h"
-#include "experiments/workloads/meshes/named_meshes.h"
+#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -21,7 +19,10 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
-#include "geometry/io/legible.h"
+#include "experiments/studies/merging/output.h"
+#include "experiments/studies/merging/study.h"
+#include "experiments/workloads/meshes/named_meshes.h"
+#include "geometry/io/detail/legible.h"
 #include "geometry/io/read_mesh.h"
 
 namespace touchstone::commands {
@@ -104,12 +105,12 @@ int run(const MergeOptions& options) {
   write_polygons(folder, results);
   write_times(folder, results);
   harness::write_run_record(folder, {.command = command_line(options),
-                                 .seed = options.settings.seed,
-                                 .samples_asked = options.files.size(),
-                                 .samples_done = results.size(),
-                                 .samples_missing = options.files.size() - results.size(),
-                                 .seconds = seconds,
-                                 .interrupted = interrupted});
+                                     .seed = options.settings.seed,
+                                     .samples_asked = options.files.size(),
+                                     .samples_done = results.size(),
+                                     .samples_missing = options.files.size() - results.size(),
+                                     .seconds = seconds,
+                                     .interrupted = interrupted});
   fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
              table(options.settings, results), results.size(), options.files.size(), seconds,
              options.settings.tolerance, options.settings.balls, options.settings.seed,

@@ -8,7 +8,7 @@
 
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::merging {
 namespace {

@@ -7,9 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/methods/registry.h"
-#include "experiments/workloads/meshes/named_meshes.h"
-#include "experiments/studies/meshes/output.h"
+#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -19,7 +17,10 @@
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
-#include "geometry/io/legible.h"
+#include "experiments/methods/registry.h"
+#include "experiments/studies/meshes/output.h"
+#include "experiments/workloads/meshes/named_meshes.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -85,7 +86,7 @@ int run(Options& options) {
   write_failures(folder, settings, meshes.read, result);
   harness::write_file(folder / "left-out.txt", meshes.left_out);
   harness::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces, result.rejected.size(),
-                                 settings.threads, seconds});
+                                     settings.threads, seconds});
 
   fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
@@ -109,8 +110,7 @@ int run(Options& options) {
 }  // namespace
 
 void add_meshes(CLI::App& app, int& status) {
-  auto* command =
-      app.add_subcommand("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
+  auto* command = app.add_subcommand("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
   harness::add_meshes(*command, options->files, "Mesh files");
   harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");

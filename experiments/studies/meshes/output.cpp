@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/workloads/meshes/face_polygon.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/workloads/meshes/face_polygon.h"
 
 namespace touchstone::meshes {
 namespace {
@@ -51,10 +51,10 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
       for (std::size_t place = 0; place < kPlaces.size(); ++place)
         for (std::size_t test = 0; test < kTests.size(); ++test) {
           const Count& count = counts.methods[method].at[place][test];
-          text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(meshes[mesh].name), counts.faces,
-                              counts.rejected, settings.methods[method]->name(), word(kPlaces[place]),
-                              word(kTests[test]), count.trials, count.wrong(), count.wrongly_in,
-                              count.wrongly_out, count.boundary_missed);
+          text +=
+              fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(meshes[mesh].name), counts.faces,
+                          counts.rejected, settings.methods[method]->name(), word(kPlaces[place]), word(kTests[test]),
+                          count.trials, count.wrong(), count.wrongly_in, count.wrongly_out, count.boundary_missed);
         }
   }
   harness::write_file(folder / "meshes.csv", text);
@@ -63,8 +63,8 @@ void write_meshes(const std::filesystem::path& folder, const Settings& settings,
 void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
   std::string text = "mesh,face,code,message\n";
   for (const RejectedFace& face : result.rejected)
-    text += fmt::format("{},{},{},{}\n", harness::csv_field(meshes[face.mesh].name), face.face, word(face.rejection.code),
-                        harness::csv_field(face.rejection.message));
+    text += fmt::format("{},{},{},{}\n", harness::csv_field(meshes[face.mesh].name), face.face,
+                        word(face.rejection.code), harness::csv_field(face.rejection.message));
   harness::write_file(folder / "rejected.csv", text);
 }
 

@@ -173,7 +173,7 @@ Result run_study(const Settings& settings, const std::vector<NamedMesh>& meshes,
   for (const auto* method : settings.methods) knows_boundary.push_back(cases::knows_boundary(*method));
   std::vector<Tally> tallies(settings.threads, Tally(settings, meshes, knows_boundary));
   harness::run_blocks(blocks.size(), settings.threads, stop, progress,
-                        [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
+                      [&](unsigned thread, std::uint64_t block) { tallies[thread].ask(blocks[block]); });
 
   Result result = Tally(settings, meshes, knows_boundary).result();
   for (const NamedMesh& mesh : meshes) result.faces += face_count(settings, mesh);

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/harness/blocks.h"
-#include "experiments/cases/comparison.h"
 #include "experiments/studies/meshes/mesh_balls.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/rejection.h"

@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "experiments/studies/meshes/output.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
-#include "geometry/io/legible.h"
+#include "experiments/studies/meshes/output.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::meshes {
 namespace {

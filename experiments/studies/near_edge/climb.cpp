@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/climb.h"
 
 #include <bit>
@@ -7,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/loops.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/filtered.h"
 
@@ -61,7 +61,7 @@ bool settle(AtThreshold& at, Feature::Kind kind) {
   }
   constexpr std::int64_t kReach = std::int64_t{1} << 34;  // a nudge moves a vertex by up to 2^31 doubles
   const auto crossing = cases::find_foot_crossing(at.ball, at.moved_axis, kReach, [&](const Ball& ball) {
-    return filtered::foot(ball, polygon) == FootPlace::Outside;
+    return filtered::foot(ball, polygon) == PointLocation::Outside;
   });
   if (!crossing) return false;
   at.ball = crossing->last;

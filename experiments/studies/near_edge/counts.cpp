@@ -12,10 +12,12 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 Counts::Counts(std::size_t methods)
-    : methods_(methods), tallies_(cases::all_strata().size() * kTests.size() * methods * (cases::all_offsets().size() + 1)) {}
+    : methods_(methods),
+      tallies_(cases::all_strata().size() * kTests.size() * methods * (cases::all_offsets().size() + 1)) {}
 
 std::size_t Counts::first(std::size_t stratum, Test test, std::size_t method) const {
-  return ((stratum * kTests.size() + static_cast<std::size_t>(test)) * methods_ + method) * (cases::all_offsets().size() + 1);
+  return ((stratum * kTests.size() + static_cast<std::size_t>(test)) * methods_ + method) *
+         (cases::all_offsets().size() + 1);
 }
 
 void Counts::add(std::size_t stratum, Test test, std::size_t method, const std::vector<bool>& failed) {

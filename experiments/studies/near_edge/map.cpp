@@ -9,8 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/placement.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::near_edge {

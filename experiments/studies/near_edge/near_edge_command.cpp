@@ -7,8 +7,6 @@
 #include <memory>
 #include <optional>
 
-#include "experiments/methods/registry.h"
-#include "experiments/studies/near_edge/output.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -18,6 +16,8 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
+#include "experiments/methods/registry.h"
+#include "experiments/studies/near_edge/output.h"
 
 namespace touchstone::commands {
 namespace {
@@ -108,7 +108,8 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_),
+                    harness::Existing{.force = options_.force, .resume = options_.resume});
     const std::uint64_t before = sample();
     const double seconds_of_samples = seconds_since(begin);
     if (processes_.first()) {
@@ -122,14 +123,14 @@ class Run {
     if (!processes_.first()) return 0;
 
     harness::write_run_record(folder_, {.command = command_line(options_),
-                                    .seed = settings_.seed,
-                                    .samples_asked = settings_.samples,
-                                    .samples_done = result_.samples,
-                                    .samples_missing = result_.missing,
-                                    .threads = settings_.threads,
-                                    .seconds = seconds_since(begin),
-                                    .processes = processes_.count(),
-                                    .interrupted = interrupt_.requested()});
+                                        .seed = settings_.seed,
+                                        .samples_asked = settings_.samples,
+                                        .samples_done = result_.samples,
+                                        .samples_missing = result_.missing,
+                                        .threads = settings_.threads,
+                                        .seconds = seconds_since(begin),
+                                        .processes = processes_.count(),
+                                        .interrupted = interrupt_.requested()});
     fmt::print("{}", table(settings_, result_.counts));
     fmt::print(
         "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"
@@ -155,7 +156,7 @@ class Run {
   std::uint64_t sample() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
     result_ = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
-                         [](const Result& result) { return result.samples; });
+                             [](const Result& result) { return result.samples; });
     const std::uint64_t before = result_.samples;
     harness::ProgressLine line("near-edge: samples", settings_.samples, before);
     run_study(settings_, harness::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
@@ -173,12 +174,12 @@ class Run {
     if (options_.search == 0) return;
     const harness::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
     onsets_ = harness::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
-                         [](const Onsets& onsets) { return onsets.done; });
+                             [](const Onsets& onsets) { return onsets.done; });
     const std::uint64_t before = onsets_.done;
     {
       harness::ProgressLine line("near-edge: search", options_.search, before);
-      run_onsets(settings_, options_.search, harness::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint),
-                 onsets_);
+      run_onsets(settings_, options_.search,
+                 harness::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint), onsets_);
     }
     harness::ProgressLine line("near-edge: climbs", climb_count(settings_));
     run_climbs(

@@ -22,7 +22,8 @@ void write_bands(const std::filesystem::path& folder, const Settings& settings, 
 /// disagreements.jsonl: the first balls about which `exact` says otherwise than the truth that was used, for
 /// `touchstone judge`; empty if it never did.
 void write_disagreements(const std::filesystem::path& folder, const Result& result);
-/// map-<spot>-<test>-<distance>.csv: a line a pixel, row by row from the top: the truth and each method's verdict, in letters.
+/// map-<spot>-<test>-<distance>.csv: a line a pixel, row by row from the top: the truth and each method's verdict, in
+/// letters.
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps);
 
 /// onset.csv: a line a family (then `all`), threshold, distance, method and exponent k: of how many samples the method

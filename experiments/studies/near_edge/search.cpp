@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/search.h"
 
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <utility>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/methods/registry.h"
 #include "experiments/workloads/ulp.h"
 
 namespace touchstone::near_edge {

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "experiments/studies/near_edge/output.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
+#include "experiments/studies/near_edge/output.h"
 
 namespace touchstone::near_edge {
 namespace {
 
-std::string_view test_word(cases::Threshold threshold) { return word(cases::moves_radius(threshold) ? Test::Contact : Test::Foot); }
+std::string_view test_word(cases::Threshold threshold) {
+  return word(cases::moves_radius(threshold) ? Test::Contact : Test::Foot);
+}
 
 /// Regions that differ in their family alone.
 struct RegionGroup {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/study.h"
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <string>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -77,8 +77,8 @@ class Sample {
     const std::vector<std::string> tags{std::string(word(test)), std::string(settings_.truth->name())};
     const auto expected = cases::object_of(exact.ask(ball, cases::Question::Answer));
     return {place_.n, place_.stratum,
-            cases::to_line(cases::case_of(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball, crossing_.polygon,
-                                          tags, expected))};
+            cases::to_line(cases::case_of(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball,
+                                          crossing_.polygon, tags, expected))};
   }
 
   const Settings& settings_;

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "experiments/harness/course.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/counts.h"
 #include "experiments/studies/near_edge/disagreements.h"
-#include "experiments/harness/course.h"
 
 namespace touchstone::near_edge {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/wrong_reach.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "experiments/methods/registry.h"
 
 namespace touchstone::near_edge {
 namespace {

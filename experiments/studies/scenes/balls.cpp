@@ -12,8 +12,8 @@
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/workloads/finite.h"
 #include "experiments/workloads/random.h"
-#include "geometry/io/legible.h"
-#include "geometry/io/text_number.h"
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/text_number.h"
 
 namespace touchstone::scenes {
 namespace {

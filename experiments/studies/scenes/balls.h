@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "geometry/shapes/ball.h"
 #include "robust/scene/scene.h"
 

@@ -13,11 +13,10 @@
 namespace touchstone::scenes {
 namespace {
 
-using filtered::Stage;
 using cases::Verdict;
+using filtered::Stage;
 using scene::FaceCounts;
 using scene::FaceId;
-using scene::Fate;
 
 struct Row {
   std::string what, explained;
@@ -25,16 +24,16 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const FaceCounts& counts) {
-  const auto faces = [&](Fate fate, const char* explained) {
-    return Row{std::string(word(fate)), explained, counts.faces(fate), counts.faces()};
+  const auto faces = [&](CullOutcome outcome, const char* explained) {
+    return Row{std::string(word(outcome)), explained, counts.faces(outcome), counts.faces()};
   };
   std::vector<Row> rows{{"faces", "faces asked about", counts.faces(), counts.faces()},
-                        faces(Fate::Box, "rejected by a box of the hierarchy, never come to"),
-                        faces(Fate::Known, "passed over, the answer was known"),
-                        faces(Fate::Slab, "rejected by the slab: the plane is too far"),
-                        faces(Fate::Foot, "rejected by the foot, no edge looked at"),
-                        {"edges_missed", "rejected by the edges", counts.faces(Fate::Edges), counts.faces()},
-                        faces(Fate::Touched, "touched"),
+                        faces(CullOutcome::Box, "rejected by a box of the hierarchy, never come to"),
+                        faces(CullOutcome::Known, "passed over, the answer was known"),
+                        faces(CullOutcome::Slab, "rejected by the slab: the plane is too far"),
+                        faces(CullOutcome::Foot, "rejected by the foot, no edge looked at"),
+                        {"edges_missed", "rejected by the edges", counts.faces(CullOutcome::Edges), counts.faces()},
+                        faces(CullOutcome::Touched, "touched"),
                         {"tested", "faces tested: slab, foot, edges or touched", counts.tested(), counts.faces()}};
   for (std::size_t i = 0; i < filtered::kStages; ++i) {
     const auto stage = static_cast<Stage>(i);

@@ -11,7 +11,7 @@ namespace touchstone::scenes {
 
 /// A line of JSON: `id` and `ball` as in a case of the contract, then what was asked for: `touches`, `touched` (object
 /// and face) or `nearest` (object, face, feature, point and distance; null where there is no face). `counts` with
-/// the words of scene::Fate and filtered::Stage, if asked for. Faces have the numbers of their mesh.
+/// the words of scene::CullOutcome and filtered::Stage, if asked for. Faces have the numbers of their mesh.
 [[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
                                       const std::vector<Object>& objects, bool with_counts);
 

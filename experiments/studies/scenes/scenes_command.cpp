@@ -17,8 +17,7 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/methods/registry.h"
-#include "experiments/workloads/meshes/named_meshes.h"
+#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
@@ -28,10 +27,12 @@
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/scenes/ask.h"
 #include "experiments/studies/scenes/output.h"
+#include "experiments/workloads/meshes/named_meshes.h"
 #include "experiments/workloads/meshes/unit.h"
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
@@ -148,7 +149,8 @@ std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector
     if (choose(word)) continue;  // a name may hold commas
     for (const std::string& name : CLI::detail::split(word, ','))
       if (!choose(name))
-        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " + harness::joined(names));
+        throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " +
+                                    harness::joined(names));
   }
   if (options.objects.empty()) {
     numbers.resize(objects.size());
@@ -300,7 +302,7 @@ int run(const SceneOptions& options) {
     harness::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
     harness::write_file(folder / "left-out.txt", loaded->left_out);
     harness::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
-                                   source.count - sums.balls, options.threads, seconds, 1, interrupted});
+                                       source.count - sums.balls, options.threads, seconds, 1, interrupted});
     fmt::print("Results: {}\n", io::all_legible(folder.string()));
     harness::flush_standard_output();
   }
@@ -339,10 +341,11 @@ void add_scenes(CLI::App& app, int& status) {
       ->add_option("--objects", options->objects,
                    "Ask about these only: a name, or names separated by commas; may be given several times")
       ->allow_extra_args(false);
-  harness::add_names(*command, "--unit", options->units,
-                 "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
-                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
-                 "rounded once to the nearest double");
+  harness::add_names(
+      *command, "--unit", options->units,
+      "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
+      "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
+      "rounded once to the nearest double");
   command->add_option("--scene-unit", options->scene_unit,
                       "The unit of balls and answers (default: that of the first mesh)");
   command->add_flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");

@@ -20,7 +20,11 @@ constexpr std::uint64_t kWholeOneIn = 16;
 class Comparison {
  public:
   Comparison(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally)
-      : contestant_(contestant), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
+      : contestant_(contestant),
+        seed_(seed),
+        index_(index),
+        case_(adversarial::draw_case(seed, index)),
+        tally_(tally) {}
 
   void ask_all() {
     const exact::PreparedPolygon truth(case_.polygon);

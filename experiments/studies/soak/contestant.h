@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "robust/filtered/engine.h"
+#include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::soak {
@@ -37,20 +37,20 @@ class Contestant {
   /// The same without vector instructions.
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::baseline_engine().plain.triangle_contact(filtered::question(ball, triangle), none);
+    return filtered::baseline_kernels().plain.triangle_contact(filtered::view_of(ball, triangle), none);
   }
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_engine().plain.contact(ball, polygon.parts(), none);
+    return filtered::baseline_kernels().plain.contact(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual Answer plain_answer(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;
-    return filtered::baseline_engine().plain.answer(ball, polygon.parts(), none);
+    return filtered::baseline_kernels().plain.answer(ball, parts_of(polygon), none);
   }
   [[nodiscard]] virtual filtered::ClosestPoint plain_closest(const Eigen::Vector3d& center,
                                                              const Triangle& triangle) const {
     filtered::NoCounts none;
-    return filtered::closest(filtered::baseline_engine().plain, center, triangle, none);
+    return filtered::closest(filtered::baseline_kernels().plain, center, triangle, none);
   }
 
   [[nodiscard]] virtual Relation relation(const Ball& ball, const Prepared& polygon) const {
@@ -59,7 +59,7 @@ class Contestant {
   [[nodiscard]] virtual PlaneSide plane_side(const Ball& ball, const Prepared& polygon) const {
     return filtered::plane_side(ball, polygon);
   }
-  [[nodiscard]] virtual FootPlace foot(const Ball& ball, const Prepared& polygon) const {
+  [[nodiscard]] virtual PointLocation foot(const Ball& ball, const Prepared& polygon) const {
     return filtered::foot(ball, polygon);
   }
   [[nodiscard]] virtual std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const {

@@ -21,8 +21,8 @@
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
 #include "experiments/studies/soak/campaign.h"
-#include "experiments/workloads/adversarial/case.h"
 #include "experiments/studies/soak/output.h"
+#include "experiments/workloads/adversarial/case.h"
 
 namespace touchstone::commands {
 namespace {
@@ -66,7 +66,7 @@ int run(const Options& options, const harness::Processes& processes) {
     own.emplace(folder, command_line(options), harness::Existing{.force = options.force, .resume = options.resume});
   const harness::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
   Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
-                           [](const Tally& held) { return held.cases(); });
+                               [](const Tally& held) { return held.cases(); });
 
   const harness::Interrupt interrupt;
   const std::uint64_t before = tally.cases();
@@ -88,13 +88,13 @@ int run(const Options& options, const harness::Processes& processes) {
   write_counts(folder, tally);
   write_differences(folder, tally);
   harness::write_run_record(folder, {.command = command_line(options),
-                                 .seed = settings.seed,
-                                 .samples_asked = settings.cases,
-                                 .samples_done = done,
-                                 .threads = settings.threads,
-                                 .seconds = seconds,
-                                 .processes = processes.count(),
-                                 .interrupted = done < settings.cases});
+                                     .seed = settings.seed,
+                                     .samples_asked = settings.cases,
+                                     .samples_done = done,
+                                     .threads = settings.threads,
+                                     .seconds = seconds,
+                                     .processes = processes.count(),
+                                     .interrupted = done < settings.cases});
 
   fmt::print("{}", table(tally));
   fmt::print("{} of these cases in {:.0f} s: {:.0f} a second.\n", done - before, seconds,
@@ -115,8 +115,8 @@ int run(const Options& options, const harness::Processes& processes) {
 int print_cases(const Settings& settings) {
   for (std::uint64_t index = settings.from; index < settings.from + settings.cases; ++index) {
     const adversarial::Case drawn = adversarial::draw_case(settings.seed, index);
-    fmt::print("{}", cases::to_line(cases::case_of(adversarial::name_of_case(settings.seed, index), drawn.ball, drawn.polygon,
-                                                   {std::string(word(drawn.family))})));
+    fmt::print("{}", cases::to_line(cases::case_of(adversarial::name_of_case(settings.seed, index), drawn.ball,
+                                                   drawn.polygon, {std::string(word(drawn.family))})));
   }
   return 0;
 }

@@ -58,8 +58,8 @@ AngleMap map_angle_sums(const Outline& outline, std::size_t along) {
           map.box.bottom + map.box.height() * (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows), 0};
       const Ball ball{at, 1};
       map.points.push_back({at.x(), at.y(), angle_sum(outline, at).unsigned_sum,
-                            filtered::foot(ball, truth) != FootPlace::Outside,
-                            thesis::foot(ball, method) == FootPlace::Inside});
+                            filtered::foot(ball, truth) != PointLocation::Outside,
+                            thesis::foot(ball, method) == PointLocation::Inside});
     }
   return map;
 }

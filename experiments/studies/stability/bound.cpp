@@ -10,10 +10,10 @@
 
 #include "experiments/studies/stability/measure.h"
 #include "geometry/contact/fast.h"
-#include "robust/filtered/exact_edges.h"
-#include "robust/filtered/frame_query.h"
-#include "robust/filtered/sign_kind.h"
-#include "robust/filtered/sign_ladder.h"
+#include "robust/filtered/detail/exact_edges.h"
+#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/sign_kind.h"
+#include "robust/filtered/detail/sign_ladder.h"
 
 namespace touchstone::stability {
 namespace {
@@ -47,11 +47,11 @@ void for_each_kind(const Visit& visit) {
 /// An edge as seen from a ball, over any number type; signs.h is asked with it.
 template <class Number>
 struct View {
-  Vector3<Number> from_, edge_, normal_;
+  Vector3<Number> to_center_, edge_, normal_;
   Number radius_;
   int axis_;
 
-  [[nodiscard]] const Vector3<Number>& from() const { return from_; }
+  [[nodiscard]] const Vector3<Number>& to_center() const { return to_center_; }
   [[nodiscard]] const Vector3<Number>& edge() const { return edge_; }
   [[nodiscard]] const Vector3<Number>& normal() const { return normal_; }
   [[nodiscard]] const Number& radius() const { return radius_; }
@@ -215,7 +215,7 @@ BoundTrial::BoundTrial(const Polygon& polygon)
 void BoundTrial::observe(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                          std::vector<Observation>& observations) const {
   observe_signs_in_doubles(ball, edge, mode, bound_factor, observations);
-  const auto& frame = prepared_.parts().frame;
+  const auto& frame = parts_of(prepared_).frame;
   if (frame && std::max(largest(ball.center), ball.radius) <= frame->reachable) {
     observe_frame(ball, edge, mode, bound_factor, observations);
     observe_prepared_signs(ball, edge, bound_factor, observations);
@@ -250,14 +250,14 @@ void BoundTrial::observe_signs_in_doubles(const Ball& ball, std::size_t edge, co
 /// As ExactEdges asks them: in the frame's unit of length, lifted.
 void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, double bound_factor,
                                         std::vector<Observation>& observations) const {
-  const auto& parts = prepared_.parts();
+  const auto& parts = parts_of(prepared_);
   filtered::NoCounts none;
   const filtered::ExactEdges edges(ball, parts, none);
   if (!edges.scales()) return;
   const auto axis = static_cast<int>(edge % 3);
-  const auto seen = edges.seen(edge);
-  const filtered::EdgeInQuestion question = seen.question(axis);
-  if (!(std::max(question.maxima.from, question.maxima.edge) <= bounds::kLargest)) return;
+  const auto seen = edges.edge_view(edge);
+  const filtered::EdgeOperands operands = seen.operands(axis);
+  if (!(std::max(operands.maxima.to_center, operands.maxima.edge) <= bounds::kLargest)) return;
 
   const int exponent = parts.frame->exponent;
   const RationalVector from = exactly(ball.center) - lifted_[edge],
@@ -266,22 +266,22 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
                             scaled(exactly(ball.radius), -exponent), axis};
   for_each_kind([&](auto kind, std::size_t place) {
     const mpq_class exact = filtered::expression<kind.value>(view).value;
-    const auto permanent = filtered::expression<kind.value>(filtered::PermanentView{question});
-    const auto double_double = filtered::expression<kind.value>(filtered::DoubleDoubleView{question});
+    const auto permanent = filtered::expression<kind.value>(filtered::PermanentView{operands});
+    const auto double_double = filtered::expression<kind.value>(filtered::DoubleDoubleView{operands});
     const auto in_doubles = bounded_quantities()[kPermanentBegin + place].constant * permanent.permanent;
     observations.push_back(observation(kPermanentBegin + place, mpq_class(permanent.value), exact,
                                        bound_factor * (in_doubles + bounds::kTiny), permanent.permanent));
     const double largest_error =
-        bounds::kDoubleDoubleUnit * filtered::bound<kind.value>(question.maxima) + bounds::kTiny;
+        bounds::kDoubleDoubleUnit * filtered::bound<kind.value>(operands.maxima) + bounds::kTiny;
     observations.push_back(observation(
         kDoubleDoubleBegin + place, mpq_class(mpq_class(double_double.high) + mpq_class(double_double.low)), exact,
-        bound_factor * largest_error, filtered::bound<kind.value>(question.maxima) / constant<kind.value>()));
+        bound_factor * largest_error, filtered::bound<kind.value>(operands.maxima) / constant<kind.value>()));
   });
 }
 
 void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                                std::vector<Observation>& observations) const {
-  const filtered::Frame& frame = *prepared_.parts().frame;
+  const filtered::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
     const Environment environment(frame.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
     return quantities_in_frame(ball, frame, edge);

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "experiments/workloads/lattice/lattice_tangents.h"
 #include "experiments/studies/stability/rational.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/lattice/lattice_tangents.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/signs.h"
+#include "experiments/workloads/ulp.h"
+#include "robust/filtered/detail/signs.h"
 
 namespace touchstone::stability {
 namespace {

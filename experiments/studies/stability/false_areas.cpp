@@ -36,8 +36,8 @@ FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::
   for (std::uint64_t i = 0; i < points; ++i) {
     workloads::Random random(seed, i, stream_of(outline.name));
     const Ball ball{box.point(random), 1};
-    const bool inside = filtered::foot(ball, truth) != FootPlace::Outside;
-    const bool called = thesis::foot(ball, method) == FootPlace::Inside;
+    const bool inside = filtered::foot(ball, truth) != PointLocation::Outside;
+    const bool called = thesis::foot(ball, method) == PointLocation::Inside;
     ++area.points;
     area.right += inside && called;
     area.wrong += !inside && called;

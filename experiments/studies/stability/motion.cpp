@@ -3,7 +3,7 @@
 
 #include <gmpxx.h>
 
-#include "robust/exact/nearest_double.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::stability {
 namespace {

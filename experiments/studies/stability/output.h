@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "experiments/studies/stability/contraction.h"
+#include "experiments/studies/stability/false_areas.h"
 #include "experiments/studies/stability/onset.h"
 #include "experiments/studies/stability/summary.h"
-#include "experiments/studies/stability/false_areas.h"
 
 namespace touchstone::stability {
 

@@ -59,12 +59,8 @@ std::vector<Probe> probes_of(const Scene& scene, const Oracle& oracle) {
     const Eigen::Vector3d& asked_center = scene.asked.stands[i].center;
     const auto add = [&](double radius, Nearness nearness, std::vector<Test> tests, const Answer& truth, bool measured,
                          bool bounded) {
-      probes.push_back({{asked_center, radius},
-                        cases::PartialAnswer::of(truth, ""),
-                        nearness,
-                        std::move(tests),
-                        measured,
-                        bounded});
+      probes.push_back(
+          {{asked_center, radius}, cases::PartialAnswer::of(truth, ""), nearness, std::move(tests), measured, bounded});
     };
     if (stand.site == Stand::Site::Foot) {
       const auto place = static_cast<std::size_t>(stand.nearness);

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/methods/registry.h"
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -21,6 +20,7 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/stability/output.h"
 
 namespace touchstone::commands {
@@ -74,8 +74,10 @@ nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, axes;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
-  return {
-      {"version", kVersion}, {"seed", settings.seed}, {"method", harness::joined(methods)}, {"axes", harness::joined(axes)}};
+  return {{"version", kVersion},
+          {"seed", settings.seed},
+          {"method", harness::joined(methods)},
+          {"axes", harness::joined(axes)}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
@@ -91,7 +93,8 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_),
+                    harness::Existing{.force = options_.force, .resume = options_.resume});
     const Summary summary = study();
     Known known{.onset = onset(), .contractions = {}, .areas = {}};
     if (!processes_.first()) return 0;
@@ -110,14 +113,14 @@ class Run {
     for (const std::uint64_t count : summary.missing) missing += count;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     harness::write_run_record(folder_, {.command = command_line(options_),
-                                    .seed = settings_.seed,
-                                    .samples_asked = settings_.samples,
-                                    .samples_done = summary.samples(),
-                                    .samples_missing = missing,
-                                    .threads = settings_.threads,
-                                    .seconds = seconds,
-                                    .processes = processes_.count(),
-                                    .interrupted = stopped});
+                                        .seed = settings_.seed,
+                                        .samples_asked = settings_.samples,
+                                        .samples_done = summary.samples(),
+                                        .samples_missing = missing,
+                                        .threads = settings_.threads,
+                                        .seconds = seconds,
+                                        .processes = processes_.count(),
+                                        .interrupted = stopped});
     fmt::print("{}", table(settings_, summary, known));
     fmt::print("\n{} samples of each axis; {} polygons were not found. {:.0f} s. Tables and worst cases: {}\n",
                summary.samples(), missing, seconds, options_.output);
@@ -136,7 +139,7 @@ class Run {
   Summary study() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
     Summary summary = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
-                                 [](const Summary& held) { return held.samples(); });
+                                     [](const Summary& held) { return held.samples(); });
     harness::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
     run_study(settings_, harness::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
     return summary;
@@ -146,7 +149,7 @@ class Run {
     const std::uint64_t triangles = 10 * settings_.samples;
     const harness::Checkpoint checkpoint(folder_ / "onset-checkpoint.json", checkpoint_settings(settings_));
     Onset onset = harness::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods),
-                             [](const Onset& held) { return held.triangles(); });
+                                 [](const Onset& held) { return held.triangles(); });
     harness::ProgressLine line("stability: known results", triangles, onset.triangles());
     find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
                harness::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);

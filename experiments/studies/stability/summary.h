@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiments/harness/course.h"
-#include "experiments/studies/stability/study.h"
 #include "experiments/harness/distribution.h"
+#include "experiments/studies/stability/study.h"
 
 namespace touchstone::stability {
 

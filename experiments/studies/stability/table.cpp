@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/studies/stability/output.h"
 #include "experiments/statistics/bounded_mean.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
+#include "experiments/studies/stability/output.h"
 
 namespace touchstone::stability {
 namespace {

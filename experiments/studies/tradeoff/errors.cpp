@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/errors.h"
 
 #include <algorithm>
@@ -9,15 +8,16 @@
 #include <tuple>
 #include <utility>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/units.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::tradeoff {
 namespace {
 
+using cases::Crossing;
 using cases::Outcome;
 using cases::Test;
-using cases::Crossing;
 
 const Worst& worse(const Worst& a, const Worst& b) {
   const auto rank = [](const Worst& w) { return std::make_tuple(-w.ulps, w.n, w.stratum); };
@@ -100,9 +100,7 @@ class Study {
 
 }  // namespace
 
-cases::Test test_at(cases::Threshold threshold) {
-  return cases::moves_radius(threshold) ? Test::Contact : Test::Foot;
-}
+cases::Test test_at(cases::Threshold threshold) { return cases::moves_radius(threshold) ? Test::Contact : Test::Foot; }
 
 Tally& Tally::operator+=(const Tally& other) {
   wrong += other.wrong;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/output.h"
 
 #include <fmt/core.h>
@@ -9,6 +8,7 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/methods/registry.h"
 #include "experiments/statistics/bounded_mean.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/studies/tradeoff/band.h"

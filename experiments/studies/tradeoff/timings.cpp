@@ -44,7 +44,7 @@ std::optional<Query> draw_query(const std::vector<PlacedOutline>& outlines, work
 using Prepared = std::vector<std::unique_ptr<cases::PreparedMethod>>;  // of one method, by polygon
 
 timing::Contestant contestant(const cases::Method& method, const Prepared& prepared, const std::vector<Query>& queries,
-                             Question question) {
+                              Question question) {
   const auto ask = [&prepared, &queries, question](std::size_t count) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/harness/timing/measurement.h"
 #include "experiments/cases/method.h"
+#include "experiments/harness/timing/measurement.h"
 #include "experiments/workloads/workload.h"
 
 namespace touchstone::tradeoff {

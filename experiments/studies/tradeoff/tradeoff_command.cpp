@@ -8,7 +8,6 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/methods/registry.h"
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
@@ -19,6 +18,7 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/output.h"
 
 namespace touchstone::commands {
@@ -44,9 +44,9 @@ std::string command_line(const Options& options) {
   return fmt::format(
       "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
       "--repetitions {} --output {}{}{}",
-      harness::joined(options.methods), harness::joined(options.families), options.samples, options.seed, options.threads,
-      options.queries, options.repetitions, harness::shell_quoted(options.output), options.resume ? " --resume" : "",
-      options.no_pictures ? " --no-pictures" : "");
+      harness::joined(options.methods), harness::joined(options.families), options.samples, options.seed,
+      options.threads, options.queries, options.repetitions, harness::shell_quoted(options.output),
+      options.resume ? " --resume" : "", options.no_pictures ? " --no-pictures" : "");
 }
 
 /// What an earlier run left would belong to other data.
@@ -104,7 +104,8 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_), harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, command_line(options_),
+                    harness::Existing{.force = options_.force, .resume = options_.resume});
     const Errors errors = measure();
     if (!processes_.first()) return 0;
     remove_old(folder_);
@@ -119,14 +120,14 @@ class Run {
     if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     harness::write_run_record(folder_, {.command = command_line(options_),
-                                    .seed = settings_.seed,
-                                    .samples_asked = settings_.samples,
-                                    .samples_done = errors.samples,
-                                    .samples_missing = errors.missing,
-                                    .threads = settings_.threads,
-                                    .seconds = seconds,
-                                    .processes = processes_.count(),
-                                    .interrupted = stopped});
+                                        .seed = settings_.seed,
+                                        .samples_asked = settings_.samples,
+                                        .samples_done = errors.samples,
+                                        .samples_missing = errors.missing,
+                                        .threads = settings_.threads,
+                                        .seconds = seconds,
+                                        .processes = processes_.count(),
+                                        .interrupted = stopped});
     fmt::print("{}", table(settings_, errors, timings));
     fmt::print(
         "\n{} samples of each family, placement and threshold ({} of all were not found), {} of {} lists of {} "
@@ -141,7 +142,7 @@ class Run {
   Errors measure() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
     Errors errors = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
-                               [](const Errors& held) { return held.samples; });
+                                   [](const Errors& held) { return held.samples; });
     harness::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
     measure_errors(settings_, harness::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
     return errors;
@@ -194,7 +195,7 @@ void add_tradeoff(CLI::App& app, int& status) {
       ->capture_default_str();
   harness::add_seed(*command, options->seed, "Any number; the same gives the same questions");
   harness::add_threads(*command, options->threads,
-                   "Of each process, for the errors; they do not change them. Times: always one");
+                       "Of each process, for the errors; they do not change them. Times: always one");
   command->add_option("--queries", options->queries, "Distinct balls in each timed list")
       ->check(harness::whole_number(1, 1'000'000), "COUNT")
       ->capture_default_str();
@@ -207,9 +208,10 @@ void add_tradeoff(CLI::App& app, int& status) {
   harness::add_no_pictures(*command, options->no_pictures);
   command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
   command->callback([options, &status] {
-    status = options->redraw
-                 ? harness::run_alone([&] { return redraw(*options); })
-                 : harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
+    status =
+        options->redraw
+            ? harness::run_alone([&] { return redraw(*options); })
+            : harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
 }
 

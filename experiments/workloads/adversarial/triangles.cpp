@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "experiments/workloads/ulp.h"
-#include "robust/exact/dropped_axis.h"
+#include "robust/exact/detail/dropped_axis.h"
 
 namespace touchstone::adversarial {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::workloads {
 namespace {

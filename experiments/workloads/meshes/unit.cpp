@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "robust/exact/nearest_double.h"
+#include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::workloads {
 namespace {

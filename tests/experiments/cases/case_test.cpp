@@ -34,8 +34,8 @@ TEST(ReadCase, TakesTheExampleOfTheContract) {
 }
 
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
-  const cases::Case read = cases::read_case(object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" +
-                                     std::string(kTriangle)));
+  const cases::Case read = cases::read_case(
+      object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" + std::string(kTriangle)));
   const auto& ball = std::get<cases::Shapes>(read.content).ball;
   EXPECT_EQ(ball.center, Eigen::Vector3d(0.1, 9007199254740992.0, 0));
   EXPECT_EQ(ball.radius, 0);
@@ -141,7 +141,8 @@ TEST(ReadCase, AllowsKeysThatTheContractDoesNotKnow) {
 TEST(ReadCase, RejectsNumbersBeyondTheFiniteDoublesAfterWrongForm) {
   EXPECT_EQ(code(object(R"("id":"a\"-1e400","ball":{"center":[0,-1e400,0],"radius":1},)" + std::string(kTriangle))),
             "not-finite");
-  EXPECT_EQ(code(object(R"("id":"a","ball":{"center":[0,0,0],"radius":1e309},)" + std::string(kTriangle))), "not-finite");
+  EXPECT_EQ(code(object(R"("id":"a","ball":{"center":[0,0,0],"radius":1e309},)" + std::string(kTriangle))),
+            "not-finite");
   EXPECT_EQ(code(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,2e308]]})")), "not-finite");
   EXPECT_EQ(code(object(R"("id":"a","ball":{"center":[0,1e400],"radius":1},)" + std::string(kTriangle))),
             "malformed-case");
@@ -175,7 +176,8 @@ TEST(ReadCase, KeepsIdAndExpectationOfARejectedCase) {
 TEST(ReadCase, TakesNothingFromAMalformedExpectation) {
   for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
                                R"({"error":true,"error":true})", R"({"error":true},"expected":{"error":true})"})
-    EXPECT_FALSE(cases::read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value()) << expected;
+    EXPECT_FALSE(cases::read_case(object(R"("id":"a","expected":)" + std::string(expected))).expected.has_value())
+        << expected;
   const cases::Case sound = cases::read_case(R"({"id":"a","id":"b","expected":{"error":"malformed-case"}})");
   EXPECT_TRUE(sound.expected.has_value()) << "the duplicate key lies elsewhere";
 }

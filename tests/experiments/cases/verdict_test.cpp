@@ -35,7 +35,7 @@ TEST(Verdict, WhatIsNoFiniteNumberIsNull) {
 
 TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
   EXPECT_EQ(cases::to_line(cases::verdict_of("a\"b", "m", cases::PartialAnswer{})), R"({"id":"a\"b","method":"m"})"
-                                                                        "\n");
+                                                                                    "\n");
 }
 
 /// Does a reply meet what is expected of it?
@@ -70,9 +70,9 @@ TEST(Verdict, IndicesAreComparedAsWholeNumbers) {
 }
 
 TEST(Verdict, LengthsOfAReplyAreWrittenAsTheDoublesThatTheyMean) {
-  EXPECT_EQ(
-      cases::to_line(cases::answer_in(nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
-      "{\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
+  EXPECT_EQ(cases::to_line(cases::answer_in(
+                nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
+            "{\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-
 #include "experiments/commands.h"
 
 namespace touchstone::commands {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/judge/judge.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "experiments/methods/registry.h"
 #include "tests/experiments/judge/run_judge.h"
 
 namespace touchstone::judge_tests {

@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
-#include "experiments/methods/registry.h"
 #include "experiments/judge/judge.h"
+#include "experiments/methods/registry.h"
 
 /// Cases in, verdicts and complaints out.
 namespace touchstone::judge_tests {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "geometry/io/legible.h"
+#include "geometry/io/detail/legible.h"
 #include "tests/experiments/judge/run_judge.h"
 
 namespace touchstone::judge_tests {

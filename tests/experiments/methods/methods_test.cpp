@@ -6,14 +6,14 @@
 #include <set>
 #include <thread>
 
-#include "experiments/studies/bench/polygon_queries.h"
 #include "experiments/cases/comparison.h"
-#include "experiments/cases/verdict.h"
 #include "experiments/cases/method.h"
-#include "experiments/methods/registry.h"
 #include "experiments/cases/threshold.h"
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/methods/registry.h"
+#include "experiments/studies/bench/polygon_queries.h"
 #include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"
@@ -162,7 +162,8 @@ TEST(FastScalars, ErrLessTheWiderTheyAre) {
       ASSERT_TRUE(crossing);
       const auto prepared = find_method(name)->prepare(crossing->polygon);
       for (std::size_t i = 0; i < crossing->balls.size(); ++i)
-        if (prepared->ask(crossing->balls[i], cases::Question::Contact).contact != crossing->truths[i].contact) ++wrong.back();
+        if (prepared->ask(crossing->balls[i], cases::Question::Contact).contact != crossing->truths[i].contact)
+          ++wrong.back();
     }
   }
   for (std::size_t i = 1; i < wrong.size(); ++i) EXPECT_LT(wrong[i], wrong[i - 1]) << i;
@@ -184,7 +185,7 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
       EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, cases::Question::Contact).contact, false) << method->name();
     }
     // Engines of others answer one of these questions, ours all.
-    EXPECT_EQ(whole.foot.value_or(FootPlace::Inside), FootPlace::Inside) << method->name();
+    EXPECT_EQ(whole.foot.value_or(PointLocation::Inside), PointLocation::Inside) << method->name();
     EXPECT_EQ(whole.plane.value_or(PlaneSide::Intersects), PlaneSide::Intersects) << method->name();
     EXPECT_EQ(whole.edges_hit.value_or(std::vector<std::size_t>{}), std::vector<std::size_t>{}) << method->name();
   }

@@ -132,8 +132,8 @@ TEST_P(WronglyInside, NothingIsMissedWithAFactorOfOne) {
   for (std::uint64_t i = 0; i < scaled(kStatedPoints) / 4; ++i) {
     workloads::Random random(kSeed, i);
     const Ball ball{box.point(random), 1};
-    if (fast::foot(ball, truth) != FootPlace::Outside) {
-      EXPECT_EQ(thesis::foot(ball, whole_turn), FootPlace::Inside) << ball.center.transpose();
+    if (fast::foot(ball, truth) != PointLocation::Outside) {
+      EXPECT_EQ(thesis::foot(ball, whole_turn), PointLocation::Inside) << ball.center.transpose();
     }
   }
 }

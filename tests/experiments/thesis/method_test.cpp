@@ -23,8 +23,8 @@ using namespace thesis_figures;
 constexpr std::uint64_t kSeed = 7, kSamples = 20 * TOUCHSTONE_SAMPLES;
 
 /// That of the cell's gripper: its mouth at the bottom.
-const stability::Outline kGripper{"gripper",
-                       {{-45, -75}, {-25, -75}, {-25, -30}, {25, -30}, {25, -75}, {45, -75}, {45, 0}, {-45, 0}}};
+const stability::Outline kGripper{
+    "gripper", {{-45, -75}, {-25, -75}, {-25, -30}, {25, -30}, {25, -75}, {45, -75}, {45, 0}, {-45, 0}}};
 
 std::size_t number_of(std::string_view method) {
   return static_cast<std::size_t>(std::ranges::find(kMethods, method) - kMethods.begin());
@@ -78,13 +78,14 @@ TEST(Flowchart, NamesTheFrontAsTheMethodDoes) {
 TEST(AngleSum, IsWhatTheMethodAddsUp) {
   for (const stability::Outline& outline : outlines()) {
     const thesis::PreparedPolygon<> method(outline.polygon());
-    const stability::Box outer = stability::bounds(outline), box = outer.enlarged(outer.width() / 2, outer.height() / 2);
+    const stability::Box outer = stability::bounds(outline),
+                         box = outer.enlarged(outer.width() / 2, outer.height() / 2);
     for (std::uint64_t i = 0; i < kSamples / 4; ++i) {
       workloads::Random random(kSeed, i);
       const Eigen::Vector3d at = box.point(random);
       const stability::AngleSum sum = stability::angle_sum(outline, at);
       if (std::abs(sum.unsigned_sum - 0.99 * 360) < 1e-6) continue;
-      EXPECT_EQ(sum.unsigned_sum >= 0.99 * 360, thesis::foot(Ball{at, 1}, method) == FootPlace::Inside)
+      EXPECT_EQ(sum.unsigned_sum >= 0.99 * 360, thesis::foot(Ball{at, 1}, method) == PointLocation::Inside)
           << outline.name << ' ' << at.transpose();
       EXPECT_NEAR(std::abs(std::remainder(sum.signed_sum, 360)), 0, 1e-9);
     }

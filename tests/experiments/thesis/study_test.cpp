@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
-#include "experiments/commands.h"
 #include "experiments/cell/kinematics/solve_layout.h"
+#include "experiments/commands.h"
 #include "experiments/thesis/drawn_cell.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "robust/filtered/numbers/integer.h"
+#include "robust/filtered/detail/numbers/integer.h"
 
 namespace touchstone::scene_tests {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/workloads/workload.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,10 +9,11 @@
 #include <set>
 
 #include "experiments/workloads/balls.h"
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/outline.h"
 #include "experiments/workloads/placement.h"
 #include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 
@@ -317,7 +316,7 @@ TEST(Sample, NearBallsHaveTheirFeatureAndTheirDistanceInDoubles) {
 }
 
 TEST(Sample, LatticeTangentBallsTouch) {
-  std::map<std::pair<Feature::Kind, FootPlace>, int> seen;
+  std::map<std::pair<Feature::Kind, PointLocation>, int> seen;
   for (Workload workload : all_workloads()) {
     if (workload.ball != BallPlace::LatticeTangent) continue;
     for (std::uint64_t i = 0; i < 20; ++i) {
@@ -338,15 +337,15 @@ TEST(Sample, LatticeTangentBallsTouch) {
     }
   }
   using enum Feature::Kind;
-  for (const auto& place : {std::pair(Face, FootPlace::Inside), std::pair(Edge, FootPlace::Boundary),
-                            std::pair(Edge, FootPlace::Outside), std::pair(Vertex, FootPlace::Boundary),
-                            std::pair(Vertex, FootPlace::Outside)})
+  for (const auto& place : {std::pair(Face, PointLocation::Inside), std::pair(Edge, PointLocation::Boundary),
+                            std::pair(Edge, PointLocation::Outside), std::pair(Vertex, PointLocation::Boundary),
+                            std::pair(Vertex, PointLocation::Outside)})
     EXPECT_GT(seen[place], 0) << word(place.first) << " " << word(place.second);
 }
 
 // The foot lies inside, outside and, on exactly planar outlines, on the boundary; the ball reaches the polygon anyway.
 TEST(Sample, FeetNearTheBoundaryFallOnEverySideOfIt) {
-  std::map<FootPlace, int> feet;
+  std::map<PointLocation, int> feet;
   for (Workload workload : all_workloads()) {
     if (workload.ball != BallPlace::FootNearEdge && workload.ball != BallPlace::FootNearVertex) continue;
     for (std::uint64_t i = 0; i < 20; ++i) {
@@ -356,9 +355,9 @@ TEST(Sample, FeetNearTheBoundaryFallOnEverySideOfIt) {
       EXPECT_EQ(answer.relation, Relation::Overlapping) << s.id;
     }
   }
-  EXPECT_GT(feet[FootPlace::Inside], 50);
-  EXPECT_GT(feet[FootPlace::Outside], 50);
-  EXPECT_GT(feet[FootPlace::Boundary], 50);
+  EXPECT_GT(feet[PointLocation::Inside], 50);
+  EXPECT_GT(feet[PointLocation::Outside], 50);
+  EXPECT_GT(feet[PointLocation::Boundary], 50);
 }
 
 TEST(Sample, LiesAsFarFromTheOriginAsAskedFor) {
@@ -409,21 +408,15 @@ TEST(Sample, RefusesWhatTheFamilyCannotGive) {
 // agree; a change of these numbers changes every experiment.
 TEST(Sample, HasTheGoldenBits) {
   const std::map<Family, std::uint64_t> golden{
-      {Family::Triangle, 0x21edb4e91b0038ee},
-      {Family::Convex, 0x6330e155c7592269},
-      {Family::Star, 0xbc26d9fae5cf4162},
-      {Family::Comb, 0xb104d9aa845a4f25},
-      {Family::Spiral, 0xc74f45a1985087ba},
-      {Family::RandomSimple, 0x6afcae7fbcab3dd7},
-      {Family::Koch, 0x8d05ff90539ac235},
-      {Family::U, 0xf38a3f43b75e6c73},
-      {Family::L, 0x95fc76ecc7b8deda},
-      {Family::E, 0x1b15c0eca50858a4},
+      {Family::Triangle, 0x21edb4e91b0038ee}, {Family::Convex, 0x6330e155c7592269},
+      {Family::Star, 0xbc26d9fae5cf4162},     {Family::Comb, 0xb104d9aa845a4f25},
+      {Family::Spiral, 0xc74f45a1985087ba},   {Family::RandomSimple, 0x6afcae7fbcab3dd7},
+      {Family::Koch, 0x8d05ff90539ac235},     {Family::U, 0xf38a3f43b75e6c73},
+      {Family::L, 0x95fc76ecc7b8deda},        {Family::E, 0x1b15c0eca50858a4},
   };
   std::map<Family, Hash> hashes;
   for (const Workload& workload : all_workloads())
-    for (std::uint64_t i = 0; i < 100; ++i)
-      hashes[workload.family].add(sample(with_holes(workload, i % 2), kSeed, i));
+    for (std::uint64_t i = 0; i < 100; ++i) hashes[workload.family].add(sample(with_holes(workload, i % 2), kSeed, i));
   for (const auto& [family, hash] : hashes)
     EXPECT_EQ(hash.value(), golden.at(family)) << word(family) << std::hex << " 0x" << hash.value();
 }

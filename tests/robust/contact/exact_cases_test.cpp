@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/exact/dropped_axis.h"
+#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/hand_cases.h"
 #include "tests/robust/support/printing.h"
@@ -44,7 +44,7 @@ TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
   const Answer on_edge = exact::answer({{1, 0, 0}, 0}, kThirds);
   EXPECT_EQ(on_edge, (Answer{PlaneSide::Intersects,
                              true,
-                             FootPlace::Boundary,
+                             PointLocation::Boundary,
                              {0},
                              Relation::Touching,
                              {Kind::Edge, 0},
@@ -54,7 +54,7 @@ TEST(ExactLift, HoldsFractionsThatNoDoubleHolds) {
   const Answer above = exact::answer({{2, -1, 3}, 3}, kThirds);  // (1, 0, 0) + N, at distance sqrt(11)
   EXPECT_EQ(above, (Answer{PlaneSide::InFront,
                            false,
-                           FootPlace::Boundary,
+                           PointLocation::Boundary,
                            {},
                            Relation::Separate,
                            {Kind::Edge, 0},
@@ -74,7 +74,7 @@ TEST(ExactLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
   const Answer answer = exact::answer({{3, 2, 1}, 1}, polygon);
   EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
                             true,
-                            FootPlace::Boundary,
+                            PointLocation::Boundary,
                             {4},
                             Relation::Touching,
                             {Kind::Edge, 4},
@@ -89,7 +89,7 @@ TEST(ExactLift, DropsTheLowestAxisOnATie) {
   EXPECT_EQ(exact::dropped_axis(polygon), 0);
   EXPECT_EQ(exact::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
                                                              false,
-                                                             FootPlace::Outside,
+                                                             PointLocation::Outside,
                                                              {0, 3},
                                                              Relation::Touching,
                                                              {Kind::Vertex, 0},
@@ -126,7 +126,7 @@ TEST(ExactExtremes, SeesATinyBallOnAHugeTriangle) {
   const Answer answer = exact::answer({center, 1e-300}, huge);
   EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
                             true,
-                            FootPlace::Inside,
+                            PointLocation::Inside,
                             {},
                             Relation::Touching,
                             {Kind::Face, 0},
@@ -142,7 +142,7 @@ TEST(ExactExtremes, SeesATinyTriangleUnderAHugeBall) {
   const Answer answer = exact::answer({{-1e300, 0, 0}, 1e300}, tiny);
   EXPECT_EQ(answer, (Answer{PlaneSide::Intersects,
                             false,
-                            FootPlace::Outside,
+                            PointLocation::Outside,
                             {0, 2},
                             Relation::Touching,
                             {Kind::Vertex, 0},
@@ -159,7 +159,7 @@ TEST(ExactExtremes, RoundsADistanceBeyondTheDoublesToInfinity) {
   EXPECT_EQ(answer.distance, kInfinity);
   EXPECT_EQ(answer.relation, Relation::Separate);
   EXPECT_EQ(answer.plane, PlaneSide::InFront);  // clockwise from above
-  EXPECT_EQ(answer.foot, FootPlace::Outside);
+  EXPECT_EQ(answer.foot, PointLocation::Outside);
   EXPECT_EQ(answer.nearest.kind, Kind::Edge);  // edge 1, between the two lesser corners
   EXPECT_TRUE(answer.point.allFinite());
 }
@@ -174,7 +174,7 @@ TEST(ExactExtremes, RoundsATinyDistanceToZeroThoughItIsPositive) {
   const Answer small = exact::answer({{kLeast, 2 * kLeast, 0}, 0}, steep);
   EXPECT_EQ(small.distance, 0);
   EXPECT_EQ(small.relation, Relation::Separate);
-  EXPECT_EQ(small.foot, FootPlace::Outside);
+  EXPECT_EQ(small.foot, PointLocation::Outside);
 }
 
 // 2^53 + 1 needs a bit more than a double: computing c - p would lose it.

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "experiments/workloads/ulp.h"
-#include "robust/exact/dropped_axis.h"
+#include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/exact.h"
 #include "tests/robust/support/generators.h"
 #include "tests/robust/support/printing.h"
@@ -234,9 +234,9 @@ RC_GTEST_PROP(ExactThreshold, NeighboursOfTheDistanceAreOnItsTwoSides, ()) {
 RC_GTEST_PROP(ExactTogether, TheThreeTestsMakeUpTheAnswer, ()) {
   const Case c = *any_case();
   const Answer a = exact::answer(c.ball, c.polygon);
-  const bool intersects = a.plane == PlaneSide::Intersects, outside = a.foot == FootPlace::Outside;
+  const bool intersects = a.plane == PlaneSide::Intersects, outside = a.foot == PointLocation::Outside;
   RC_ASSERT(a.contact() == ((intersects && !outside) || !a.edges_hit.empty()));
-  RC_ASSERT((a.foot == FootPlace::Inside) == (a.nearest.kind == Kind::Face));
+  RC_ASSERT((a.foot == PointLocation::Inside) == (a.nearest.kind == Kind::Face));
   RC_ASSERT(!a.contact() || intersects);
   RC_ASSERT(a.nearest.kind == Kind::Face || a.contact() == hits_nearest(a, c.polygon));
   RC_ASSERT(a.nearest.kind == Kind::Face || a.contact() == !a.edges_hit.empty());
@@ -260,9 +260,9 @@ RC_GTEST_PROP(ExactTogether, SingleQuestionsAgreeWithTheWholeAnswer, ()) {
   RC_ASSERT(exact::edges_hit(c.ball, c.polygon) == a.edges_hit);
 }
 
-FootPlace without(FootPlace in_region, FootPlace in_hole) {
-  if (in_hole == FootPlace::Inside) return FootPlace::Outside;
-  return in_hole == FootPlace::Boundary ? FootPlace::Boundary : in_region;
+PointLocation without(PointLocation in_region, PointLocation in_hole) {
+  if (in_hole == PointLocation::Inside) return PointLocation::Outside;
+  return in_hole == PointLocation::Boundary ? PointLocation::Boundary : in_region;
 }
 
 // Identity (10): a hole in the plane of its polygon is a difference of regions.

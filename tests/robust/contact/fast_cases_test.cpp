@@ -81,7 +81,7 @@ TEST(FastLift, MovesHolesOntoThePlaneOfTheOuterLoop) {
   const Polygon polygon({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}}, {{{2, 2, 5}, {4, 2, 5}, {4, 4, -3}}});
   EXPECT_EQ(fast::answer({{3, 2, 1}, 1}, polygon), (Answer{PlaneSide::Intersects,
                                                            true,
-                                                           FootPlace::Boundary,
+                                                           PointLocation::Boundary,
                                                            {4},
                                                            Relation::Touching,
                                                            {Kind::Edge, 4},
@@ -95,7 +95,7 @@ TEST(FastLift, DropsTheLowestAxisOnATie) {
   const Polygon polygon({{1, 0, 0}, {3, 0, -4}, {5, 4, -4}, {-1, 4, 0}});
   EXPECT_EQ(fast::answer({{0, -3, 0}, 3}, polygon), (Answer{PlaneSide::Intersects,
                                                             false,
-                                                            FootPlace::Outside,
+                                                            PointLocation::Outside,
                                                             {0, 3},
                                                             Relation::Touching,
                                                             {Kind::Vertex, 0},

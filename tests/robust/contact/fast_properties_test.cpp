@@ -41,8 +41,8 @@ RC_GTEST_PROP(FastRadius, GrowingItLosesNothing, ()) {
   RC_ASSERT(after.relation >= before.relation);
   RC_ASSERT(fast::relation(larger, polygon) >= fast::relation(c.ball, polygon));
   RC_ASSERT(before.plane != PlaneSide::Intersects || after.plane == PlaneSide::Intersects);
-  RC_ASSERT(std::includes(after.edges_hit.begin(), after.edges_hit.end(), before.edges_hit.begin(),
-                          before.edges_hit.end()));
+  RC_ASSERT(
+      std::includes(after.edges_hit.begin(), after.edges_hit.end(), before.edges_hit.begin(), before.edges_hit.end()));
 }
 
 /// The foot of the perpendicular, nearly.
@@ -129,7 +129,8 @@ bool far_from_every_boundary(const Case& c, const Answer& here, const exact::Pre
 /// Samples whose radius has left the threshold.
 rc::Gen<Case> off_the_threshold() {
   const Draw draw{.balls = {BallPlace::Anywhere, BallPlace::NearFace, BallPlace::NearEdge, BallPlace::NearVertex},
-                  .farthest = 0x1p10, .largest_exponent = 100};
+                  .farthest = 0x1p10,
+                  .largest_exponent = 100};
   return rc::gen::exec([draw] {
     Case c = *samples(draw);
     c.ball.radius *= *rc::gen::element(0.25, 0.75, 0.999, 1.001, 1.25, 2.0);
@@ -175,12 +176,11 @@ RC_GTEST_PROP(FastAgainstExact, EqualOnSmallIntegers, ()) {
 
 // Loops that are planar by construction are left where they are, whatever the frame: the lift is no noise.
 RC_GTEST_PROP(FastLift, LeavesPlanarLoopsWhereTheyAre, ()) {
-  const Case c = *samples({.placements = {workloads::Placement::LatticeFrame}, .largest_warp = 0,
-                           .largest_exponent = 100});
+  const Case c =
+      *samples({.placements = {workloads::Placement::LatticeFrame}, .largest_warp = 0, .largest_exponent = 100});
   const fast::PreparedPolygon<> polygon(c.polygon);
   RC_ASSERT(polygon.off_plane() == 0);
-  for (std::size_t i = 0; i < c.polygon.vertex_count(); ++i)
-    RC_ASSERT(polygon.edges()[i].start == c.polygon.vertex(i));
+  for (std::size_t i = 0; i < c.polygon.vertex_count(); ++i) RC_ASSERT(polygon.edges()[i].start == c.polygon.vertex(i));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding of quotients and of their roots: by hand, against MPFR, and against the definition of "nearest".
-#include "robust/exact/nearest_double.h"
+#include "robust/exact/detail/nearest_double.h"
 
 #include <gtest/gtest.h>
 #include <mpfr.h>

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/bvh/box_tree.h"
 #include "geometry/contact/answer.h"
 #include "geometry/io/read_mesh.h"
-#include "geometry/scene/box_tree.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "robust/mesh/merge.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
 #include "geometry/shapes/polygon.h"

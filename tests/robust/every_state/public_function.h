@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "tests/robust/support/environment.h"
 #include "tests/robust/every_state/bytes.h"
 #include "tests/robust/every_state/input.h"
+#include "tests/robust/support/environment.h"
 
 namespace touchstone::every_state_tests {
 

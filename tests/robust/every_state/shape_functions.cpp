@@ -6,8 +6,8 @@
 #include "robust/exact/validate.h"
 #include "robust/mesh/weld.h"
 #include "robust/scene/posing.h"
-#include "tests/robust/every_state/public_function.h"
 #include "tests/experiments/support/scratch.h"
+#include "tests/robust/every_state/public_function.h"
 
 namespace touchstone::every_state_tests {
 namespace {
@@ -39,7 +39,7 @@ std::filesystem::path written(const Input& input) {
 }
 
 Answer answer_at(double x) {
-  return {PlaneSide::Behind, false, FootPlace::Inside, {}, Relation::Separate, {}, {x, 0, 0}, 1, 0};
+  return {PlaneSide::Behind, false, PointLocation::Inside, {}, Relation::Separate, {}, {x, 0, 0}, 1, 0};
 }
 
 }  // namespace
@@ -67,6 +67,17 @@ std::vector<PublicFunction> shape_functions() {
             [](const Input& in) {
               const filtered::ClosestPoint here{{}, in.point, 0}, there{{}, in.point, neighbour(0)};
               return std::array{here == here, here == there};
+            }),
+      gives("same_number",
+            [](const Input& in) {
+              const double x = in.point.x();
+              return std::array{same_number(x, x), same_number(x, neighbour(x)), same_number(0, neighbour(0))};
+            }),
+      gives("same_point",
+            [](const Input& in) {
+              Eigen::Vector3d other = in.point;
+              other.z() = neighbour(other.z());
+              return std::array{same_point(in.point, in.point), same_point(in.point, other)};
             }),
       hands_on("BoxTree::BoxTree", [](const Input& in) { return BoxTree(in.boxes); }),
       hands_on("BoxTree::refit",

@@ -66,10 +66,10 @@ TEST(WrongArguments, SpansOfDifferentLengthsAreRefusedBeforeAnythingIsWritten) {
   const scene::Scene scene = scene_of_one();
   std::array<bool, 2> touches{};
   EXPECT_EQ(message<std::invalid_argument>([&] { filtered::contact(balls, polygon, touches); }),
-            "3 balls do not go with 2 answers");
+            "3 balls but 2 answers");
   EXPECT_EQ(message<std::invalid_argument>([&] { filtered::contact(kBall, triangles, touches); }),
-            "3 triangles do not go with 2 answers");
-  EXPECT_EQ(message<std::invalid_argument>([&] { scene.touches(balls, touches); }), "3 balls do not go with 2 answers");
+            "3 triangles but 2 answers");
+  EXPECT_EQ(message<std::invalid_argument>([&] { scene.touches(balls, touches); }), "3 balls but 2 answers");
   EXPECT_EQ(touches, (std::array<bool, 2>{}));
 }
 

@@ -66,7 +66,7 @@ std::vector<Ball> balls_about(const Polygon& polygon) {
     if (i % 2 == 0) ball.radius = workloads::move_by_doubles(exact::answer(ball, truth).distance, i % 4 - 1);
     filtered::StageCounts counts;
     (void)filtered::contact(ball, prepared, counts);
-    if (counts.last() < Stage::Unlimited) balls.push_back(ball);
+    if (counts.last() < Stage::BigInteger) balls.push_back(ball);
   }
   return balls;
 }

@@ -8,9 +8,9 @@
 
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/engine.h"
-#include "tests/robust/support/printing.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {
 namespace {
@@ -28,7 +28,7 @@ void expect_exact(const Eigen::Vector3d& center, const Triangle& triangle) {
   filtered::NoCounts none;
   RC_ASSERT(filtered::closest(center, triangle) == truth);
   RC_ASSERT(filtered::closest(center, triangle, counts) == truth);
-  RC_ASSERT(filtered::closest(filtered::baseline_engine().plain, center, triangle, none) == truth);
+  RC_ASSERT(filtered::closest(filtered::baseline_kernels().plain, center, triangle, none) == truth);
 }
 
 RC_GTEST_PROP(FilteredClosest, IsExactInEveryOrderOfTheVertices, ()) {
@@ -91,11 +91,11 @@ TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
   c.y() = std::nextafter(c.y(), 1);
   const Triangle needle{a, b, c};
   const Ball center{(a + b + c) / 3, 0};
-  const auto question = filtered::question(center, needle);
+  const auto question = filtered::view_of(center, needle);
   filtered::StageCounts counts;
   double point[3];
-  filtered::baseline_engine().counted.triangle_point(question, {Feature::Kind::Face, 0}, point, counts);
-  EXPECT_GT(counts.decided_by(filtered::Stage::Unlimited), 0U);
+  filtered::baseline_kernels().counted.triangle_point(question, {Feature::Kind::Face, 0}, point, counts);
+  EXPECT_GT(counts.decided_by(filtered::Stage::BigInteger), 0U);
 }
 
 // The double-doubles would be of no use if they were seldom sure.
@@ -112,7 +112,7 @@ RC_GTEST_PROP(FilteredClosest, NeedsNoBigIntegersForOrdinaryTriangles, ()) {
   RC_PRE(unit.squaredNorm() * other.squaredNorm() - std::pow(unit.dot(other), 2) > 1e-6);
   filtered::StageCounts counts;
   (void)filtered::closest(point(), t, counts);
-  RC_ASSERT(counts.decided_by(filtered::Stage::Unlimited) == 0U);
+  RC_ASSERT(counts.decided_by(filtered::Stage::BigInteger) == 0U);
   RC_ASSERT(counts.decided_by(filtered::Stage::DoubleDouble) > 0U);
 }
 

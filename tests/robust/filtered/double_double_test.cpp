@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/bounds.h"
+#include "experiments/workloads/ulp.h"
+#include "robust/filtered/detail/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/bounds.h"
+#include "robust/filtered/detail/bounds.h"
 #include "tests/robust/filtered/exact_number.h"
 
 namespace touchstone::filtered_tests {

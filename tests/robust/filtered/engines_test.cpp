@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/engine.h"
-#include "tests/robust/support/printing.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {
 namespace {
 
-using filtered::Engine;
+using filtered::Kernels;
 
-std::vector<const Engine*> engines() {
-  std::vector<const Engine*> list{&filtered::baseline_engine()};
-  if (&filtered::engine() != list.front()) list.push_back(&filtered::engine());
+std::vector<const Kernels*> all_kernels() {
+  std::vector<const Kernels*> list{&filtered::baseline_kernels()};
+  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
   return list;
 }
 
@@ -28,21 +28,21 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
   const bool touches = exact::contact(c.ball, c.polygon);
   const Triangle triangle = triangle_of(c.polygon);
   const std::vector<Triangle> triangles(7, triangle);
-  for (const Engine* engine : engines()) {
+  for (const Kernels* kernels : all_kernels()) {
     filtered::NoCounts none;
     filtered::StageCounts counts;
-    RC_ASSERT(engine->plain.triangle_contact(filtered::question(c.ball, triangle), none) == touches);
-    RC_ASSERT(engine->counted.triangle_contact(filtered::question(c.ball, triangle), counts) == touches);
+    RC_ASSERT(kernels->plain.triangle_contact(filtered::view_of(c.ball, triangle), none) == touches);
+    RC_ASSERT(kernels->counted.triangle_contact(filtered::view_of(c.ball, triangle), counts) == touches);
     std::array<bool, 7> found{};
-    engine->triangles_contact(c.ball, triangles, found);
+    kernels->triangles_contact(c.ball, triangles, found);
     RC_ASSERT(std::count(std::begin(found), std::end(found), touches) == 7);
   }
 }
 
 template <class Counts>
-void expect_exact_answers(const filtered::Questions<Counts>& ask, const Case& c, const Answer& truth) {
+void expect_exact_answers(const filtered::KernelTable<Counts>& ask, const Case& c, const Answer& truth) {
   const filtered::PreparedPolygon prepared(c.polygon);
-  const auto& parts = prepared.parts();
+  const auto& parts = parts_of(prepared);
   Counts counts;
   RC_ASSERT(ask.answer(c.ball, parts, counts) == truth);
   RC_ASSERT(ask.contact(c.ball, parts, counts) == truth.contact());
@@ -55,13 +55,13 @@ void expect_exact_answers(const filtered::Questions<Counts>& ask, const Case& c,
 RC_GTEST_PROP(FilteredEngines, AreExactOnPolygons, ()) {
   const Case c = *hard_cases();
   const Answer truth = exact::answer(c.ball, c.polygon);
-  for (const Engine* engine : engines()) {
-    expect_exact_answers(engine->plain, c, truth);
-    expect_exact_answers(engine->counted, c, truth);
+  for (const Kernels* kernels : all_kernels()) {
+    expect_exact_answers(kernels->plain, c, truth);
+    expect_exact_answers(kernels->counted, c, truth);
     const filtered::PreparedPolygon prepared(c.polygon);
     const std::vector<Ball> balls(7, c.ball);
     std::array<bool, 7> found{};
-    engine->balls_contact(balls, prepared.parts(), found);
+    kernels->balls_contact(balls, parts_of(prepared), found);
     RC_ASSERT(std::count(std::begin(found), std::end(found), truth.contact()) == 7);
   }
 }
@@ -70,7 +70,7 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnPolygons, ()) {
 // What runs is the faster one; a build that forgets the flags would pass every other test.
 TEST(FilteredEngines, AreTwoWhereTheMachineHasAvx2) {
   const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  EXPECT_EQ(engines().size(), has_avx2 ? 2U : 1U);
+  EXPECT_EQ(all_kernels().size(), has_avx2 ? 2U : 1U);
 }
 #endif
 

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "robust/filtered/numbers/double_double.h"
-#include "robust/filtered/numbers/integer.h"
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/integer.h"
 
 namespace touchstone::filtered_tests {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "experiments/workloads/adversarial/case.h"
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/rearranged.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The signs that decide, stage by stage, against rationals on the cases of the soak: what a stage is sure of is right,
 // and every number lies within the bound that bounds.h gives for it.
-#include "robust/filtered/signs.h"
+#include "robust/filtered/detail/signs.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 
 #include "experiments/workloads/adversarial/case.h"
 #include "experiments/workloads/random.h"
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/numbers/permanent.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 #include "tests/robust/filtered/exact_number.h"
 #include "tests/robust/filtered/hard_cases.h"
 
@@ -146,7 +146,7 @@ TEST(Signs, OfPermanentsAreRightWhereSure) {
         drawn.ball, drawn.triangle, [](double p, double q) { return filtered::rounded_double(p - q); },
         [](double r) { return filtered::exact_double(r); },
         [&]<int Roundings>(std::size_t i, const filtered::Permanent<Roundings>& value) {
-          const int found = sure_sign(value, bounds::kTiny);
+          const int found = certain_sign(value, bounds::kTiny);
           const mpq_class bound = (Roundings + mpq_class(1, 8)) * exactly(0x1p-53) * exactly(value.permanent);
           EXPECT_LE(abs(exactly(value.value) - exact[i]), bound + exactly(bounds::kTiny))
               << kNames[i] << " of " << drawn.id;

@@ -106,7 +106,7 @@ TEST(Stages, DoublesCountOneQuestion) {
   ASSERT_FALSE(filtered::contact({{100, 100, 100}, 1}, triangle_of(right_triangle()), counts));
   ASSERT_FALSE(filtered::contact({{100, 100, 100}, 1}, filtered::PreparedPolygon(right_triangle()), counts));
   EXPECT_EQ(counts.decided_by(Stage::Double), 2U);
-  for (const Stage stage : {Stage::Permanent, Stage::DoubleDouble, Stage::FixedInteger, Stage::Unlimited})
+  for (const Stage stage : {Stage::Permanent, Stage::DoubleDouble, Stage::FixedInteger, Stage::BigInteger})
     EXPECT_EQ(counts.decided_by(stage), 0U) << word(stage);
 }
 
@@ -173,25 +173,25 @@ TEST(Stages, FixedIntegersDecideTangencyOnTheLattice) {
 TEST(Stages, UnlimitedIntegersDecideTheRest) {
   const double least = 0x1p-1074;
   const std::vector<StagedCase> cases{
-      {"a tie over 200 binary orders", kWideTie, wide_triangle(), true, Stage::Unlimited, Stage::Unlimited},
+      {"a tie over 200 binary orders", kWideTie, wide_triangle(), true, Stage::BigInteger, Stage::BigInteger},
       {"a tie of all exponents",
        {{1e300, 1, least}, 1e300},
        Polygon({{0, 1, least}, {-1e300, 1, least}, {-1e-300, 1e-300, least}}),
        true,
-       Stage::Unlimited,
-       Stage::Unlimited},
+       Stage::BigInteger,
+       Stage::BigInteger},
       {"least and largest",
        {{0, 0, least}, least},
        Polygon({{-1e300, -1e300, 0}, {1e300, 1, 0}, {1, 1e300, 0}}),
        true,
-       Stage::Unlimited,
-       Stage::Unlimited},
+       Stage::BigInteger,
+       Stage::BigInteger},
       {"tiny but for one coordinate",
        {{0x1p-1000, 0x1p-1000, 1}, 0},
        Polygon({{0, 0, 1}, {0x1p-998, 0, 1}, {0, 0x1p-998, 1}}),
        true,
-       Stage::Unlimited,
-       Stage::Unlimited},
+       Stage::BigInteger,
+       Stage::BigInteger},
   };
   for (const StagedCase& c : cases) expect_stage(c);
 }
@@ -239,7 +239,7 @@ TEST(Stages, OfRelations) {
        Stage::FixedInteger},
       {"a double short", short_of_it, tilted_triangle(), Separate, Stage::Permanent, Stage::DoubleDouble},
       {"a double into it", into_it, tilted_triangle(), Overlapping, Stage::Permanent, Stage::DoubleDouble},
-      {"a tie over 200 orders", kWideTie, wide_triangle(), Touching, Stage::Unlimited, Stage::Unlimited},
+      {"a tie over 200 orders", kWideTie, wide_triangle(), Touching, Stage::BigInteger, Stage::BigInteger},
   };
   expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
     return filtered::relation(ball, polygon, counts);
@@ -258,7 +258,7 @@ TEST(Stages, OfThePlane) {
       {"touching", {turned(0, 0, -k), 3 * k}, large_l(), Intersects, Stage::FixedInteger, Stage::FixedInteger},
       {"a double short", short_of_it, tilted_triangle(), InFront, Stage::Permanent, Stage::DoubleDouble},
       {"a double into it", into_it, tilted_triangle(), Intersects, Stage::Permanent, Stage::DoubleDouble},
-      {"a tie over 200 orders", kWideTie, wide_triangle(), Intersects, Stage::Unlimited, Stage::Unlimited},
+      {"a tie over 200 orders", kWideTie, wide_triangle(), Intersects, Stage::BigInteger, Stage::BigInteger},
   };
   expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
     return filtered::plane_side(ball, polygon, counts);
@@ -266,11 +266,11 @@ TEST(Stages, OfThePlane) {
 }
 
 TEST(Stages, OfTheFoot) {
-  using enum FootPlace;
+  using enum PointLocation;
   // The edge rises by three doubles over its length: in its middle it is half a double above 1, where no vertex is.
   const Polygon shallow({{0, 1 - 0x1p-52, 0}, {1, 1 + 0x1p-51, 0}, {0.5, 4, 0}});
   const Polygon wide({{-1, 0, 0}, {1, 0x1p-200, 0}, {0, 2, 0}});
-  const std::vector<DecidedCase<FootPlace>> cases{
+  const std::vector<DecidedCase<PointLocation>> cases{
       {"inside", {turned(10'000, 50'000, 77), 1}, large_l(), Inside, Stage::Double, Stage::Double},
       {"in the notch", {turned(50'000, 50'000, 77), 1}, large_l(), Outside, Stage::Double, Stage::Double},
       {"on an edge", {turned(20'000, 30'000, 77), 1}, large_l(), Boundary, Stage::FixedInteger, Stage::FixedInteger},
@@ -282,7 +282,7 @@ TEST(Stages, OfTheFoot) {
        Stage::FixedInteger},
       {"half a double outside", {{0.5, 1, 0}, 1}, shallow, Outside, Stage::Permanent, Stage::DoubleDouble},
       {"half a double inside", {{0.5, 1 + 0x1p-52, 0}, 1}, shallow, Inside, Stage::Permanent, Stage::DoubleDouble},
-      {"2^-201 outside", {{0, 0, 1}, 1}, wide, Outside, Stage::Unlimited, Stage::Unlimited},
+      {"2^-201 outside", {{0, 0, 1}, 1}, wide, Outside, Stage::BigInteger, Stage::BigInteger},
   };
   expect_decided(cases, [](const Ball& ball, const filtered::PreparedPolygon& polygon, StageCounts& counts) {
     return filtered::foot(ball, polygon, counts);
@@ -323,12 +323,12 @@ TEST(Stages, OfWholeAnswersAndClosestPoints) {
       {"over a face", {1, 1, 3}, flat, {{Feature::Kind::Face, 0}, {1, 1, 1}, 2}, Stage::DoubleDouble},
       {"beside an edge", {2, -3, 4}, right_triangle(), {{Feature::Kind::Edge, 0}, {2, 0, 0}, 5}, Stage::DoubleDouble},
       {"off a vertex", {6, -1, 2}, right_triangle(), {{Feature::Kind::Vertex, 1}, {4, 0, 0}, 3}, Stage::DoubleDouble},
-      {"a tie, 1 + 2^-53", {0, 0, 1}, low, {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1}, Stage::Unlimited},
+      {"a tie, 1 + 2^-53", {0, 0, 1}, low, {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1}, Stage::BigInteger},
       {"a tie, 1 + 3 2^-53",
        {0, 0, 1 + 0x1p-52},
        low,
        {{Feature::Kind::Face, 0}, {0, 0, -0x1p-53}, 1 + 0x1p-51},
-       Stage::Unlimited},
+       Stage::BigInteger},
   };
   for (const auto& c : cases) {
     expect_decided(c.id + ", as a triangle", c.closest, c.stage, c.stage,
@@ -347,7 +347,7 @@ TEST(Stages, HaveTheWordsOfExplain) {
   EXPECT_EQ(word(Stage::Permanent), "permanent");
   EXPECT_EQ(word(Stage::DoubleDouble), "double-double");
   EXPECT_EQ(word(Stage::FixedInteger), "fixed-integer");
-  EXPECT_EQ(word(Stage::Unlimited), "unlimited");
+  EXPECT_EQ(word(Stage::BigInteger), "unlimited");
 }
 
 TEST(Stages, TheSlowestIsTheLast) {

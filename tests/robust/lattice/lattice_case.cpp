@@ -204,8 +204,8 @@ LatticeCase::Vector LatticeCase::on_plane(const LatticePoint& point) const {
   return p;
 }
 
-LatticeCase::Squared LatticeCase::squared_distance(const Vector& center, FootPlace place, int steps) const {
-  if (place != FootPlace::Outside) return {dot(normal_, normal_) * steps * steps, 1};
+LatticeCase::Squared LatticeCase::squared_distance(const Vector& center, PointLocation place, int steps) const {
+  if (place != PointLocation::Outside) return {dot(normal_, normal_) * steps * steps, 1};
   std::optional<Squared> least;
   for (const auto& loop : vertices_)
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -230,7 +230,7 @@ Questions LatticeCase::questions(const LatticePoint& foot, int steps) const {
     return {center, exact::foot({center, 0}, prepared),
             radii_about(distance, exact::relation({center, distance}, prepared))};
   }
-  const FootPlace place = lattice_tests::place(loops_, foot);
+  const PointLocation place = lattice_tests::place(loops_, foot);
   const Vector center = on_plane(foot) + steps * normal_;
   return {doubles(center), place, squared_distance(center, place, steps).radii()};
 }

@@ -37,7 +37,7 @@ struct Radius {
 /// What is asked about one centre: where its foot is, and the three doubles about its distance.
 struct Questions {
   Eigen::Vector3d center;
-  FootPlace foot;
+  PointLocation foot;
   std::vector<Radius> radii;
 };
 
@@ -61,7 +61,7 @@ class LatticeCase {
   void put_into_doubles(std::uint64_t variation);
   void put_into_integers(PlaneKind kind, std::uint64_t variation);
   void lift();
-  [[nodiscard]] Squared squared_distance(const Vector& center, FootPlace place, int steps) const;
+  [[nodiscard]] Squared squared_distance(const Vector& center, PointLocation place, int steps) const;
   [[nodiscard]] Vector on_plane(const LatticePoint& point) const;
 
   std::vector<LatticeLoop> loops_;  // finer

@@ -78,17 +78,17 @@ std::vector<LatticeLoop> simple_loops(int width, int height, std::size_t most_ve
   return Search(width, height, most_vertices).found;
 }
 
-FootPlace place(const std::vector<LatticeLoop>& loops, const LatticePoint& point) {
+PointLocation place(const std::vector<LatticeLoop>& loops, const LatticePoint& point) {
   bool inside = false;
   for (const LatticeLoop& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const LatticePoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
-      if (holds(a, b, point)) return FootPlace::Boundary;
+      if (holds(a, b, point)) return PointLocation::Boundary;
       // A point on the vertical line through `point` lies to the left of the ray.
       const bool left_start = a.x <= point.x, left_end = b.x <= point.x;
       if (left_start != left_end && turn(a, b, point) == (left_start ? -1 : 1)) inside = !inside;
     }
-  return inside ? FootPlace::Inside : FootPlace::Outside;
+  return inside ? PointLocation::Inside : PointLocation::Outside;
 }
 
 int doubled_area(const LatticeLoop& loop) {

@@ -22,7 +22,7 @@ using LatticeLoop = std::vector<LatticePoint>;
 
 /// Where a point lies in the region that loops bound, by the even-odd rule. In integers, and by another ray than the
 /// library's: it goes up and a little to the right.
-[[nodiscard]] FootPlace place(const std::vector<LatticeLoop>& loops, const LatticePoint& point);
+[[nodiscard]] PointLocation place(const std::vector<LatticeLoop>& loops, const LatticePoint& point);
 
 /// Twice the area that the loop runs around counter-clockwise.
 [[nodiscard]] int doubled_area(const LatticeLoop& loop);

@@ -12,9 +12,9 @@
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/engine.h"
-#include "tests/robust/support/environment.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/robust/lattice/lattice_case.h"
+#include "tests/robust/support/environment.h"
 
 namespace touchstone::lattice_tests {
 namespace {
@@ -48,9 +48,9 @@ std::uint64_t share() {
   return asked == nullptr ? 1500 / TOUCHSTONE_SAMPLES : std::stoull(asked);
 }
 
-std::vector<const filtered::Engine*> engines() {
-  std::vector<const filtered::Engine*> list{&filtered::baseline_engine()};
-  if (&filtered::engine() != list.front()) list.push_back(&filtered::engine());
+std::vector<const filtered::Kernels*> all_kernels() {
+  std::vector<const filtered::Kernels*> list{&filtered::baseline_kernels()};
+  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
   return list;
 }
 
@@ -65,10 +65,10 @@ class Examiner {
       : given_(given), number_(number), kind_(kind), prepared_(prepared(given.polygon(), number)), tally_(tally) {}
 
   void ask(const Questions& questions, int mode) {
-    for (const filtered::Engine* engine : engines()) {
-      const auto foot = [&](const Ball& ball) { return engine->plain.foot(ball, prepared_.parts(), none_); };
-      const auto relation = [&](const Ball& ball) { return engine->plain.relation(ball, prepared_.parts(), none_); };
-      hold(questions, mode, foot, relation, engine == engines().front() ? "baseline" : "fastest");
+    for (const filtered::Kernels* kernels : all_kernels()) {
+      const auto foot = [&](const Ball& ball) { return kernels->plain.foot(ball, parts_of(prepared_), none_); };
+      const auto relation = [&](const Ball& ball) { return kernels->plain.relation(ball, parts_of(prepared_), none_); };
+      hold(questions, mode, foot, relation, kernels == all_kernels().front() ? "baseline" : "fastest");
     }
     tally_.questions += 1 + questions.radii.size();
   }
@@ -89,7 +89,7 @@ class Examiner {
 
   template <class Foot, class Relate>
   void hold(const Questions& questions, int mode, const Foot& foot, const Relate& relation, const char* who) {
-    FootPlace found_foot;
+    PointLocation found_foot;
     std::vector<Relation> found;
     {
       const Environment changed(mode, Environment::kKeep);

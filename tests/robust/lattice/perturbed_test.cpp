@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/engine.h"
-#include "robust/filtered/prepared.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 
 namespace touchstone::lattice_tests {
@@ -115,7 +115,7 @@ void for_each_polygon(std::uint64_t feet, const Ask& ask) {
 
 Asked of_displaced_frames(double units) {
   Asked asked;
-  const auto& ask = filtered::engine().plain;
+  const auto& ask = filtered::kernels().plain;
   filtered::NoCounts none;
   for_each_polygon(25'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
     const Frame frame = parts.frame.value();
@@ -130,7 +130,7 @@ Asked of_displaced_frames(double units) {
 
 Asked of_displaced_double_doubles(double units) {
   Asked asked;
-  const auto& ask = filtered::engine().plain;
+  const auto& ask = filtered::kernels().plain;
   filtered::NoCounts none;
   for_each_polygon(20'000, [&](Parts& parts, const std::vector<Questions>& about, Signs& signs) {
     const filtered::LiftedPolygon lifted = parts.lifted;

@@ -56,7 +56,7 @@ TEST(Merge, FindsTheHoleOfAPlateOnEitherSide) {
     EXPECT_EQ(polygon.loop_end(0), 12U);  // on straight runs too
     EXPECT_EQ(polygon.vertex_count(), 16U);
     const Ball above{{1.5, 1.5, 1}, 1};
-    EXPECT_EQ(exact::foot(above, polygon), FootPlace::Outside);
+    EXPECT_EQ(exact::foot(above, polygon), PointLocation::Outside);
     EXPECT_EQ(exact::plane_side({{1, 1, 1}, 0}, polygon), flipped ? PlaneSide::Behind : PlaneSide::InFront);
   }
 }

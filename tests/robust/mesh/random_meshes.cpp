@@ -5,10 +5,10 @@
 #include <array>
 #include <utility>
 
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
-#include "robust/filtered/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/mesh/weld.h"
 #include "tests/robust/support/signed_zeros.h"
 

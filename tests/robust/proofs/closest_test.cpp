@@ -6,9 +6,9 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/closest_point.h"
-#include "robust/filtered/signs.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/signs.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
@@ -51,7 +51,8 @@ TEST(LiftBounds, HoldForEdges) {
   EXPECT_LE(bounds::kLiftedEdge, kDouble * bounds::kLiftedMaximum);
 }
 
-/// A direction D and the way `from` from it to the centre, as closest_point.h has them, with errors in each component.
+/// A direction D and the way `to_center` from it to the centre, as closest_point.h has them, with errors in each
+/// component.
 struct Situation {
   mpq_class direction, direction_error, from_error;
 };
@@ -73,9 +74,9 @@ mpq_class error_of_product(const Situation& s) {
   return dot(vector_within(s.direction, s.direction_error), vector_within(1, s.from_error)).error;
 }
 
-/// The step is D.from D_k / D.D; its errors in units of |D_k| / D.D, without those of D_k. |D.from| is at most |D|
-/// times the root of 3, and |D| at most that times the largest component: the shorter D is, the less its errors' share
-/// counts.
+/// The step is D.to_center D_k / D.D; its errors in units of |D_k| / D.D, without those of D_k. |D.to_center| is at
+/// most |D| times the root of 3, and |D| at most that times the largest component: the shorter D is, the less its
+/// errors' share counts.
 mpq_class error_of_step(const Situation& s) {
   const mpq_class longest = kRootOfThree * s.direction, product = kRootOfThree * longest;
   return (error_of_product(s) + product * (error_of_square(s, longest) + kQuotient + kDouble)) * kSecondOrder;
@@ -83,7 +84,7 @@ mpq_class error_of_step(const Situation& s) {
 
 TEST(ClosestBounds, HoldForSteps) {
   for (const Situation& s : kEvery) EXPECT_LE(error_of_step(s), bounds::kClosest / 2);
-  // What D_k itself is off, times D.from / D.D: below 1 for edges, below the root of 3 over |D| for normals. A
+  // What D_k itself is off, times D.to_center / D.D: below 1 for edges, below the root of 3 over |D| for normals. A
   // polygon's normal is known to a unit of each component (normal_test.cpp): that is a unit of the step.
   EXPECT_LE(kEdgeOffItsPlane.direction_error, bounds::kClosest / 2);
   EXPECT_LE(kRootOfThree * kNormalOfTriangle.direction_error * kSecondOrder, bounds::kClosest / 2);
@@ -102,15 +103,15 @@ TEST(ClosestBounds, AllowForComponentsThatUnderflow) {
   const mpq_class u = 0x1p-53, own_rounding = 3 * power(u, 2) + 13 * power(u, 3);
   const mpq_class left_over = (2 * kDouble - own_rounding) * mpq_class(kSmallestResult);
   const mpq_class farthest = bounds::kLargest, shortest = kShortestDirection, operation = power(mpq_class(1, 2), 1021);
-  const mpq_class share = kRootOfThree * farthest / shortest;  // D.from / D.D, for |D| at least `shortest`
+  const mpq_class share = kRootOfThree * farthest / shortest;  // D.to_center / D.D, for |D| at least `shortest`
   const mpq_class largest_normal = 2 * power(farthest, 2);
   const mpq_class of_component = share * mpq_class(bounds::kNormalUnderflow);
-  // D.from, D.D and their quotient; then the product, and the bound's own terms.
+  // D.to_center, D.D and their quotient; then the product, and the bound's own terms.
   const mpq_class of_share = 4 * operation * (1 / power(shortest, 2) + share / power(shortest, 2) + 1);
   EXPECT_LE((of_component + of_share * largest_normal + 8 * operation) * kSecondOrder, left_over);
 }
 
-// |D.from| / |D| and |D x from| / |D|, in units of 1 / |D| and of themselves.
+// |D.to_center| / |D| and |D x to_center| / |D|, in units of 1 / |D| and of themselves.
 TEST(ClosestBounds, HoldForDistances) {
   for (const Situation& s : kEvery) {
     const Vector3<ErrorBound> moment =
@@ -136,9 +137,9 @@ TEST(ClosestBounds, AreWideEnoughForTheRoundingTest) {
 }
 
 // A normal that is shorter than 8 times its error may be wrong altogether. Then step and distance, exact and computed,
-// are still no longer than `from`, at most the root of 3, and the bound is more than two of them. For longer ones what
-// was computed stands for what is exact, and products of errors count: five factors of at most 1 + 1/8, above in the
-// errors and below in the bound.
+// are still no longer than `to_center`, at most the root of 3, and the bound is more than two of them. For longer ones
+// what was computed stands for what is exact, and products of errors count: five factors of at most 1 + 1/8, above in
+// the errors and below in the bound.
 TEST(ClosestBounds, AreNotSureOfNeedles) {
   const mpq_class error = kRootOfThree * kNormalOfTriangle.direction_error;
   EXPECT_GE(bounds::kClosest / (9 * error), 2 * kRootOfThree);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/proofs/error_bound.h"
-#include "robust/scene/ball_walk.h"
+#include "robust/scene/detail/ball_walk.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs::culling {

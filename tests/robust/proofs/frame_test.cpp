@@ -7,8 +7,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "robust/filtered/bounds.h"
-#include "robust/filtered/edge_frame.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/edge_frame.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
@@ -95,7 +95,7 @@ TEST(FrameBounds, WideAndNarrowCoverFourteenRoundings) {
   EXPECT_GT(bounds::kNarrow * power(1 + kUnit, 17), 1) << "it is loose";
 }
 
-/// The least distance that may be taken for one beyond `near`.
+/// The least distance that may be taken for one beyond `boundary_sq`.
 mpq_class near_distance() { return bounds::kNear * bound_of(bounds::kDistance) * power(1 - kUnit, 3); }
 
 /// How far foot and vertices as stored may be from the exact ones, both together.
@@ -118,7 +118,7 @@ TEST(FrameBounds, NearIsFurtherThanAllThatIsStoredMayBeOff) {
   EXPECT_GT(near_distance(), stored.error(stored.longest()) + stored.overshoot.error + 2 * ends_apart());
 }
 
-// exact_foot asks for signs where a vertex is within the margin, the root of `near`, of the foot's height.
+// exact_foot asks for signs where a vertex is within the margin, the root of `boundary_sq`, of the foot's height.
 TEST(FrameBounds, NearIsFurtherThanHeightsInThePlaneMayBeOff) {
   EXPECT_GT(near_distance(), stored_off() + kUnit * (kSize + bounds::kExtent));
 }
@@ -143,7 +143,7 @@ const mpq_class kClose = mpq_class(0x1p-20), kFar = 4;
 
 // A box holds the ends of its edges as stored.
 TEST(FrameBounds, BoxesAreReachedWhereTheirEdgesAre) {
-  // As much as the root of kBoxReach allows for, of a distance from `near` on.
+  // As much as the root of kBoxReach allows for, of a distance from `boundary_sq` on.
   const mpq_class wider = root_above(bounds::kBoxReach * (1 - 4 * kUnit)) * (1 - kUnit) - 1;
   const auto needed = [&](const mpq_class& away, const mpq_class& distance) -> mpq_class {
     return BoxInView(away).error(distance) + Edge(known(away, 0), kZero).error(distance) + ends_apart() +

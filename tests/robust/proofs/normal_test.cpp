@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "experiments/workloads/random.h"
-#include "robust/filtered/bounds.h"
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/prepared.h"
 #include "robust/filtered/filtered.h"
-#include "robust/filtered/prepared.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs::normal_of_polygon {
@@ -62,7 +62,7 @@ Largest errors_of_normals(int least_slope, int most_slope) {
     Random random(2031, index);
     const auto slope = static_cast<int>(random.integer(least_slope, most_slope));
     const PreparedPolygon prepared(almost_level(random, static_cast<int>(random.integer(0, 2)), slope));
-    const PreparedPolygon::Parts& parts = prepared.parts();
+    const PreparedPolygon::Parts& parts = parts_of(prepared);
     if (!parts.frame) continue;
     const auto exact = exact_normal(parts.polygon, -2 * parts.frame->exponent);
     const Vector3<DoubleDouble>& normal = parts.lifted.normal;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robust/filtered/numbers/permanent.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 #include "robust/proofs/expressions.h"
 
 namespace touchstone::filtered::proofs {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bound that Permanent carries, in exact rationals over the same expressions.
-#include "robust/filtered/numbers/permanent.h"
+#include "robust/filtered/detail/numbers/permanent.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Permanent, CountsTheRoundingsOfEverySign) {
   });
 }
 
-// The bound of sure_sign: the permanent and two operations may each have been rounded down.
+// The bound of certain_sign: the permanent and two operations may each have been rounded down.
 TEST(Permanent, SlackCoversSecondOrderTermsAndTheBoundsOwnRounding) {
   for (std::size_t k = 0; k <= 64; ++k) {
     const mpq_class error = power(1 + kU, k) - 1;

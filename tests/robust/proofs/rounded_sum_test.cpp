@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The error that the rounded sums of poses allow for, in rationals over the additions that are compiled.
-#include "robust/scene/rounded_sum.h"
+#include "robust/scene/detail/rounded_sum.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -91,7 +91,7 @@ template <class Number>
 ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   ToySample<Number> sample{exact, {}, {}};
   Inputs<Number>& c = sample.computed;
-  c.from = computed<Number>(exact.from);
+  c.to_center = computed<Number>(exact.to_center);
   c.edge = computed<Number>(exact.edge);
   c.radius = Number::of(exact.radius);
   c.first_edge = computed<Number>(exact.first_edge);
@@ -111,9 +111,9 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   const double first = largest_magnitude(c.first_edge), second = largest_magnitude(c.second_edge);
   const double one = std::max(largest_magnitude(c.axis), largest_magnitude({c.direction_x, c.direction_y}));
   const double centre = largest_magnitude(c.from_origin);
-  set(Ball, std::max(largest_magnitude(c.from), largest_magnitude({c.radius})));
+  set(Ball, std::max(largest_magnitude(c.to_center), largest_magnitude({c.radius})));
   set(Edge, largest_magnitude(c.edge));
-  set(BallOrEdge, std::max(largest_magnitude(c.from), largest_magnitude(c.edge)));
+  set(BallOrEdge, std::max(largest_magnitude(c.to_center), largest_magnitude(c.edge)));
   set(FirstEdge, first);
   set(SecondEdge, second);
   set(Normal, 2 * first * second);

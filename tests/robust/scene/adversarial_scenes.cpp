@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/workloads/ulp.h"
 #include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/robust/support/signed_zeros.h"

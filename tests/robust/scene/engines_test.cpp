@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/floating_point_state.h"
-#include "robust/scene/engine.h"
-#include "tests/robust/support/printing.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/scene/detail/walks.h"
 #include "tests/robust/scene/adversarial_scenes.h"
+#include "tests/robust/support/printing.h"
 
 namespace touchstone::scene_tests {
 namespace {
@@ -60,10 +60,11 @@ TEST(SceneEngines, FindTheSameFaces) {
         const Ball ball = draw_ball(objects, 2027, 1000 * index + i);
         const std::string what = name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i);
         scene::FaceCounts counts;
-        const Found expected = ask(scene::baseline_engine(), ball, triangles, polygons, scene::NoTally());
+        const Found expected = ask(scene::baseline_walks(), ball, triangles, polygons, scene::NoTally());
         EXPECT_EQ(expected.any, !expected.all.empty()) << what;
-        expect_equal(ask(scene::engine(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected, what);
-        expect_equal(ask(scene::baseline_counted_engine(), ball, triangles, polygons, scene::Tally(counts)), expected,
+        expect_equal(ask(scene::fastest_walks(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected,
+                     what);
+        expect_equal(ask(scene::baseline_counted_walks(), ball, triangles, polygons, scene::Tally(counts)), expected,
                      what + ", counted");
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robust/scene/lifted_box.h"
+#include "robust/scene/detail/lifted_box.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

@@ -12,9 +12,9 @@
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 #include "robust/scene/posing.h"
+#include "tests/robust/scene/adversarial_scenes.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/printing.h"
-#include "tests/robust/scene/adversarial_scenes.h"
 
 namespace touchstone::scene_tests {
 namespace {

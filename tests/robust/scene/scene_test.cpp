@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "robust/exact/exact.h"
+#include "tests/robust/scene/adversarial_scenes.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/printing.h"
-#include "tests/robust/scene/adversarial_scenes.h"
 
 namespace touchstone::scene_tests {
 namespace {

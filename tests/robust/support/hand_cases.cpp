@@ -9,7 +9,7 @@ namespace touchstone::contact_tests {
 namespace {
 
 constexpr auto InFront = PlaneSide::InFront, Behind = PlaneSide::Behind, Intersects = PlaneSide::Intersects;
-constexpr auto Inside = FootPlace::Inside, Boundary = FootPlace::Boundary, Outside = FootPlace::Outside;
+constexpr auto Inside = PointLocation::Inside, Boundary = PointLocation::Boundary, Outside = PointLocation::Outside;
 constexpr auto Separate = Relation::Separate, Touching = Relation::Touching, Overlapping = Relation::Overlapping;
 constexpr bool kTangent = true, kNotTangent = false;
 
@@ -46,8 +46,7 @@ const Polygon& notched_hole() {
 std::vector<HandCase> triangle_cases() {
   const Polygon& t = triangle();
   return {
-      {{"touches the face", {{1, 1, 2}, 2}, t},
-       {Intersects, kTangent, Inside, {}, Touching, kFace, {1, 1, 0}, 2, 0}},
+      {{"touches the face", {{1, 1, 2}, 2}, t}, {Intersects, kTangent, Inside, {}, Touching, kFace, {1, 1, 0}, 2, 0}},
       {{"in front", {{1, 1, 2}, 1}, t}, {InFront, kNotTangent, Inside, {}, Separate, kFace, {1, 1, 0}, 2, 0}},
       {{"behind", {{1, 1, -2}, 1}, t}, {Behind, kNotTangent, Inside, {}, Separate, kFace, {1, 1, 0}, 2, 0}},
       {{"overlaps face and edges", {{1, 1, -2}, 3}, t},
@@ -108,8 +107,7 @@ std::vector<HandCase> hole_cases() {
   return {
       {{"foot in a hole, a tie of hole and island", {{3, 6, 0}, 1}, p},
        {Intersects, kNotTangent, Outside, {7, 11}, Touching, edge(7), {2, 6, 0}, 1, 0}},
-      {{"foot on an island", {{6, 6, 3}, 3}, p},
-       {Intersects, kTangent, Inside, {}, Touching, kFace, {6, 6, 0}, 3, 0}},
+      {{"foot on an island", {{6, 6, 3}, 3}, p}, {Intersects, kTangent, Inside, {}, Touching, kFace, {6, 6, 0}, 3, 0}},
       {{"foot on the rim, edges of two loops touched", {{1, 6, 0}, 1}, p},
        {Intersects, kNotTangent, Inside, {3, 7}, Overlapping, kFace, {1, 6, 0}, 0, 0}},
       {{"foot on the edge of a hole", {{2, 6, 2}, 1}, p},

@@ -107,8 +107,7 @@ std::size_t Reordered::place(Feature original) const {
   return static_cast<std::size_t>(std::find(old.begin(), old.end(), original.index) - old.begin());
 }
 
-std::vector<Reordered> all_starts(const Polygon& polygon,
-                                  const std::function<bool(std::size_t)>& reverse) {
+std::vector<Reordered> all_starts(const Polygon& polygon, const std::function<bool(std::size_t)>& reverse) {
   std::vector<Reordered> result;
   for (std::size_t start = 0; start < polygon.loop_end(0); ++start) {
     Order order = order_of(polygon);

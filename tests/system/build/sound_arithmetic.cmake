@@ -5,7 +5,7 @@ file(MAKE_DIRECTORY ${SCRATCH})
 file(WRITE ${SCRATCH}/main.cpp [[
 #include <cstdio>
 #include <stdexcept>
-#include "robust/sound_arithmetic.h"
+#include "robust/detail/sound_arithmetic.h"
 int main() {
   try {
     touchstone::expect_sound_arithmetic();
@@ -17,7 +17,7 @@ int main() {
 }
 ]])
 execute_process(COMMAND ${COMPILER} -std=c++20 -O2 ${FLAGS} -I${SOURCE} ${SCRATCH}/main.cpp
-                        ${SOURCE}/robust/sound_arithmetic.cpp -o ${SCRATCH}/main COMMAND_ERROR_IS_FATAL ANY)
+                        ${SOURCE}/robust/detail/sound_arithmetic.cpp -o ${SCRATCH}/main COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${SCRATCH}/main RESULT_VARIABLE result OUTPUT_VARIABLE said)
 if(NOT DEFINED SENTENCE)
   if(NOT result EQUAL 0)

@@ -133,7 +133,7 @@ def examine(libraries):
 
 
 SAMPLES = """
-#include "geometry/floating_point_state.h"
+#include "geometry/detail/floating_point_state.h"
 using namespace touchstone;
 double good(const double* p, double q) { const FloatingPointState nearest; return pinned(p[0] / p[1] + pinned(q)); }
 void good_in_memory(double* p) { const FloatingPointState nearest; if (p[0] < p[1]) p[2] = p[0] * p[1]; }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Usage: cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DCOMPILER=... -DFLAGS=... -P run.cmake
 # Installs the build into a scratch prefix, builds the consumer against it and compares what the sample prints with
-# what the README says that it prints.
+# what the README says that it prints. Every installed header must compile alone; the sample must also compile against
+# the source tree; and no folder `geometry` or `robust` of the consumer's own may hide one of Touchstone's.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
   set(output "${output}" PARENT_SCOPE)
@@ -18,9 +19,28 @@ string(REGEX MATCH "prints `([^`]*)`" found "${readme}")
 set(promised "${CMAKE_MATCH_1}")
 
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${SCRATCH}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
+set(include ${SCRATCH}/prefix/include/touchstone)
+file(GLOB_RECURSE headers RELATIVE ${include} ${include}/*.h)
+file(GLOB front_door RELATIVE ${include} ${include}/*.h)
+file(GLOB in_source RELATIVE ${SOURCE}/touchstone ${SOURCE}/touchstone/*.h)
+if(NOT front_door OR NOT front_door STREQUAL in_source)
+  message(FATAL_ERROR "installed are ${front_door}; the folder touchstone/ has ${in_source}")
+endif()
+set(internal ${headers})
+list(FILTER internal INCLUDE REGEX "/(detail|bvh)/")
+if(internal)
+  message(FATAL_ERROR "internal headers were installed: ${internal}")
+endif()
+foreach(header ${headers})
+  if(header MATCHES "/")
+    file(WRITE ${SCRATCH}/own/${header} "#error \"the consumer's own ${header} was taken for Touchstone's\"\n")
+  endif()
+endforeach()
+
+set(common -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
     -DSAMPLE=${SCRATCH}/sample.cpp)
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${SCRATCH}/build ${common} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
+    -DOWN_HEADERS=${SCRATCH}/own "-DHEADERS=${headers}")
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/sample)
 string(STRIP "${output}" output)
@@ -28,8 +48,5 @@ if(NOT promised OR NOT output STREQUAL promised)
   message(FATAL_ERROR "the sample prints `${output}`; README.md promises `${promised}`")
 endif()
 
-# Every public header stands alone in the installed tree.
-file(GLOB_RECURSE headers RELATIVE ${SCRATCH}/prefix/include/touchstone ${SCRATCH}/prefix/include/touchstone/*.h)
-if(NOT headers)
-  message(FATAL_ERROR "no header was installed")
-endif()
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${SCRATCH}/in_source ${common} -DTOUCHSTONE_SOURCE=${SOURCE})
+run(ninja -C ${SCRATCH}/in_source sample)

@@ -26,7 +26,8 @@ FLAGS = [
 ]
 THREADS = ["-O1", "-g", "-fsanitize=thread", "-ffp-contract=off"]
 BUILDS = [(compiler, flags) for compiler in ("g++", "clang++") for flags in FLAGS] + [("g++", THREADS)]
-FOLDERS = ["geometry/shapes", "geometry/contact", "robust/exact", "robust/filtered"]
+FOLDERS = ["geometry/shapes", "geometry/contact", "robust/detail", "robust/exact", "robust/exact/detail", "robust/filtered",
+           "robust/filtered/detail"]
 COMMON = ["-std=c++20", "-w", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", "-isystem", "/usr/include/eigen3"]
 
 
@@ -34,7 +35,7 @@ def compile_file(compiler, flags, source, file, target):
     options = COMMON + flags + (["-frounding-math"] if compiler == "g++" else [])
     if os.path.basename(file) == "answers.cpp":
         options.append("-ffp-contract=off")  # the questions are the same
-    if os.path.basename(file) == "engine_avx2.cpp":
+    if os.path.basename(file) == "kernels_avx2.cpp":
         options += ["-mavx2", "-mfma"]
     if os.uname().machine == "x86_64":
         options += ["-DTOUCHSTONE_HAS_AVX2"]

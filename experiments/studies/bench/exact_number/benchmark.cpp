@@ -15,7 +15,8 @@ using namespace touchstone;
 
 std::vector<workloads::Sample> samples(workloads::Placement placement) {
   std::vector<workloads::Sample> list;
-  for (const auto ball : {workloads::BallPlace::Anywhere, workloads::BallPlace::NearFace, workloads::BallPlace::NearEdge})
+  for (const auto ball :
+       {workloads::BallPlace::Anywhere, workloads::BallPlace::NearFace, workloads::BallPlace::NearEdge})
     for (std::uint64_t i = 0; i < 100; ++i)
       list.push_back(workloads::sample({.placement = placement, .ball = ball, .vertices = 24}, 1, i));
   return list;

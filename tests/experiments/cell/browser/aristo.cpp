@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/experiments/cell/browser/aristo.h"
 
-#include "experiments/methods/registry.h"
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::cell_browser_tests {
 

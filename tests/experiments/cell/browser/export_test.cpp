@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/commands.h"
 #include "experiments/cell/browser/cell_json.h"
 #include "experiments/cell/browser/gltf.h"
 #include "experiments/cell/browser/page.h"
+#include "experiments/commands.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/cell/browser/aristo.h"
 #include "tests/experiments/support/run_command.h"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "experiments/workloads/degrees.h"
 #include "experiments/cell/kinematics/rehearsal.h"
 #include "experiments/cell/kinematics/solve_layout.h"
+#include "experiments/workloads/degrees.h"
 
 namespace touchstone::cell_tests {
 namespace {
@@ -144,11 +144,13 @@ TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {
 TEST(Aristo, HasItsWristAtOneHeightInBothCasesOnTheKnownCurves) {
   for (const Coupling coupling : kCouplings) {
     const bool keeps = coupling == Coupling::KeepsElevation;
-    const double factor = kForearm / kUpperArm * (keeps ? workloads::sine(7.5) : -workloads::sine(5)) / workloads::sine(12.5);
+    const double factor =
+        kForearm / kUpperArm * (keeps ? workloads::sine(7.5) : -workloads::sine(5)) / workloads::sine(12.5);
     EXPECT_NEAR(factor, keeps ? 0.7538 : -0.5033, 5e-5);
     const Chain chain = aristo(coupling);
     for (int elevation = -40; elevation <= 40; elevation += 5) {
-      const double lean = workloads::arc_sine(factor * workloads::cosine(keeps ? elevation + 4.5 : elevation - 8)) - 12.5;
+      const double lean =
+          workloads::arc_sine(factor * workloads::cosine(keeps ? elevation + 4.5 : elevation - 8)) - 12.5;
       Angles first = aristo_pose(coupling, 0, {lean, 0.0 + elevation}), second = first;
       first[kElbow] -= 3;
       second[kElbow] += 12, second[kShoulder] += 25;

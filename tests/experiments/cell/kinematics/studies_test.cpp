@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/commands.h"
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/first_contact/missed_study.h"
 #include "experiments/cell/kinematics/layout_output.h"
+#include "experiments/commands.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

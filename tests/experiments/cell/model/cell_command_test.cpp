@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/commands.h"
 #include "experiments/cell/model/link_model.h"
+#include "experiments/commands.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -82,8 +82,9 @@ TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
     EXPECT_EQ(ran.status, 2);
     return ran.err;
   };
-  EXPECT_EQ(err({path("two words.obj"), path("a.txt")}),
-            path("two words.obj") + ": the name \"two words\" is not one word of UTF-8 without '#'; --name gives another");
+  EXPECT_EQ(
+      err({path("two words.obj"), path("a.txt")}),
+      path("two words.obj") + ": the name \"two words\" is not one word of UTF-8 without '#'; --name gives another");
   EXPECT_EQ(err({path("two words.obj"), path("a.step")}),
             path("a.step") + ": the extension '.step' is none of .txt, .obj, .off, .stl and .ply");
   EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the storage may stand.
-#include "experiments/commands.h"
 #include "experiments/cell/configuration/area.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <cstdio>
 #include <string>
 
+#include "experiments/commands.h"
 #include "tests/experiments/cell/simulation/cells.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

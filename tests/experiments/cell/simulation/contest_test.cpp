@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods along a run, beside the exact answers.
-#include "experiments/methods/registry.h"
 #include "experiments/cell/simulation/contest.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/cell/simulation/cells.h"
 

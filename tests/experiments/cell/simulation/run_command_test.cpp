@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `touchstone cell run`: its files, its exit status, and what it refuses.
-#include "experiments/commands.h"
 #include "tests/experiments/support/run_command.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/commands.h"
 #include "tests/experiments/cell/simulation/cells.h"
 #include "tests/experiments/support/scratch.h"
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 
-#include "experiments/judge/corpus/rational_answer.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/judge/corpus/rational_answer.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/judge/corpus/stored.h"
 

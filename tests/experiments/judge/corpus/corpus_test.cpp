@@ -11,9 +11,9 @@
 #include "experiments/workloads/ulp.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
-#include "robust/filtered/engine.h"
-#include "tests/robust/support/environment.h"
+#include "robust/filtered/detail/kernels.h"
 #include "tests/experiments/judge/corpus/stored.h"
+#include "tests/robust/support/environment.h"
 
 namespace touchstone {
 namespace {
@@ -121,7 +121,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    ASSERT_EQ(filtered::closest(filtered::baseline_engine().plain, ball.center, *triangle, none), closest) << stored;
+    ASSERT_EQ(filtered::closest(filtered::baseline_kernels().plain, ball.center, *triangle, none), closest) << stored;
   }
 }
 

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/cases/method.h"
+#include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

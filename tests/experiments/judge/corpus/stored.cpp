@@ -36,7 +36,7 @@ Answer answer_of(const json& expected) {
   const json &nearest = expected.at("nearest"), &point = expected.at("point");
   return {.plane = named(expected.at("plane"), {PlaneSide::InFront, PlaneSide::Behind, PlaneSide::Intersects}),
           .plane_tangent = expected.at("plane_tangent").get<bool>(),
-          .foot = named(expected.at("foot"), {FootPlace::Inside, FootPlace::Boundary, FootPlace::Outside}),
+          .foot = named(expected.at("foot"), {PointLocation::Inside, PointLocation::Boundary, PointLocation::Outside}),
           .edges_hit = expected.at("edges_hit").get<std::vector<std::size_t>>(),
           .relation = named(expected.at("relation"), {Relation::Separate, Relation::Touching, Relation::Overlapping}),
           .nearest = {named(nearest.at("kind"), {Kind::Face, Kind::Edge, Kind::Vertex}),

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/commands.h"
-#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
-#include "experiments/judge/regress/baseline.h"
+#include "experiments/commands.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/judge/regress/baseline.h"
+#include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -245,9 +245,8 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const auto judged = cases::read_case(worse);
   const auto& shapes = std::get<cases::Shapes>(judged.content);
   EXPECT_EQ(judged.expected->at("contact"), exact::contact(shapes.ball, shapes.polygon));
-  EXPECT_NE(
-      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Contact).contact,
-      judged.expected->at("contact").get<bool>());
+  EXPECT_NE(methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Contact).contact,
+            judged.expected->at("contact").get<bool>());
 }
 
 }  // namespace

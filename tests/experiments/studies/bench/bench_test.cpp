@@ -9,8 +9,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/studies/bench/families.h"
 #include "experiments/harness/timing/output.h"
+#include "experiments/studies/bench/families.h"
 #include "tests/experiments/studies/bench/run_bench.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
@@ -82,10 +82,13 @@ TEST(BenchMeasurement, AComparisonWithNobodyIsRefused) {
 }
 
 TEST(BenchMeasurement, PoolsAreMeans) {
-  timing::Result one{
-      "test", "one",
-      "",     "query",
-      "all",  {{"base", 10, {2, 4}, timing::Wrong{1, 5}, {}, {}}, {"other", 10, {2, 2}, {}, timing::Comparison{"base", {}}, {1, 0.5}}}};
+  timing::Result one{"test",
+                     "one",
+                     "",
+                     "query",
+                     "all",
+                     {{"base", 10, {2, 4}, timing::Wrong{1, 5}, {}, {}},
+                      {"other", 10, {2, 2}, {}, timing::Comparison{"base", {}}, {1, 0.5}}}};
   timing::Result two = one;
   two.contestants[0].nanoseconds = {4, 8};
   const auto both = timing::pooled({one, two}, "all");
@@ -107,9 +110,13 @@ TEST(BenchMeasurement, AStopLeavesWhatWasMeasured) {
 }
 
 TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
-  timing::Result result{
-      "test",  "", "",
-      "query", "", {{"base", 10, {2, 2}, {}, {}, {}}, {"other", 10, {6, 6}, {}, timing::Comparison{"base", timing::Goal{2}}, {3, 3}}}};
+  timing::Result result{"test",
+                        "",
+                        "",
+                        "query",
+                        "",
+                        {{"base", 10, {2, 2}, {}, {}, {}},
+                         {"other", 10, {6, 6}, {}, timing::Comparison{"base", timing::Goal{2}}, {3, 3}}}};
   EXPECT_NE(timing::table(result).find("<= 2 MISSED"), std::string::npos);
   EXPECT_NE(timing::goals({result}).find("0 of 1 goals met; missed:\n  test: other is 3.00 x base, not <= 2"),
             std::string::npos);

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "experiments/methods/ericson.h"
-#include "experiments/workloads/lattice/lattice_tangents.h"
 #include "experiments/studies/bench/polygon_queries.h"
+#include "experiments/workloads/lattice/lattice_tangents.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"

@@ -13,11 +13,11 @@
 #include "experiments/commands.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/output.h"
-#include "geometry/scene/box.h"
+#include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
-#include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/address_sanitizer.h"
+#include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
 
@@ -187,7 +187,8 @@ TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
 }
 
 SceneResult timed(std::size_t triangles, double nanoseconds) {
-  timing::Result result{"torus", "near, any", "", "query", "", {{"Scene", 10, {nanoseconds}, timing::Wrong{0, 5}, {}, {}}}};
+  timing::Result result{"torus", "near, any", "",
+                        "query", "",          {{"Scene", 10, {nanoseconds}, timing::Wrong{0, 5}, {}, {}}}};
   return {"torus", triangles, {{"Scene", {2.0}, 120}}, {{BallPlace::Near, SceneQuestion::Any, result}}, {}};
 }
 
@@ -250,8 +251,8 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
   write_mesh(scratch.path / "meshes" / "one.off");
   const auto folder = scratch.path / "it's new";
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_bench_scenes({"--max-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples",
-                       "20", "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
+  ASSERT_EQ(run_bench_scenes({"--max-faces", "1000", "--meshes", (scratch.path / "meshes").string(), "--samples", "20",
+                              "--repetitions", "1", "--output", folder.string(), "--no-pictures"}),
             0);
   const std::string text = testing::internal::GetCapturedStdout();
   const auto all = nlohmann::json::parse(std::ifstream(folder / "bench.json"));
@@ -277,9 +278,9 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
 TEST(SceneBenchCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_bench_scenes({"--max-faces", "999"}), CLI::ParseError);
   EXPECT_THROW(run_bench_scenes({"--max-faces", "10000001"}), CLI::ParseError);
-  EXPECT_THROW(run_bench_scenes({ "--axes", "far"}), CLI::ParseError);
-  EXPECT_THROW(run_bench_scenes({ "--count", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_bench_scenes({ "--meshes", "/nowhere"}), std::runtime_error);
+  EXPECT_THROW(run_bench_scenes({"--axes", "far"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({"--count", "fast"}), CLI::ParseError);
+  EXPECT_THROW(run_bench_scenes({"--meshes", "/nowhere"}), std::runtime_error);
 }
 
 }  // namespace

@@ -11,18 +11,18 @@
 #include <thread>
 
 #include "experiments/commands.h"
-#include "experiments/studies/merging/output.h"
-#include "experiments/studies/merging/study.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/write_file.h"
+#include "experiments/studies/merging/output.h"
+#include "experiments/studies/merging/study.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/mesh/scene_faces.h"
 #include "robust/scene/scene.h"
-#include "tests/robust/mesh/random_meshes.h"
 #include "tests/experiments/support/address_sanitizer.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
+#include "tests/robust/mesh/random_meshes.h"
 
 namespace touchstone::mesh_tests {
 namespace {
@@ -200,7 +200,7 @@ TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
       commands::add_merging, "merging",
       {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 2);
-  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is no word of OBJ; the file has no face\n");
+  EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is not an OBJ keyword; the file has no face\n");
   EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
 }
 

@@ -252,8 +252,7 @@ TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
 }
 
 TEST_F(MeshContact, TheSidecarSaysHowItWasRun) {
-  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --method exact --seed 17 --faces 3 --output o").status,
-            0);
+  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --method exact --seed 17 --faces 3 --output o").status, 0);
   const auto record = nlohmann::json::parse(text_of(folder / "o/run.json"));
   EXPECT_EQ(record["seed"], 17);
   EXPECT_EQ(record["samples_done"], 3);

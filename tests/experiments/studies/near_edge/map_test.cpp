@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps of failures: that each is about the place that it names, and holds what it shows.
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/methods/registry.h"
 #include "tests/experiments/support/unwatched.h"
 
 namespace touchstone::near_edge {

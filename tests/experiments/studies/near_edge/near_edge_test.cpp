@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "experiments/commands.h"
-#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
 #include "experiments/studies/near_edge/output.h"
 #include "experiments/studies/near_edge/study.h"
@@ -48,7 +48,8 @@ Result whole(const Settings& settings) {
 std::vector<std::size_t> strata(Placement placement, cases::Threshold threshold) {
   std::vector<std::size_t> found;
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
-    if (cases::all_strata()[s].placement == placement && cases::all_strata()[s].threshold == threshold) found.push_back(s);
+    if (cases::all_strata()[s].placement == placement && cases::all_strata()[s].threshold == threshold)
+      found.push_back(s);
   return found;
 }
 
@@ -57,7 +58,7 @@ std::size_t place_of(std::int64_t offset) {
   return static_cast<std::size_t>(std::find(offsets.begin(), offsets.end(), offset) - offsets.begin());
 }
 
-PartialAnswer foot(FootPlace place) {
+PartialAnswer foot(PointLocation place) {
   PartialAnswer answer;
   answer.foot = place;
   return answer;
@@ -74,7 +75,8 @@ TEST(NearEdgeComparison, FrontAndBehindCountAlike) {
 }
 
 TEST(NearEdgeComparison, ABoundaryIsAskedOfThoseWhoKnowTheWord) {
-  const auto inside = foot(FootPlace::Inside), boundary = foot(FootPlace::Boundary), outside = foot(FootPlace::Outside);
+  const auto inside = foot(PointLocation::Inside), boundary = foot(PointLocation::Boundary),
+             outside = foot(PointLocation::Outside);
   EXPECT_EQ(compare(Tested::Foot, boundary, boundary, true), Outcome::Right);
   EXPECT_EQ(compare(Tested::Foot, inside, boundary, true), Outcome::BoundaryMissed);
   EXPECT_EQ(compare(Tested::Foot, outside, boundary, true), Outcome::WronglyOut);
@@ -108,8 +110,8 @@ TEST(NearEdgeThreshold, LiesBetweenOffsetsMinusOneAndOne) {
       EXPECT_FALSE(*truths[place_of(-1)].contact) << s;
       EXPECT_TRUE(*truths[place_of(1)].contact) << s;
     } else {
-      EXPECT_NE(truths[place_of(0)].foot, FootPlace::Outside) << s;
-      EXPECT_EQ(truths[place_of(1)].foot, FootPlace::Outside) << s;
+      EXPECT_NE(truths[place_of(0)].foot, PointLocation::Outside) << s;
+      EXPECT_EQ(truths[place_of(1)].foot, PointLocation::Outside) << s;
     }
     if (cases::all_strata()[s].threshold == cases::Threshold::Tangent) {
       EXPECT_TRUE(*truths[place_of(0)].contact) << s;
@@ -237,7 +239,7 @@ class WrongTruth : public cases::Method {
       PartialAnswer answer = exact_->ask(ball, question);
       if (answer.contact)
         answer.contact = exact_->ask(ball, cases::Question::Relation).relation == Relation::Overlapping;
-      if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+      if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
       return answer;
     }
 

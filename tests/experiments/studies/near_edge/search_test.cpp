@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the furthest wrong answers: what it reports is wrong, comes out again, and stands where it should.
-#include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/search.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +12,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/methods/registry.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
@@ -119,7 +119,8 @@ TEST(WrongReach, OfExactIsNothing) {
 // A climb only ever goes further, and stays a case of its kind.
 TEST(Climb, GoesFurtherAndStaysOfItsKind) {
   int further = 0;
-  for (const cases::Threshold threshold : {cases::Threshold::Face, cases::Threshold::Edge, cases::Threshold::Vertex, cases::Threshold::FootEdge}) {
+  for (const cases::Threshold threshold :
+       {cases::Threshold::Face, cases::Threshold::Edge, cases::Threshold::Vertex, cases::Threshold::FootEdge}) {
     const auto start = draw_at_threshold({stratum(Family::E, threshold), {}, 5, 2});
     ASSERT_TRUE(start);
     const WrongReach before =
@@ -135,7 +136,7 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
       EXPECT_EQ(answer.nearest.kind, kind) << word(threshold);
       EXPECT_EQ(answer.distance, at.ball.radius) << word(threshold);
     } else {
-      EXPECT_NE(answer.foot, FootPlace::Outside);
+      EXPECT_NE(answer.foot, PointLocation::Outside);
     }
     const auto [again, same] = climb(*start, method("fast"), workloads::Random(1, 2));
     EXPECT_EQ(same.share, reach.share) << "a climb is a function of its arguments";
@@ -146,8 +147,8 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
 // Far from the origin moves by bits are large: many would bring the foot over the face, or another feature nearest.
 TEST(Climb, KeepsTheKindOfTheNearestFeature) {
   for (std::uint64_t n = 0; n < 6; ++n)
-    for (const auto& [threshold, kind] :
-         {std::pair{cases::Threshold::Edge, Feature::Kind::Edge}, std::pair{cases::Threshold::Vertex, Feature::Kind::Vertex}}) {
+    for (const auto& [threshold, kind] : {std::pair{cases::Threshold::Edge, Feature::Kind::Edge},
+                                          std::pair{cases::Threshold::Vertex, Feature::Kind::Vertex}}) {
       const auto start = draw_at_threshold({stratum(Family::Star, threshold), {.origin_distance = 1e6}, 5, n});
       ASSERT_TRUE(start);
       const Climbed climbed = climb(*start, method("thesis-signed"), workloads::Random(1, n));

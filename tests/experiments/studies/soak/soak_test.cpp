@@ -11,9 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "experiments/commands.h"
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/commands.h"
 #include "experiments/harness/course.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/soak/campaign.h"
@@ -41,7 +41,8 @@ harness::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settin
 
 /// What a run of these settings goes on from.
 Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
-  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally(), [](const Tally& held) { return held.cases(); });
+  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally(),
+                        [](const Tally& held) { return held.cases(); });
 }
 
 /// What a whole run of these cases gives.
@@ -77,8 +78,8 @@ TEST(SoakCases, AreAFunctionOfSeedAndIndex) {
 
 // Hard where they say so: every family but Anywhere has contacts and misses, ties where it promises them.
 TEST(SoakCases, StandAtTheirThresholds) {
-  std::array<std::uint64_t, static_cast<std::size_t>(adversarial::Family::Outline) + 1> touching{}, separate{}, overlapping{},
-      boundary{};
+  std::array<std::uint64_t, static_cast<std::size_t>(adversarial::Family::Outline) + 1> touching{}, separate{},
+      overlapping{}, boundary{};
   for (std::uint64_t index = 0; index < 3000; ++index) {
     const adversarial::Case c = adversarial::draw_case(3, index);
     const Answer answer = exact::answer(c.ball, c.polygon);
@@ -86,7 +87,7 @@ TEST(SoakCases, StandAtTheirThresholds) {
     touching[family] += answer.relation == Relation::Touching ? 1 : 0;
     separate[family] += answer.relation == Relation::Separate ? 1 : 0;
     overlapping[family] += answer.relation == Relation::Overlapping ? 1 : 0;
-    boundary[family] += answer.foot == FootPlace::Boundary ? 1 : 0;
+    boundary[family] += answer.foot == PointLocation::Boundary ? 1 : 0;
   }
   for (const adversarial::Family family : adversarial::all_families()) {
     const auto f = static_cast<std::size_t>(family);
@@ -94,9 +95,11 @@ TEST(SoakCases, StandAtTheirThresholds) {
     EXPECT_GT(overlapping[f], 10U) << word(family);
   }
   for (const adversarial::Family family :
-       {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Point, adversarial::Family::Exponents, adversarial::Family::Scaled, adversarial::Family::Outline})
+       {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Point,
+        adversarial::Family::Exponents, adversarial::Family::Scaled, adversarial::Family::Outline})
     EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << word(family);
-  for (const adversarial::Family family : {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Foot, adversarial::Family::Point})
+  for (const adversarial::Family family : {adversarial::Family::Lattice, adversarial::Family::Tangent,
+                                           adversarial::Family::Foot, adversarial::Family::Point})
     EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << word(family);
 }
 
@@ -171,9 +174,9 @@ class FarthestVertex : public Contestant {
 };
 
 class NoBoundary : public Contestant {
-  FootPlace foot(const Ball& ball, const Prepared& polygon) const override {
-    const FootPlace place = Contestant::foot(ball, polygon);
-    return place == FootPlace::Boundary ? FootPlace::Inside : place;
+  PointLocation foot(const Ball& ball, const Prepared& polygon) const override {
+    const PointLocation place = Contestant::foot(ball, polygon);
+    return place == PointLocation::Boundary ? PointLocation::Inside : place;
   }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written of the study: worst cases, first failures, tables.
-#include "experiments/methods/registry.h"
 #include "experiments/studies/stability/output.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +15,9 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
-#include "tests/experiments/support/scratch.h"
+#include "experiments/methods/registry.h"
 #include "tests/experiments/studies/stability/small_study.h"
+#include "tests/experiments/support/scratch.h"
 
 namespace touchstone::stability {
 namespace {

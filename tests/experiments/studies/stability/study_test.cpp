@@ -13,14 +13,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "experiments/cases/verdict.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
-#include "experiments/cases/verdict.h"
 #include "experiments/studies/stability/output.h"
+#include "tests/experiments/studies/stability/small_study.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
-#include "tests/experiments/studies/stability/small_study.h"
 
 namespace touchstone::stability {
 namespace {
@@ -131,7 +131,7 @@ TEST(StabilityStudy, FindsPlantedErrors) {
     return answer;
   });
   const Planted no_boundary([](PartialAnswer answer, Question) {
-    if (answer.foot == FootPlace::Boundary) answer.foot = FootPlace::Inside;
+    if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
     return answer;
   });
   const Planted throwing([](PartialAnswer answer, Question question) {

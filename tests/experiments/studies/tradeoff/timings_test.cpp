@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/timings.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/errors.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"

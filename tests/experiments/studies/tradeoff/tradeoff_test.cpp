@@ -12,19 +12,19 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "experiments/commands.h"
-#include "experiments/methods/registry.h"
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "experiments/studies/tradeoff/output.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
+#include "tests/experiments/studies/tradeoff/small_study.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
-#include "tests/experiments/studies/tradeoff/small_study.h"
 
 namespace touchstone::tradeoff {
 namespace {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/mesh_source.h"
+
+namespace touchstone::io {
+
+/// Collects the vertices and faces of a file, numbered as in the file, and handles its faults.
+///
+/// Faces may name vertices that come later in the file; `finish` resolves their numbers.
+class MeshBuilder {
+ public:
+  /// `first_number` is the number that the file gives to its first vertex: 0, or 1 in OBJ.
+  MeshBuilder(const MeshSource& source, OnFault on_fault, std::int64_t first_number)
+      : source_(source), on_fault_(on_fault), first_number_(first_number) {}
+
+  /// Runs `read_part` and returns whether it succeeded. A fault of that part is rethrown with OnFault::Refuse and
+  /// recorded with OnFault::Skip. StructureLost always propagates, to `attempt_file`.
+  template <class ReadPart>
+  bool attempt(ReadPart read_part) {
+    try {
+      read_part();
+      return true;
+    } catch (const StructureLost&) {
+      throw;
+    } catch (const BrokenMesh& fault) {
+      note(fault);
+      return false;
+    }
+  }
+
+  /// Runs `read_file`. With OnFault::Skip a fault that arrives here is recorded, and what was read before it is kept.
+  template <class ReadFile>
+  void attempt_file(ReadFile read_file) {
+    try {
+      read_file();
+    } catch (const BrokenMesh& fault) {
+      note(fault);
+    }
+  }
+
+  /// Adds the point that `read_point` returns. If that throws, the vertex is left out, but keeps its number in the
+  /// file.
+  template <class ReadPoint>
+  void add_vertex(ReadPoint read_point) {
+    const bool was_read = attempt([&] { mesh_.vertices.push_back(read_point()); });
+    number_in_mesh_.push_back(was_read ? static_cast<std::uint32_t>(mesh_.vertices.size() - 1) : kLeftOut);
+  }
+
+  /// Adds a face whose corners are vertex numbers of the file. Reports a fault if there are fewer than three.
+  void add_face(Place place, std::span<const std::int64_t> corners) {
+    if (corners.size() < 3)
+      source_.broken(place, "a face needs at least 3 vertices, this one has " + std::to_string(corners.size()));
+    std::vector<std::uint32_t> face;
+    face.reserve(corners.size());
+    for (const std::int64_t number : corners) {
+      if (number < first_number_ || number - first_number_ >= kLeftOut) out_of_range(place, number);
+      face.push_back(static_cast<std::uint32_t>(number - first_number_));
+    }
+    mesh_.faces.push_back(std::move(face));
+    places_.push_back(place);
+  }
+
+  /// Returns the number of vertices read so far, including those left out.
+  [[nodiscard]] std::size_t vertices_so_far() const { return number_in_mesh_.size(); }
+
+  /// Records a part that is ignored because the format does not define it. Only the first one is kept.
+  void pass_over(Place place, const std::string& reason) {
+    if (passed_over_.empty()) passed_over_ = sentence(source_.name, place, reason);
+  }
+  [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
+
+  /// Returns the mesh; each face has the numbers that its vertices have there.
+  [[nodiscard]] ReadMesh finish() && {
+    if (number_in_mesh_.size() >= kLeftOut)
+      throw BrokenMesh(all_legible(source_.name) + ": more vertices than 32-bit numbers can count");
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
+      if (attempt([&] { renumber(places_[i], mesh_.faces[i]); })) {
+        if (kept != i) mesh_.faces[kept] = std::move(mesh_.faces[i]);
+        places_[kept++] = places_[i];
+      }
+    mesh_.faces.resize(kept);
+    places_.resize(kept, Place{});
+    return {std::move(mesh_), std::move(places_), std::move(left_out_), parts_left_out_};
+  }
+
+ private:
+  static constexpr std::uint32_t kLeftOut = std::numeric_limits<std::uint32_t>::max();
+
+  void note(const BrokenMesh& fault) {
+    if (on_fault_ == OnFault::Refuse) throw;  // the current fault
+    if (parts_left_out_++ < kMostSentences) left_out_.emplace_back(fault.what());
+  }
+
+  void renumber(Place place, std::vector<std::uint32_t>& face) const {
+    for (std::uint32_t& corner : face) {
+      const std::int64_t number = first_number_ + corner;
+      if (corner >= number_in_mesh_.size()) out_of_range(place, number);
+      corner = number_in_mesh_[corner];
+      if (corner == kLeftOut)
+        source_.broken(place, "the face uses vertex " + std::to_string(number) + ", which was left out");
+    }
+  }
+
+  [[noreturn]] void out_of_range(Place place, std::int64_t number) const {
+    source_.broken(place, "vertex " + std::to_string(number) +
+                              " is out of range: " + std::to_string(vertices_so_far()) +
+                              " vertices were read, numbered from " + std::to_string(first_number_));
+  }
+
+  const MeshSource& source_;
+  OnFault on_fault_;
+  std::int64_t first_number_;
+  Mesh mesh_;
+  std::vector<Place> places_;                  // of the faces
+  std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
+  std::string passed_over_;                    // a message
+  std::vector<std::string> left_out_;
+  std::size_t parts_left_out_ = 0;
+};
+
+}  // namespace touchstone::io

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+// PLY: the header declares elements (vertex, face, others) and their properties; the values follow as text or binary.
+// Reads x, y and z of each vertex and the vertex numbers of each face, and ignores the rest.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/io/detail/byte_reader.h"
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/mesh_formats.h"
+#include "geometry/io/detail/text_reader.h"
+
+namespace touchstone::io {
+namespace {
+
+enum class Scalar { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+std::size_t size_of(Scalar type) {
+  switch (type) {
+    case Scalar::Int8:
+    case Scalar::Uint8: return 1;
+    case Scalar::Int16:
+    case Scalar::Uint16: return 2;
+    case Scalar::Int32:
+    case Scalar::Uint32:
+    case Scalar::Float32: return 4;
+    case Scalar::Float64: return 8;
+  }
+  return 0;
+}
+
+struct Property {
+  std::string name;
+  Scalar type;
+  std::optional<Scalar> count_type;  ///< lists only
+};
+
+struct Element {
+  std::string name;
+  std::int64_t count;
+  std::vector<Property> properties;
+};
+
+enum class Encoding { Text, LittleEndian, BigEndian };
+
+struct Header {
+  Encoding encoding = Encoding::Text;
+  std::vector<Element> elements;
+};
+
+/// Returns 0, 1 or 2 for the properties x, y and z.
+std::optional<int> axis_of(const Property& property) {
+  if (property.count_type || property.name.size() != 1 || property.name[0] < 'x' || property.name[0] > 'z')
+    return std::nullopt;
+  return property.name[0] - 'x';
+}
+
+bool holds_corners(const Property& property) {
+  return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+// The header
+
+Scalar take_type(TextReader& lines) {
+  struct Name {
+    std::string_view name;
+    Scalar type;
+  };
+  static constexpr std::array<Name, 16> kNames{{{"char", Scalar::Int8},
+                                                {"int8", Scalar::Int8},
+                                                {"uchar", Scalar::Uint8},
+                                                {"uint8", Scalar::Uint8},
+                                                {"short", Scalar::Int16},
+                                                {"int16", Scalar::Int16},
+                                                {"ushort", Scalar::Uint16},
+                                                {"uint16", Scalar::Uint16},
+                                                {"int", Scalar::Int32},
+                                                {"int32", Scalar::Int32},
+                                                {"uint", Scalar::Uint32},
+                                                {"uint32", Scalar::Uint32},
+                                                {"float", Scalar::Float32},
+                                                {"float32", Scalar::Float32},
+                                                {"double", Scalar::Float64},
+                                                {"float64", Scalar::Float64}}};
+  const std::string_view word = lines.take();
+  const auto* const found =
+      std::find_if(kNames.begin(), kNames.end(), [&](const Name& known) { return known.name == word; });
+  if (found == kNames.end()) lines.broken(TextReader::quoted(word) + " is not a number type");
+  return found->type;
+}
+
+Encoding take_encoding(TextReader& lines) {
+  const std::string_view word = lines.take();
+  if (word == "ascii") return Encoding::Text;
+  if (word == "binary_little_endian") return Encoding::LittleEndian;
+  if (word == "binary_big_endian") return Encoding::BigEndian;
+  lines.broken("unknown format " + TextReader::quoted(word));
+}
+
+std::string take_name(TextReader& lines) {
+  const std::string_view word = lines.take();
+  if (word.empty()) lines.broken("expected a name, found the end of the line");
+  return std::string(word);
+}
+
+Property take_property(TextReader& lines) {
+  Property property{};
+  if (lines.peek() == "list") {
+    lines.take();
+    property.count_type = take_type(lines);
+  }
+  property.type = take_type(lines);
+  property.name = take_name(lines);
+  return property;
+}
+
+void check_elements(const std::vector<Element>& elements, const TextReader& lines) {
+  std::size_t vertex_elements = 0;
+  std::size_t face_elements = 0;
+  for (const Element& element : elements) {
+    if (element.name == "vertex") {
+      ++vertex_elements;
+      std::array<int, 3> declared{};
+      for (const Property& property : element.properties)
+        if (const auto axis = axis_of(property)) ++declared[static_cast<std::size_t>(*axis)];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (declared[axis] != 1)
+          lines.broken("the element 'vertex' needs one property '" + std::string(1, "xyz"[axis]) + "', it has " +
+                       std::to_string(declared[axis]));
+    }
+    if (element.name == "face") {
+      ++face_elements;
+      const auto lists = std::count_if(element.properties.begin(), element.properties.end(), holds_corners);
+      if (lists != 1)
+        lines.broken("the element 'face' needs one list 'vertex_indices' or 'vertex_index', it has " +
+                     std::to_string(lists));
+    }
+  }
+  if (vertex_elements != 1) lines.broken("expected one element 'vertex', found " + std::to_string(vertex_elements));
+  if (face_elements > 1) lines.broken("expected one element 'face', found " + std::to_string(face_elements));
+}
+
+Header take_header(TextReader& lines) {
+  const auto need_line = [&] {
+    if (!lines.next_line()) lines.truncated("its header has no 'end_header'");
+  };
+  need_line();
+  if (const std::string_view word = lines.take(); word != "ply")
+    lines.broken("expected 'ply', found " + TextReader::quoted(word));
+
+  Header header;
+  bool has_format = false;
+  for (;;) {
+    need_line();
+    const std::string_view keyword = lines.take();
+    if (keyword == "end_header") break;
+    if (keyword == "format") {
+      header.encoding = take_encoding(lines);
+      has_format = true;
+    } else if (keyword == "element") {
+      std::string name = take_name(lines);
+      header.elements.push_back({std::move(name), lines.take_count(), {}});
+    } else if (keyword == "property") {
+      if (header.elements.empty()) lines.broken("a property comes before the first element");
+      header.elements.back().properties.push_back(take_property(lines));
+    } else if (keyword != "comment" && keyword != "obj_info") {
+      lines.broken(TextReader::quoted(keyword) + " is not a PLY header keyword");
+    }
+  }
+  if (!has_format) lines.broken("the header has no line 'format'");
+  check_elements(header.elements, lines);
+  return header;
+}
+
+// The values, which are in the same order in text and binary files
+
+/// Reads values as text. Each element is on a line of its own, so a faulty one can be skipped.
+class TextValues {
+ public:
+  explicit TextValues(TextReader& lines) : lines_(lines) {}
+
+  void begin_element(const Element& element, std::int64_t index) {
+    if (!lines_.next_line())
+      lines_.truncated(legible(element.name) + " " + std::to_string(index) + " of " + std::to_string(element.count) +
+                       " is missing");
+  }
+  void end_element() {
+    if (!lines_.line_is_done()) lines_.broken("unexpected values after the last property");
+  }
+  void pass_element(const Element&) {}
+
+  [[nodiscard]] Place place() const { return lines_.place(); }
+  double take_number(Scalar) { return lines_.take_number(); }
+  std::int64_t take_count(const Property& list) { return lines_.take_count(written(*list.count_type)); }
+  void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
+    lines_.take_corners(count, corners, written(list.type));
+  }
+  void skip(Scalar, std::int64_t count) { lines_.skip_fields(count); }
+
+ private:
+  static TextReader::Whole written(Scalar type) {
+    const bool whole = type != Scalar::Float32 && type != Scalar::Float64;
+    return whole ? TextReader::Whole::Digits : TextReader::Whole::Decimal;
+  }
+
+  TextReader& lines_;
+};
+
+/// Reads values as binary. Elements end with their last property, so after a wrong list count the rest of the file is
+/// lost.
+class BinaryValues {
+ public:
+  BinaryValues(const MeshSource& source, ByteReader& bytes) : source_(source), bytes_(bytes) {}
+
+  void begin_element(const Element& element, std::int64_t index) {
+    if (bytes_.bytes_left() == 0)
+      source_.lost(place(), "the file is truncated: " + legible(element.name) + " " + std::to_string(index) + " of " +
+                                std::to_string(element.count) + " is missing");
+  }
+  void end_element() {}
+  void pass_element(const Element& element) {
+    for (const Property& property : element.properties)
+      skip(property.type, property.count_type ? take_count(property) : 1);
+  }
+
+  [[nodiscard]] Place place() const { return bytes_.place(); }
+
+  double take_number(Scalar type) {
+    switch (type) {
+      case Scalar::Int8: return bytes_.take<std::int8_t>();
+      case Scalar::Uint8: return bytes_.take<std::uint8_t>();
+      case Scalar::Int16: return bytes_.take<std::int16_t>();
+      case Scalar::Uint16: return bytes_.take<std::uint16_t>();
+      case Scalar::Int32: return bytes_.take<std::int32_t>();
+      case Scalar::Uint32: return bytes_.take<std::uint32_t>();
+      case Scalar::Float32: return static_cast<double>(bytes_.take<float>());
+      case Scalar::Float64: return bytes_.take<double>();
+    }
+    return 0;
+  }
+
+  std::int64_t take_count(const Property& list) {
+    const Place count_place = place();
+    const std::int64_t count = take_whole(*list.count_type);
+    if (count < 0) source_.lost(count_place, "the count " + std::to_string(count) + " is negative");
+    if (static_cast<std::uint64_t>(count) > bytes_.bytes_left() / size_of(list.type))
+      source_.lost(count_place, "the file is truncated within a list of " + std::to_string(count));
+    return count;
+  }
+
+  void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
+    corners.clear();
+    for (; count > 0; --count) corners.push_back(take_whole(list.type));
+  }
+
+  void skip(Scalar type, std::int64_t count) { bytes_.skip(size_of(type) * static_cast<std::size_t>(count)); }
+
+ private:
+  std::int64_t take_whole(Scalar type) {
+    constexpr double kLimit = 1e15;  // integers up to here are exact doubles
+    const Place number_place = place();
+    const double value = take_number(type);
+    if (!(std::abs(value) < kLimit) || value != std::floor(value))
+      source_.lost(number_place, "a count or vertex number is not an integer");
+    return static_cast<std::int64_t>(value);
+  }
+
+  const MeshSource& source_;
+  ByteReader& bytes_;
+};
+
+template <class Values>
+Eigen::Vector3d take_vertex(const MeshSource& source, const Element& element, Values& values) {
+  const Place place = values.place();
+  Eigen::Vector3d point;
+  for (const Property& property : element.properties)
+    if (const auto axis = axis_of(property))
+      point[*axis] = values.take_number(property.type);
+    else
+      values.skip(property.type, property.count_type ? values.take_count(property) : 1);
+  values.end_element();
+  return source.finite(place, point);
+}
+
+template <class Values>
+void take_corners(const Element& element, Values& values, std::vector<std::int64_t>& corners) {
+  for (const Property& property : element.properties) {
+    const std::int64_t count = property.count_type ? values.take_count(property) : 1;
+    if (holds_corners(property))
+      values.take_corners(property, count, corners);
+    else
+      values.skip(property.type, count);
+  }
+  values.end_element();
+}
+
+template <class Values>
+void read_elements(const MeshSource& source, const Header& header, Values values, MeshBuilder& builder) {
+  std::vector<std::int64_t> corners;
+  for (const Element& element : header.elements) {
+    if (element.properties.empty()) continue;  // takes no space in the file, whatever its count
+    for (std::int64_t i = 0; i < element.count; ++i) {
+      values.begin_element(element, i);
+      const Place place = values.place();
+      if (element.name == "vertex")
+        builder.add_vertex([&] { return take_vertex(source, element, values); });
+      else if (element.name == "face")
+        builder.attempt([&] {
+          take_corners(element, values, corners);
+          builder.add_face(place, corners);
+        });
+      else
+        values.pass_element(element);
+    }
+  }
+}
+
+}  // namespace
+
+void read_ply(const MeshSource& source, MeshBuilder& builder) {
+  TextReader lines(source, {});
+  const Header header = take_header(lines);
+  if (header.encoding == Encoding::Text) {
+    read_elements(source, header, TextValues(lines), builder);
+    if (lines.next_line()) lines.broken("unexpected data after the elements that the counts declare");
+  } else {
+    ByteReader bytes(source, lines.position(),
+                     header.encoding == Encoding::LittleEndian ? std::endian::little : std::endian::big);
+    read_elements(source, header, BinaryValues(source, bytes), builder);
+    bytes.file_is_done();
+  }
+}
+
+}  // namespace touchstone::io

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/io/detail/legible.h"
+#include "geometry/io/detail/mesh_source.h"
+#include "geometry/io/detail/text_number.h"
+
+namespace touchstone::io {
+
+struct TextSyntax {
+  bool comments = false;       ///< '#' begins a comment that ends with the line
+  bool continuations = false;  ///< a line that ends with '\' continues on the next
+};
+
+/// Reads the lines of a text file that are not blank, each as fields separated by blanks.
+///
+/// Lines end with "\n", "\r\n" or "\r". Only continued lines are copied.
+class TextReader {
+ public:
+  TextReader(const MeshSource& source, TextSyntax syntax) : source_(source), text_(source.bytes), syntax_(syntax) {
+    if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // the byte order mark of UTF-8
+    if (source.has_wide_byte_order_mark())
+      source.lost(place(), "the byte order mark is that of UTF-16 or UTF-32; text must be UTF-8");
+  }
+  TextReader(const TextReader&) = delete;
+  TextReader& operator=(const TextReader&) = delete;
+
+  /// Moves to the next line that is not blank. Returns false at the end of the file.
+  bool next_line() {
+    while (position_ < text_.size()) {
+      line_number_ = lines_passed_ + 1;
+      rest_ = physical_line();
+      if (syntax_.continuations && rest_.ends_with('\\')) join_continuations();
+      skip_blanks();
+      if (!rest_.empty()) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] Place place() const { return {Place::Unit::Line, std::max<std::size_t>(line_number_, 1)}; }
+  [[nodiscard]] bool line_is_done() const { return rest_.empty(); }
+  /// Returns the position of the byte after the current line.
+  [[nodiscard]] std::size_t position() const { return position_; }
+
+  [[noreturn]] void broken(const std::string& reason) const { source_.broken(place(), reason); }
+
+  /// Reports that something is missing at the end of the file. The place is the last line.
+  [[noreturn]] void truncated(const std::string& reason) const {
+    source_.lost(place(), "the file is truncated: " + reason);
+  }
+
+  /// Takes the next field of the line; empty at its end.
+  std::string_view take() {
+    const std::string_view field = peek();
+    rest_.remove_prefix(field.size());
+    skip_blanks();
+    return field;
+  }
+
+  /// Returns the next field without taking it.
+  [[nodiscard]] std::string_view peek() const {
+    return rest_.substr(0,
+                        static_cast<std::size_t>(std::find_if(rest_.begin(), rest_.end(), is_blank) - rest_.begin()));
+  }
+
+  void skip_fields(std::int64_t count) {
+    for (; count > 0; --count)
+      if (take().empty()) broken("too few values on the line");
+  }
+
+  /// Takes the next field as a finite double.
+  double take_number() {
+    const std::string_view field = take();
+    if (field.empty()) broken("expected a number, found the end of the line");
+    const std::optional<double> value = nearest_double(field);
+    if (!value) broken(quoted(field) + " is not a number");
+    if (!std::isfinite(*value)) broken(quoted(field) + " is not a finite double");
+    return *value;
+  }
+
+  /// Takes the next three fields as a point. `after` says in messages where they stand.
+  Eigen::Vector3d take_point(const char* after) {
+    Eigen::Vector3d point;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (rest_.empty()) broken(std::string("expected three numbers ") + after + ", found " + std::to_string(axis));
+      point[axis] = take_number();
+    }
+    return point;
+  }
+
+  /// How integers may be written: as digits, or as any decimal, such as `3.0`.
+  enum class Whole { Digits, Decimal };
+
+  /// Takes the next field as an integer. `what` names it in messages.
+  std::int64_t take_whole(const char* what, Whole written = Whole::Digits) {
+    const std::string_view field = take();
+    if (field.empty()) broken(std::string("expected a ") + what + ", found the end of the line");
+    const std::optional<std::int64_t> value = written == Whole::Digits ? whole_number(field) : whole_decimal(field);
+    if (!value) broken(quoted(field) + " is not a " + what);
+    return *value;
+  }
+
+  /// Takes the next field as an integer that must not be negative.
+  std::int64_t take_count(Whole written = Whole::Digits) {
+    const std::int64_t count = take_whole("count", written);
+    if (count < 0) broken("the count " + std::to_string(count) + " is negative");
+    return count;
+  }
+
+  /// Takes the next `count` fields as vertex numbers, which replace the content of `corners`.
+  void take_corners(std::int64_t count, std::vector<std::int64_t>& corners, Whole written = Whole::Digits) {
+    corners.clear();
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (rest_.empty()) broken("expected " + std::to_string(count) + " vertex numbers, found " + std::to_string(i));
+      corners.push_back(take_whole("vertex number", written));
+    }
+  }
+
+  /// Reports a fault if the rest of the line holds anything but numbers, of any kind and value.
+  void rest_is_numbers() {
+    while (!rest_.empty())
+      if (const std::string_view field = take(); !nearest_double(field)) broken(quoted(field) + " is not a number");
+  }
+
+  static std::string quoted(std::string_view field) {
+    constexpr std::size_t kLongest = 40;
+    return "'" + legible(field, kLongest) + "'";
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool ends_line(char c) { return c == '\n' || c == '\r'; }
+
+  void skip_blanks() {
+    std::size_t blanks = 0;
+    while (blanks < rest_.size() && is_blank(rest_[blanks])) ++blanks;
+    rest_.remove_prefix(blanks);
+  }
+
+  std::string_view physical_line() {
+    const std::size_t begin = position_;
+    while (position_ < text_.size() && !ends_line(text_[position_])) ++position_;
+    const std::string_view line = text_.substr(begin, position_ - begin);
+    if (text_.substr(position_, 2) == "\r\n") ++position_;
+    if (position_ < text_.size()) ++position_;
+    ++lines_passed_;
+    return syntax_.comments ? line.substr(0, line.find('#')) : line;
+  }
+
+  void join_continuations() {
+    joined_.clear();
+    while (rest_.ends_with('\\')) {
+      joined_.append(rest_.substr(0, rest_.size() - 1)).push_back(' ');
+      rest_ = position_ < text_.size() ? physical_line() : std::string_view{};
+    }
+    joined_.append(rest_);
+    rest_ = joined_;
+  }
+
+  const MeshSource& source_;
+  std::string_view text_;
+  TextSyntax syntax_;
+  std::size_t position_ = 0;
+  std::size_t lines_passed_ = 0;
+  std::size_t line_number_ = 0;  // where the current line begins
+  std::string_view rest_;        // the rest of the current line, from the next field on
+  std::string joined_;           // the current line, if it was continued
+};
+
+}  // namespace touchstone::io

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "geometry/shapes/polygon.h"
+
+namespace touchstone::exact {
+
+/// The loops of a polygon, projected by dropping one coordinate.
+class PlanarLoops {
+ public:
+  struct Point {
+    double x, y;
+    friend auto operator<=>(const Point&, const Point&) = default;  // by x, then by y  NOLINT(modernize-use-nullptr)
+    friend bool operator==(const Point&, const Point&) = default;
+  };
+
+  PlanarLoops(const Polygon& polygon, int dropped_axis);
+
+  [[nodiscard]] const Point& operator[](std::size_t i) const { return points_[i]; }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return polygon_->next(i); }
+  [[nodiscard]] std::size_t previous(std::size_t i) const { return polygon_->previous(i); }
+
+ private:
+  const Polygon* polygon_;
+  std::vector<Point> points_;
+};
+
+/// Two edges that share a point other than the common vertex of neighbouring edges. If the ends of one edge coincide,
+/// both are that edge.
+struct Meeting {
+  std::size_t first, second;  // first <= second
+};
+
+/// Returns a meeting among the edges [begin, end) of whole loops, if there is one. Exact. Cost: O(n log n) with
+/// n = end - begin.
+///
+/// A line sweeps over the points in lexicographic order and keeps the edges that it crosses in order. As long as no
+/// neighbours in that order meet, no edges meet (Shamos and Hoey). Source: [shamos1976].
+[[nodiscard]] std::optional<Meeting> find_meeting(const PlanarLoops& loops, std::size_t begin, std::size_t end);
+
+/// Returns whether a vertex is inside the loops with edges [begin, end), by the even-odd rule. Requires that it lies on
+/// none of these edges. Exact. Cost: linear.
+[[nodiscard]] bool is_inside(const PlanarLoops& loops, std::size_t vertex, std::size_t begin, std::size_t end);
+
+}  // namespace touchstone::exact

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+namespace touchstone::exact {
+
+/// Returns the double nearest to numerator / denominator, ties to even. The result may be subnormal, is infinite if the
+/// value rounds beyond the finite doubles, and +0 if it rounds to zero. Requires denominator > 0. Does not depend on
+/// the rounding mode.
+[[nodiscard]] double nearest_double(const mpz_class& numerator, const mpz_class& denominator);
+
+/// Returns the double nearest to sqrt(numerator / denominator), in the same sense. Requires numerator >= 0, denominator
+/// > 0.
+[[nodiscard]] double nearest_root(const mpz_class& numerator, const mpz_class& denominator);
+
+}  // namespace touchstone::exact

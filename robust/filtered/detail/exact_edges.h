@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/detail/sign_ladder.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// The edges of a prepared polygon relative to a ball, for signs that the frame could not decide.
+///
+/// Requires a frame, and round to nearest without flush-to-zero during its lifetime.
+template <class Counts>
+class ExactEdges {
+ public:
+  ExactEdges(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts)
+      : ball_(ball), parts_(parts), counts_(counts), radius_(scaled(ball.radius)), usable_(restores(ball.radius)) {
+    for (int axis = 0; axis < 3; ++axis) {
+      center_[axis] = scaled(ball.center[axis]);
+      usable_ = usable_ && restores(ball.center[axis]);
+    }
+  }
+
+  [[nodiscard]] Counts& counts() const { return counts_; }
+
+  /// Returns the centre in the frame's unit of length, 2^exponent; exact if `scales()`.
+  [[nodiscard]] double center(int axis) const { return center_[axis]; }
+  [[nodiscard]] bool scales() const { return usable_; }
+  [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
+  /// Returns a coordinate of a vertex before any lift, exact: in the frame's unit of length, or as given.
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
+  [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
+  /// Returns whether vertices are lifted along this axis, and how far, to bounds::kLift.
+  [[nodiscard]] bool lifts(int axis) const { return !parts_.bigint.planar() && axis == parts_.bigint.dropped_axis(); }
+  [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
+
+  /// Returns closest points and distances from integers of any size.
+  [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
+    return parts_.bigint.point(ball_, feature, axis);
+  }
+  [[nodiscard]] double bigint_distance(const Feature& feature) const { return parts_.bigint.distance(ball_, feature); }
+
+  template <SignKind kind>
+  [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
+    const auto bigint = [&] { return parts_.bigint.sign(kind, ball_, edge, axis); };
+    if (!usable_) {
+      counts_.count(Stage::BigInteger);
+      return bigint();
+    }
+    return exact_sign<kind>(edge_view(edge).operands(axis), counts_, bigint);
+  }
+
+  /// Returns the distance to the edge against the radius: > is +, = is 0, < is -.
+  [[nodiscard]] int distance_sign(std::size_t edge) const {
+    if (sign<SignKind::Along>(edge) <= 0) return sign<SignKind::Vertex>(edge);
+    if (sign<SignKind::Beyond>(edge) >= 0) return sign<SignKind::Vertex>(parts_.polygon.next(edge));
+    return sign<SignKind::Line>(edge);
+  }
+
+  /// An edge relative to the ball.
+  struct EdgeView {
+    Vector3<DoubleDouble> to_center, edge;
+    const Vector3<DoubleDouble>& normal;
+    double radius;
+    Maxima maxima;
+    bool lifted, exact_normal;
+
+    [[nodiscard]] EdgeOperands operands(int axis) const {
+      return {to_center, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
+    }
+    /// Returns whether this component of the normal is exactly zero.
+    [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
+    /// The error of the normal's components beyond their relative error, in units of bounds::kClosest times the
+    /// maximum: none, because LiftedPolygon holds each to a relative precision.
+    static constexpr double kNormalError = 0;
+  };
+
+  [[nodiscard]] EdgeView edge_view(std::size_t edge) const {
+    const std::size_t next = parts_.polygon.next(edge);
+    const LiftedPolygon& lifted = parts_.lifted;
+    const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
+    EdgeView s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
+               {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
+                two_difference(vertex(next, 2), p[2])},
+               lifted.normal,
+               radius_,
+               {radius_, 0, lifted.normal_maximum},
+               !lifted.lifts.empty(),
+               lifted.exact_normal};
+    s.maxima.edge = largest(s.edge);
+    if (s.lifted) {
+      s.maxima.to_center = std::max(s.maxima.to_center, bounds::kLiftedMaximum);
+      s.maxima.edge *= bounds::kLiftedMaximum;
+      const int k = parts_.bigint.dropped_axis();
+      DoubleDouble& to_center_k = k == 0 ? s.to_center.x : k == 1 ? s.to_center.y : s.to_center.z;
+      DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
+      to_center_k = to_center_k - lifted.lifts[edge];
+      edge_k = edge_k - dot(lifted.normal, s.edge) / lifted.normal[k];
+    }
+    s.maxima.to_center = std::max(s.maxima.to_center, largest(s.to_center));
+    s.maxima.edge = std::max(s.maxima.edge, largest(s.edge));
+    return s;
+  }
+
+ private:
+  static double largest(const Vector3<DoubleDouble>& v) {
+    return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
+  }
+  [[nodiscard]] double scaled(double length) const { return length * parts_.frame->scale[0] * parts_.frame->scale[1]; }
+  [[nodiscard]] bool restores(double length) const {
+    return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
+  }
+
+  const Ball& ball_;
+  const PreparedPolygon::Parts& parts_;
+  Counts& counts_;
+  double center_[3], radius_;
+  bool usable_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <span>
+
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/edge_frame.h"
+#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/filtered/detail/prepared.h"
+
+/// The first stage for prepared polygons: computes in the isometric frame, in doubles, with absolute error bounds.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
+
+/// The height of a ball's centre above a frame's plane.
+///
+/// Like FrameQuery, it is valid in every rounding direction and, in frames from Frame::kSubnormal up, under
+/// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
+struct HeightQuery {
+  Vector3<double> to_center;    ///< from the frame's origin to the centre
+  double size;                  ///< at least 1 and at least every coordinate of the centre in the frame
+  double height, height_error;  ///< the height of the centre above the plane
+  double radius;
+
+  /// Requires coordinates and a radius up to frame.reachable.
+  HeightQuery(const Ball& ball, const Frame& frame) {
+    const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
+    to_center = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
+                 scaled(ball.center[2]) - frame.origin.z};
+    radius = scaled(ball.radius);
+    height = frame::height(frame.normal, to_center, frame.plane_height);
+    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
+    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+    assert(size <= 8 * Frame::kReach);
+    height_error = bounds::kHeight * bounds::kUnit * size;
+  }
+
+  /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
+  [[nodiscard]] int plane_sign() const {
+    if (std::abs(height) - height_error > radius) return 1;
+    return std::abs(height) + height_error < radius ? -1 : 0;
+  }
+};
+
+/// The foot in a frame, and the distances from it that doubles can decide.
+///
+/// Let rho be the distance in the plane from the foot to an edge, and rho^2 its square as the walk computes it. The
+/// ball certainly touches the edge if rho^2 is below `certain_hit_sq`, and certainly misses it if rho^2 is above
+/// `certain_miss_sq`. The foot is certainly not on the edge if rho^2 is above `boundary_sq`.
+struct FrameQuery {
+  double x, y;                                          ///< the foot
+  double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative if there is no such distance
+
+  FrameQuery(const HeightQuery& ball, const Frame& frame)
+      : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
+    using bounds::kNarrow, bounds::kWide;
+    const double error = bounds::kDistance * bounds::kUnit * ball.size;
+    const double above = std::abs(ball.height), radius = ball.radius;
+    const double low = larger(above - ball.height_error, 0.0), high = above + ball.height_error;
+    const double outer = std::sqrt(larger((radius - low) * (radius + low), 0.0)) * kWide + error;
+    const double inner = std::sqrt(larger((radius - high) * (radius + high), 0.0)) * kNarrow - error;
+    certain_miss_sq = radius < low ? -1 : outer * outer * kWide;
+    certain_hit_sq = inner > 0 ? inner * inner * kNarrow : -1;
+    boundary_sq = (bounds::kNear * error) * (bounds::kNear * error);
+  }
+};
+
+/// Four edges of a leaf, relative to the foot.
+struct LeafView {
+  Pack along, across, length;
+  Pack squared;      ///< rho^2
+  unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > boundary_sq)
+
+  LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
+    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+    const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
+    const Pack end_x = load(leaf.end_x), end_y = load(leaf.end_y);
+    const Pack direction_x = load(leaf.direction_x), direction_y = load(leaf.direction_y);
+    length = load(leaf.length);
+    along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
+    across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
+    squared = frame::squared_length(across, frame::overshoot(along, length, zero));
+
+    // An edge that ends above the ray runs upwards; if the crossing lies to the right, the foot is to its left.
+    const Pack start_above = y - start_y, end_above = y - end_y;
+    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
+    const unsigned straddles = negative_lanes(start_above ^ end_above);
+    const unsigned left_of_it = negative_lanes(across ^ end_above);
+    crossed = straddles & (negative_lanes(all_right) | (left_of_it & ~negative_lanes(all_left)));
+  }
+};
+
+/// The boxes of a node, relative to the foot.
+struct NodeView {
+  Pack
+      squared;  ///< of the distances to the boxes; compared with bounds::kBoxReach times a square from `boundary_sq` on
+  unsigned right;  ///< a bit a box: where the foot is outside it, the horizontal line meets it on the right, if at all
+
+  NodeView(const EdgeTree::Node& node, const FrameQuery& query) {
+    const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
+    const Pack center_x = load(node.center_x), center_y = load(node.center_y);
+    const Pack axis_x = load(node.axis_x), axis_y = load(node.axis_y);
+    const Pack along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack beside = frame::beyond(along, load(node.half_along));
+    const Pack above = frame::beyond(across, load(node.half_across));
+    squared = frame::squared_length(maximum(beside, zero), maximum(above, zero));
+    // Of the two sides that face the foot take the one from which it is farther. Its outward normal n points to the
+    // foot: points of the box at the foot's height lie on the right if and only if n_x < 0.
+    const unsigned by_along = negative_lanes(above - beside);
+    right = (by_along & negative_lanes(along ^ axis_x)) | (~by_along & ~negative_lanes(across ^ axis_y));
+  }
+};
+
+/// Returns whether an odd number of these ends lies above the horizontal ray from the foot. Requires ends ordered by y.
+inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
+  const auto above = std::partition_point(ends.begin(), ends.end(),
+                                          [y](const EdgeTree::End& end) { return !std::signbit(y - end.y); });
+  return ((ends.end() - above) & 1) != 0;
+}
+
+/// Visits all leaves whose box lies within a distance of the foot, and calls visit(leaf, view). `limit_sq` is the
+/// square of that distance, at least `boundary_sq`; the visitor may shrink it. Stops if visit returns true. If it was
+/// not stopped, returns how often, modulo 2, the ray to the right from the foot crosses the loops. Leaves come in no
+/// particular order, or with the nearest child first.
+template <bool nearest_first = false, class Visit>
+bool walk(const EdgeTree& tree, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
+  const Pack y = all_lanes(query.y);
+  std::int32_t stack[EdgeTree::kStackSize];
+  std::size_t open = 0;
+  stack[open++] = tree.root();
+  unsigned crossings = 0;
+  while (open > 0) {
+    const std::int32_t index = stack[--open];
+    if (index < 0) {
+      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+      const LeafView view(leaf, query);
+      crossings ^= view.crossed;
+      if (visit(leaf, view)) return false;
+      continue;
+    }
+    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+    const NodeView view(node, query);
+    const unsigned far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
+    // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.
+    const Pack parted = (y - load(node.lowest_end)) ^ (y - load(node.highest_end));
+    const unsigned met = far & view.right & negative_lanes(parted);
+    crossings ^= met & ~node.with_more_ends;
+    for (unsigned more = met & node.with_more_ends; more != 0; more &= more - 1)
+      if (odd_ends_above(tree.ends_of(node, static_cast<unsigned>(__builtin_ctz(more))), query.y))
+        crossings ^= more & -more;
+    unsigned last = EdgeTree::kWidth;
+    if constexpr (nearest_first) {
+      double distances[kLanes];
+      store(distances, view.squared);
+      for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane)
+        if ((far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
+    }
+    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;)
+      if ((far >> lane & 1) == 0 && lane != last) stack[open++] = node.child[lane];
+    if (last != EdgeTree::kWidth) stack[open++] = node.child[last];
+  }
+  return (__builtin_popcount(crossings) & 1) != 0;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

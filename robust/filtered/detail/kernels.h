@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "robust/filtered/detail/ball_triangle_view.h"
+#include "robust/filtered/filtered.h"
+
+namespace touchstone::filtered {
+
+/// The functions that are compiled once per instruction set, for one way of counting stages.
+template <class Counts>
+struct KernelTable {
+  using Parts = PreparedPolygon::Parts;
+  bool (*triangle_contact)(BallTriangleView, Counts&);
+  /// For a ball of radius 0: the feature that contains the closest point, its distance, and the point.
+  Feature (*triangle_nearest)(BallTriangleView, Counts&);
+  double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
+  void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
+  bool (*contact)(const Ball&, const Parts&, Counts&);
+  Relation (*relation)(const Ball&, const Parts&, Counts&);
+  PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);
+  PointLocation (*foot)(const Ball&, const Parts&, Counts&);
+  std::vector<std::size_t> (*edges_hit)(const Ball&, const Parts&, Counts&);
+  Answer (*answer)(const Ball&, const Parts&, Counts&);
+};
+
+/// All kernels for one instruction set.
+struct Kernels {
+  KernelTable<NoCounts> plain;
+  KernelTable<StageCounts> counted;
+  void (*balls_contact)(std::span<const Ball>, const PreparedPolygon::Parts&, std::span<bool>);
+  void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
+};
+
+/// Returns a view of a ball and a triangle.
+[[nodiscard]] __attribute__((always_inline)) inline BallTriangleView view_of(const Ball& ball,
+                                                                             const Triangle& triangle) {
+  static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
+  static_assert(sizeof(Ball) == 4 * sizeof(double), "a ball is four");
+  return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball)};
+}
+
+/// The kernels for any machine, and those for x86-64 with AVX2 and FMA.
+[[nodiscard]] const Kernels& baseline_kernels();
+[[nodiscard]] const Kernels& avx2_kernels();
+
+/// Selects the kernels for this machine and stores the choice. Throws what expect_sound_arithmetic throws.
+[[nodiscard]] const Kernels& find_fastest_kernels();
+extern std::atomic<const Kernels*> found_kernels;  ///< null until they are selected
+
+/// Returns the fastest kernels that this machine can run. All kernels return the same answers.
+[[nodiscard]] inline const Kernels& kernels() {
+  // A local static would add 2 % to a query of 25 ns.
+  const Kernels* const found = found_kernels.load(std::memory_order_relaxed);
+  return found != nullptr ? *found : find_fastest_kernels();
+}
+
+/// Returns the closest point, computed by one set of kernels.
+template <class Counts>
+[[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& kernels, const Eigen::Vector3d& center,
+                                   const Triangle& triangle, Counts& counts) {
+  const Ball point_ball{center, 0};
+  const BallTriangleView view = view_of(point_ball, triangle);
+  const Feature feature = kernels.triangle_nearest(view, counts);
+  double point[3];
+  kernels.triangle_point(view, feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, kernels.triangle_distance(view, feature, counts)};
+}
+
+}  // namespace touchstone::filtered

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// The instruction set for which this translation unit is compiled. The kernels are compiled once for each (kernels.h).
+/// Everything they share with other units is in a namespace of this name, so that the linker cannot put a function that
+/// was compiled for one machine into code for another.
+#if !defined(TOUCHSTONE_TARGET)
+#define TOUCHSTONE_TARGET baseline
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "robust/filtered/detail/bigint_triangle.h"
+#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/triangle_contact.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// A triangle relative to a centre, scaled by a power of two if its numbers are far from 1. Meets the requirements of
+/// closest_point.h.
+template <class Counts>
+class ExactTriangle {
+ public:
+  /// Requires a radius of 0, and round to nearest without flush-to-zero during its lifetime.
+  ExactTriangle(const BallTriangleView& view, Counts& counts) : given_(view), view_(view), counts_(counts) {
+    if (const double largest = largest_number(view); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
+      scaled_.emplace(view, largest);
+      exponent_ = scaled_->exponent();
+      view_ = scaled_->view();
+    }
+    scales_ = !scaled_ || scaled_->exact();
+    if (scales_) (void)triangle_filter<true>(view_, signs_);
+  }
+  ExactTriangle(const ExactTriangle&) = delete;
+  ExactTriangle& operator=(const ExactTriangle&) = delete;
+
+  /// Returns the feature that contains the closest point.
+  [[nodiscard]] Feature nearest() const {
+    if (scales_) return triangle().nearest();
+    counts_.count(Stage::BigInteger);
+    return bigint_nearest(given_);
+  }
+
+  [[nodiscard]] Counts& counts() const { return counts_; }
+  [[nodiscard]] bool scales() const { return scales_; }
+  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] double center(int axis) const { return view_.center[axis]; }
+  [[nodiscard]] double vertex(std::size_t i, int axis) const { return view_.vertex[i][axis]; }
+  [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return given_.vertex[i][axis]; }
+  [[nodiscard]] static bool lifts(int) { return false; }
+  [[nodiscard]] static DoubleDouble lift(std::size_t) { return {}; }
+  [[nodiscard]] auto edge_view(std::size_t edge) const { return triangle().edge_view(static_cast<int>(edge)); }
+  [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
+    return filtered::bigint_point(given_, feature, axis);
+  }
+  [[nodiscard]] double bigint_distance(const Feature& feature) const {
+    return filtered::bigint_distance(given_, feature);
+  }
+
+ private:
+  [[nodiscard]] UnsureTriangle<Counts> triangle() const { return {view_, signs_, counts_}; }
+
+  BallTriangleView given_, view_;
+  std::optional<ScaledTriangle> scaled_;
+  Counts& counts_;
+  TriangleSigns signs_;
+  int exponent_ = 0;
+  bool scales_;
+};
+
+template <class Counts>
+Feature nearest_feature(BallTriangleView view, Counts& counts) {
+  const FloatingPointState nearest;
+  return pinned(ExactTriangle<Counts>(view, counts).nearest());
+}
+
+template <class Counts>
+double feature_distance(BallTriangleView view, const Feature& feature, Counts& counts) {
+  const FloatingPointState nearest;
+  return pinned(distance(ExactTriangle<Counts>(view, counts), feature));
+}
+
+template <class Counts>
+void feature_point(BallTriangleView view, const Feature& feature, double (&point)[3], Counts& counts) {
+  const FloatingPointState nearest;
+  const ExactTriangle<Counts> triangle(view, counts);
+  for (int axis = 0; axis < 3; ++axis) point[axis] = closest_point(triangle, feature, axis);
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

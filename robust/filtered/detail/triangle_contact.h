@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+
+#include "geometry/contact/answer.h"
+#include "geometry/detail/floating_point_state.h"
+#include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/sign_ladder.h"
+#include "robust/filtered/detail/triangle_filter.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// A triangle and a ball after a first stage that could not decide contact. Uses the signs that are certain and
+/// computes the others exactly.
+template <class Counts>
+class UnsureTriangle {
+ public:
+  /// Requires round to nearest, without flush-to-zero.
+  UnsureTriangle(const BallTriangleView& view, const TriangleSigns& signs, Counts& counts)
+      : view_(view), signs_(signs), counts_(counts) {}
+
+  /// Returns whether all differences are so small that scaling by a power of two may avoid underflow.
+  [[nodiscard]] bool tiny() const { return std::max(signs_.to_center[0], largest_edge()) < 0x1p-30; }
+
+  [[nodiscard]] bool contact() const { return foot_outside() ? edges_touch() : plane_sign() <= 0; }
+
+  /// Returns the feature that contains the point closest to the centre. The radius does not matter.
+  [[nodiscard]] Feature nearest() const {
+    const auto side = [this](int i) { return sign<SignKind::Side>(signs_.side, i); };
+    const auto along = [this](int i) { return sign<SignKind::Along>(signs_.along, i); };
+    const auto beyond = [this](int i) { return sign<SignKind::Beyond>(signs_.beyond, i); };
+    bool inner[3];
+    for (int i = 0; i < 3; ++i) inner[i] = side(i) > 0;
+    if (inner[0] && inner[1] && inner[2]) return {Feature::Kind::Face, 0};
+    // A triangle is convex and has one closest point. It lies on an edge if the foot is beyond the edge's line and
+    // projects between its ends; else at a vertex from which both edges lead away.
+    for (int i = 0; i < 3; ++i)
+      if (!inner[i] && along(i) > 0 && beyond(i) < 0) return {Feature::Kind::Edge, static_cast<std::size_t>(i)};
+    for (int i = 0; i < 2; ++i)
+      if (along(i) <= 0 && beyond((i + 2) % 3) >= 0) return {Feature::Kind::Vertex, static_cast<std::size_t>(i)};
+    return {Feature::Kind::Vertex, 2};
+  }
+
+  /// Exact differences; the normal is known to bounds::kNormal.
+  struct EdgeView {
+    Vector3<DoubleDouble> to_center, edge, normal;
+    Maxima maxima;
+    bool no_normals[3];
+    static constexpr bool lifted = false;
+    /// The error of the normal's components, in units of bounds::kClosest times the maximum.
+    static constexpr double kNormalError = 1;
+    /// Returns whether this component of the normal is certainly zero.
+    [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
+  };
+  [[nodiscard]] EdgeView edge_view(int i) const {
+    const double longest = largest_edge();
+    const Vector3<DoubleDouble> u = edge(0), v = edge(1);
+    const auto zero = [](const DoubleDouble& a, const DoubleDouble& b) { return a.high == 0 || b.high == 0; };  // exact
+    return {difference(view_.center, view_.vertex[i]),
+            edge(i),
+            signs::normal(u, v),
+            {signs_.to_center[i], longest, 2 * longest * longest},
+            {zero(u.y, v.z) && zero(u.z, v.y), zero(u.z, v.x) && zero(u.x, v.z), zero(u.x, v.y) && zero(u.y, v.x)}};
+  }
+
+ private:
+  static Vector3<DoubleDouble> difference(const double* a, const double* b) {
+    return {two_difference(a[0], b[0]), two_difference(a[1], b[1]), two_difference(a[2], b[2])};
+  }
+  [[nodiscard]] Vector3<DoubleDouble> edge(int i) const {
+    return difference(view_.vertex[i == 2 ? 0 : i + 1], view_.vertex[i]);
+  }
+  [[nodiscard]] double largest_edge() const {
+    return std::max(std::max(signs_.edge[0], signs_.edge[1]), signs_.edge[2]);
+  }
+
+  template <SignKind kind>
+  [[nodiscard]] int sign(const CertainSigns& certain, int i) const {
+    if (const int known = certain.of(i)) return known;
+    constexpr bool needs_normal = kind == SignKind::Plane || kind == SignKind::Side;
+    const Vector3<DoubleDouble> to_center = difference(view_.center, view_.vertex[i]), along = edge(i);
+    const double longest = largest_edge();
+    const Maxima maxima{signs_.to_center[i], longest, 2 * longest * longest};
+    const Vector3<DoubleDouble> normal_edges[] = {needs_normal ? edge(0) : along, needs_normal ? edge(1) : along};
+    const auto normal = needs_normal ? signs::normal(normal_edges[0], normal_edges[1]) : along;
+    const EdgeOperands operands{to_center, along, normal, view_.radius(), 0, maxima, false, normal_edges, false};
+    return exact_sign<kind>(operands, counts_, [&] { return bigint_sign(kind, view_, i); });
+  }
+  [[nodiscard]] int plane_sign() const {
+    for (int i = 0; i < 3; ++i)
+      if (const int known = signs_.plane.of(i)) return known;
+    return sign<SignKind::Plane>({}, 0);
+  }
+
+  [[nodiscard]] bool foot_outside() const {
+    if (signs_.side.negative != 0) return true;
+    for (int i = 0; i < 3; ++i)
+      if (sign<SignKind::Side>(signs_.side, i) < 0) return true;
+    return false;
+  }
+  [[nodiscard]] bool edges_touch() const {
+    for (unsigned edges = signs_.reachable; edges != 0; edges &= edges - 1)
+      if (edge_touches(std::countr_zero(edges))) return true;
+    return false;
+  }
+  /// Tests vertex i together with edge i. The end of the edge is tested with the next edge.
+  [[nodiscard]] bool edge_touches(int i) const {
+    if (sign<SignKind::Vertex>(signs_.vertex, i) <= 0) return true;
+    if (signs_.line.of(i) > 0) return false;
+    return sign<SignKind::Along>(signs_.along, i) > 0 && sign<SignKind::Beyond>(signs_.beyond, i) < 0 &&
+           sign<SignKind::Line>(signs_.line, i) <= 0;
+  }
+
+  const BallTriangleView& view_;
+  const TriangleSigns& signs_;
+  Counts& counts_;
+};
+
+/// Returns whether ball and triangle touch, computed only in integers of any size.
+inline bool bigint_contact(const BallTriangleView& view) {
+  const auto sign = [&view](SignKind kind, int i) { return bigint_sign(kind, view, i); };
+  bool outside = false;
+  for (int i = 0; i < 3; ++i) outside = outside || sign(SignKind::Side, i) < 0;
+  if (!outside) return sign(SignKind::Plane, 0) <= 0;
+  for (int i = 0; i < 3; ++i) {
+    if (sign(SignKind::Vertex, i) <= 0) return true;
+    if (sign(SignKind::Along, i) > 0 && sign(SignKind::Beyond, i) < 0 && sign(SignKind::Line, i) <= 0) return true;
+  }
+  return false;
+}
+
+/// A triangle and a ball times a power of two.
+class ScaledTriangle {
+ public:
+  /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of ball and triangle.
+  ScaledTriangle(const BallTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
+    for (int i = 0; i < 3; ++i) {
+      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
+      center_[i] = scaled(view.center[i]);
+    }
+    center_[3] = scaled(view.radius());
+  }
+  /// Returns whether no bit was lost.
+  [[nodiscard]] bool exact() const { return exact_; }
+  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
+  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
+
+ private:
+  double scaled(double length) {
+    const double result = std::ldexp(length, -exponent_);
+    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
+    return result;
+  }
+
+  int exponent_;
+  bool exact_ = true;
+  double vertex_[3][3], center_[4];
+};
+
+/// Returns the largest magnitude of a number of ball and triangle.
+inline double largest_number(const BallTriangleView& view) {
+  double largest = view.radius();
+  for (int i = 0; i < 3; ++i)
+    for (const double x : {view.vertex[i][0], view.vertex[i][1], view.vertex[i][2], view.center[i]})
+      largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// Returns whether ball and triangle touch, after scaling very large or very small numbers to ordinary size.
+template <class Counts>
+__attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, double largest, Counts& counts) {
+  const ScaledTriangle scaled(view, largest);
+  if (!scaled.exact()) {
+    counts.count(Stage::BigInteger);
+    return bigint_contact(view);
+  }
+  const BallTriangleView same = scaled.view();
+  TriangleSigns signs;
+  const FilterResult result = triangle_filter(same, signs);
+  if (result == FilterResult::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
+  counts.count(Stage::Double);
+  return result == FilterResult::Yes;
+}
+
+/// Returns whether ball and triangle touch, for queries that the first stage could not decide.
+template <class Counts>
+__attribute__((noinline)) bool unsure_contact(const BallTriangleView& view, const TriangleSigns& signs,
+                                              FilterResult result, Counts& counts) {
+  const FloatingPointState nearest;
+  if (result == FilterResult::OutOfRange) return pinned(scaled_contact(view, largest_number(view), counts));
+  const UnsureTriangle<Counts> triangle(view, signs, counts);
+  if (triangle.tiny())
+    if (const double largest = largest_number(view); largest < 0x1p-30)
+      return pinned(scaled_contact(view, largest, counts));
+  return pinned(triangle.contact());
+}
+
+template <class Counts>
+TOUCHSTONE_INLINE bool contact(BallTriangleView view, Counts& counts) {
+  TriangleSigns signs;
+  const FilterResult result = triangle_filter(view, signs);
+  if (result >= FilterResult::Unsure) [[unlikely]]
+    return unsure_contact(view, signs, result, counts);
+  counts.count(Stage::Double);
+  return result == FilterResult::Yes;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

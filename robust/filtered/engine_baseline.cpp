@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "robust/filtered/engine_definition.h"
-
-namespace touchstone::filtered {
-
-const Engine& baseline_engine() { return kEngine; }
-
-}  // namespace touchstone::filtered

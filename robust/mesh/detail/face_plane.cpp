@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mesh/detail/face_plane.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/nearest_double.h"
+
+namespace touchstone::mesh {
+namespace {
+
+using Eigen::Vector3d;
+using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;  // only its exact orientations are used
+
+std::pair<double, double> seen(const Vector3d& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
+
+int turn_of(const std::array<Vector3d, 3>& corners, int axis) {
+  const auto point = [axis](const Vector3d& p) {
+    const auto [x, y] = seen(p, axis);
+    return Filtered::Point_2(x, y);
+  };
+  return CGAL::orientation(point(corners[0]), point(corners[1]), point(corners[2]));
+}
+
+/// Returns the lexicographically lowest vertex of the loop and its neighbours. They have the orientation of the loop,
+/// because no simple loop runs straight there.
+std::array<Vector3d, 3> lowest_corner(const Polygon& polygon, std::size_t loop, int axis) {
+  std::size_t lowest = polygon.loop_begin(loop);
+  for (std::size_t i = lowest; i < polygon.loop_end(loop); ++i)
+    if (seen(polygon.vertex(i), axis) < seen(polygon.vertex(lowest), axis)) lowest = i;
+  return {polygon.vertex(polygon.previous(lowest)), polygon.vertex(lowest), polygon.vertex(polygon.next(lowest))};
+}
+
+}  // namespace
+
+int turn(const Polygon& polygon, std::size_t loop, int axis) {
+  return turn_of(lowest_corner(polygon, loop, axis), axis);
+}
+
+FacePlane::FacePlane(const Polygon& face)
+    : axis_(exact::dropped_axis(face).value()), corners_(lowest_corner(face, 0, axis_)) {}
+
+bool FacePlane::contains(const Vector3d& point) const {
+  const auto exact = [](const Vector3d& p) { return Filtered::Point_3(p.x(), p.y(), p.z()); };
+  return CGAL::coplanar(exact(corners_[0]), exact(corners_[1]), exact(corners_[2]), exact(point));
+}
+
+int FacePlane::turn(int axis) const { return turn_of(corners_, axis); }
+
+double FacePlane::approximate_height(const Vector3d& point) const {
+  const Vector3d normal = (corners_[1] - corners_[0]).cross(corners_[2] - corners_[0]);
+  return std::abs(normal.dot(point - corners_[1]) / normal[axis_]);
+}
+
+double off_plane(const Polygon& polygon, std::span<const Vector3d> points) {
+  using Number = CGAL::Mpzf;  // integers times powers of two
+  using Vector = CGAL::Simple_cartesian<Number>::Vector_3;
+  const auto vector = [](const Vector3d& p) { return Vector(Number(p.x()), Number(p.y()), Number(p.z())); };
+  const std::size_t outer = polygon.loop_end(0);
+  Vector normal(0, 0, 0), sum(0, 0, 0);
+  for (std::size_t i = 0; i < outer; ++i) {
+    const Vector vertex = vector(polygon.vertex(i));
+    normal = normal + CGAL::cross_product(vertex, vector(polygon.vertex(polygon.next(i))));
+    sum = sum + vertex;
+  }
+  // All heights times the number n of vertices in the outer loop: n N.(p - g).
+  const Number n(static_cast<int>(outer)), plane = normal * sum;
+  Number farthest(0);
+  for (const Vector3d& point : points)
+    farthest = std::max(farthest, Number(CGAL::abs(Number(n * (normal * vector(point)) - plane))));
+  const auto rational = [](const Number& x) { return mpq_class(static_cast<CGAL::Gmpq>(x).mpq()); };
+  const mpq_class quotient = rational(farthest) / rational(n * CGAL::abs(normal[exact::dropped_axis(polygon).value()]));
+  return exact::nearest_double(quotient.get_num(), quotient.get_den());
+}
+
+}  // namespace touchstone::mesh

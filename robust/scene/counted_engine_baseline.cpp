@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "robust/scene/counted_contact.h"
-#include "robust/scene/engine_definition.h"
-
-namespace touchstone::scene {
-
-const Walks<Tally>& baseline_counted_engine() { return kWalks<Tally>; }
-
-}  // namespace touchstone::scene

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walks that count, for x86-64 with AVX2 and FMA; robust/CMakeLists.txt sets the flags.
+#if defined(__AVX2__) && defined(__FMA__)
+#define TOUCHSTONE_TARGET avx2
+#include "robust/scene/detail/counted_contact.h"
+#include "robust/scene/detail/walks_definition.h"
+
+namespace touchstone::scene {
+
+const Walks<Tally>& avx2_counted_walks() { return kWalks<Tally>; }
+
+}  // namespace touchstone::scene
+#endif

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/scene/detail/nearest_search.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "robust/exact/exact.h"
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
+
+namespace touchstone::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+filtered::NoCounts uncounted;
+
+Vector3d corner(const Triangle& triangle, std::size_t i) {
+  return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
+}
+
+/// Returns approximately a triangle's distance, or slightly more; arbitrary if squares overflow or underflow.
+double guess(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
+  const Vector3d u = triangle.b - triangle.a, v = triangle.c - triangle.b, from_a = center - triangle.a;
+  const double lengths = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>() + from_a.lpNorm<Eigen::Infinity>();
+  const auto distance = [&]() -> double {
+    const Vector3d from = center - corner(triangle, feature.index);
+    if (feature.kind == Feature::Kind::Vertex) return from.norm();
+    if (feature.kind == Feature::Kind::Edge) {
+      const Vector3d edge = corner(triangle, (feature.index + 1) % 3) - corner(triangle, feature.index);
+      return std::sqrt(edge.cross(from).squaredNorm() / edge.squaredNorm());
+    }
+    const Vector3d normal = u.cross(v);
+    return std::abs(normal.dot(from_a)) / normal.norm();
+  };
+  return distance() + 0x1p-40 * lengths;
+}
+
+Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
+  const Ball point{center, 0};
+  return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
+}
+
+double feature_distance(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
+  const Ball point{center, 0};
+  return filtered::kernels().plain.triangle_distance(filtered::view_of(point, triangle), feature, uncounted);
+}
+
+}  // namespace
+
+NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
+
+bool NearestSearch::touched(const Met& met) const {
+  if (ball_.radius == kLargest) return true;  // exact: it has never shrunk
+  return met.triangle != nullptr ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
+}
+
+void NearestSearch::shrink_to(double distance) {
+  ball_.radius = std::min(ball_.radius, std::nextafter(distance, std::numeric_limits<double>::infinity()));
+}
+
+void NearestSearch::shrink(const Triangle& triangle, const Feature& feature) {
+  const double radius = guess(ball_.center, triangle, feature);
+  if (radius >= ball_.radius && std::isfinite(radius)) return;
+  if (radius < ball_.radius && filtered::contact({ball_.center, radius}, triangle))
+    ball_.radius = radius;
+  else
+    shrink_to(feature_distance(ball_.center, triangle, feature));
+}
+
+void NearestSearch::expect(const Triangle& triangle) {
+  if (ball_.radius == kLargest) shrink(triangle, nearest_feature(ball_.center, triangle));  // exact: never shrunk
+}
+
+void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
+  if (ball_.radius < kLargest) return;
+  const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
+  const Ball around{ball_.center,
+                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).bigint.off_plane()};
+  if (around.radius < kLargest && filtered::contact(around, polygon)) ball_.radius = around.radius;
+}
+
+void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
+  const Feature feature = nearest_feature(ball_.center, triangle);
+  met_.push_back({{first_.object, first_.face + number}, feature, &triangle, nullptr, std::nullopt});
+  shrink(triangle, feature);
+}
+
+void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {
+  const Answer answer = filtered::answer({ball_.center, 0}, polygon);
+  met_.push_back({{first_.object, first_.face + number},
+                  answer.nearest,
+                  nullptr,
+                  &polygon,
+                  filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
+  shrink_to(answer.distance);
+}
+
+std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met) {
+  if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
+  if (met.polygon != nullptr && !parts_of(*met.polygon).bigint.planar()) return std::nullopt;
+  const auto vertex = [&met](std::size_t i) {
+    return met.triangle != nullptr ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
+  };
+  const std::size_t i = met.feature.index;
+  Vector3d first = vertex(i);
+  if (met.feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
+  Vector3d second = vertex(met.triangle != nullptr ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
+  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
+  return std::pair(first, second);
+}
+
+double NearestSearch::distance(const Met& met) const {
+  if (met.closest) return met.closest->distance;
+  return feature_distance(ball_.center, *met.triangle, met.feature);
+}
+
+int NearestSearch::compare(const Met& first, double first_distance, const Met& second, double second_distance) const {
+  // Distances whose doubles differ are in the same order.
+  if (first_distance != second_distance) return first_distance < second_distance ? -1 : 1;
+  const auto polygon = [](const Met& met) {
+    if (met.polygon != nullptr) return parts_of(*met.polygon).polygon;
+    return Polygon({met.triangle->a, met.triangle->b, met.triangle->c});
+  };
+  const Polygon a = polygon(first), b = polygon(second);
+  return exact::compare_distances(ball_, exact::PreparedPolygon(a), exact::PreparedPolygon(b));
+}
+
+std::optional<NearestFace> NearestSearch::nearest() const {
+  const Met* best = nullptr;
+  std::optional<double> least;  // the distance of the best face
+  for (const Met& met : met_) {
+    if (!touched(met)) continue;
+    if (best == nullptr) {
+      best = &met;
+      continue;
+    }
+    int order = 0;
+    std::optional<double> here = least;
+    if (const auto at = place(met); !at || at != place(*best)) {  // exact: coordinates as they were given
+      if (!least) least = distance(*best);
+      here = distance(met);
+      order = compare(met, *here, *best, *least);
+    }
+    if (order < 0 || (order == 0 && met.id < best->id)) best = &met, least = here;
+  }
+  if (best == nullptr) return std::nullopt;
+  if (best->closest) return NearestFace{best->id, best->feature, best->closest->point, best->closest->distance};
+  const Ball at{ball_.center, 0};
+  double point[3];
+  filtered::kernels().plain.triangle_point(filtered::view_of(at, *best->triangle), best->feature, point, uncounted);
+  return NearestFace{best->id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
+}
+
+}  // namespace touchstone::scene

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/contact/answer.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
+#include "robust/filtered/filtered.h"
+#include "robust/scene/scene.h"
+
+namespace touchstone::scene {
+
+/// The search for the face nearest to a centre. It shrinks a ball about the centre that always touches some face found
+/// so far, so faces that do not touch the ball are farther than the nearest. At the end distances decide among the
+/// faces that still touch it.
+class NearestSearch {
+ public:
+  /// Begins with the largest possible ball.
+  explicit NearestSearch(const Eigen::Vector3d& center);
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+
+  /// Sets the first face of the set that is searched next.
+  void enter(FaceId first) { first_ = first; }
+  /// Gives the ball its first finite radius, from a face of that set. No effect if it has one.
+  void expect(const Triangle& triangle);
+  void expect(const filtered::PreparedPolygon& polygon);
+  /// Adds a face that the ball touches, by its number in the set. Keeps a pointer to it. Cost: about 0.2 us for a
+  /// triangle, that of filtered::answer for a polygon.
+  void meet(const Triangle& triangle, std::uint32_t number);
+  void meet(const filtered::PreparedPolygon& polygon, std::uint32_t number);
+
+  /// Returns the added face with the least distance, the lowest of equals. Cost: about 1 us, and 20 us for each pair of
+  /// faces with equal rounded distances that do not share the nearest vertex or edge.
+  [[nodiscard]] std::optional<NearestFace> nearest() const;
+
+ private:
+  struct Met {
+    FaceId id;
+    Feature feature;
+    const Triangle* triangle;                       ///< either this
+    const filtered::PreparedPolygon* polygon;       ///< or this
+    std::optional<filtered::ClosestPoint> closest;  ///< for polygons only
+  };
+  [[nodiscard]] bool touched(const Met& met) const;
+  /// Returns the position of the feature: the ends of an edge in lexicographic order, or a vertex twice. Features with
+  /// the same position have the same distance. Nothing for a face, or if vertices are lifted.
+  [[nodiscard]] static std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> place(const Met& met);
+  void shrink_to(double distance);
+  /// Shrinks the ball to slightly more than the triangle's distance.
+  void shrink(const Triangle& triangle, const Feature& feature);
+  /// Returns the distance, rounded to the nearest double.
+  [[nodiscard]] double distance(const Met& met) const;
+  /// Returns whether the first face is nearer (-), as near (0) or farther (+).
+  [[nodiscard]] int compare(const Met& first, double first_distance, const Met& second, double second_distance) const;
+
+  Ball ball_;
+  FaceId first_{0, 0};
+  std::vector<Met> met_;
+};
+
+}  // namespace touchstone::scene

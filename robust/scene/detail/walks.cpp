@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/scene/detail/walks.h"
+
+#include "robust/detail/sound_arithmetic.h"
+
+namespace touchstone::scene {
+namespace {
+
+bool has_avx2() {
+  static const bool has = [] {
+    expect_sound_arithmetic();
+#if defined(TOUCHSTONE_HAS_AVX2)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+    return false;
+#endif
+  }();
+  return has;
+}
+
+}  // namespace
+
+#if !defined(TOUCHSTONE_HAS_AVX2)
+const Walks<NoTally>& avx2_walks() { return baseline_walks(); }
+const Walks<Tally>& avx2_counted_walks() { return baseline_counted_walks(); }
+#endif
+
+const Walks<NoTally>& fastest_walks(NoTally) { return has_avx2() ? avx2_walks() : baseline_walks(); }
+const Walks<Tally>& fastest_walks(const Tally&) { return has_avx2() ? avx2_counted_walks() : baseline_counted_walks(); }
+
+}  // namespace touchstone::scene

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "robust/scene/engine_definition.h"
-
-namespace touchstone::scene {
-
-const Walks<NoTally>& baseline_engine() { return kWalks<NoTally>; }
-
-}  // namespace touchstone::scene

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// touchstone::Mesh: vertices and faces.
+#pragma once
+
+#include "geometry/shapes/mesh.h"

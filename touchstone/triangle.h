@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+// touchstone::Triangle.
+#pragma once
+
+#include "geometry/shapes/triangle.h"
