@@ -9,7 +9,7 @@
 #include "robust/exact/exact.h"
 #include "robust/mesh/merge.h"
 #include "tests/robust/mesh/merged.h"
-#include "tests/robust/mesh/random_meshes.h"
+#include "tests/robust/support/random_meshes.h"
 #include "tests/robust/support/environment.h"
 
 namespace touchstone::mesh_tests {

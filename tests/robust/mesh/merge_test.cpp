@@ -10,7 +10,7 @@
 #include "robust/exact/exact.h"
 #include "robust/mesh/scene_faces.h"
 #include "tests/robust/mesh/merged.h"
-#include "tests/robust/mesh/random_meshes.h"
+#include "tests/robust/support/random_meshes.h"
 
 namespace touchstone::mesh_tests {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the generators of meshes must not miss.
-#include "tests/robust/mesh/random_meshes.h"
+#include "tests/robust/support/random_meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
 #include "tests/experiments/support/unwatched.h"
-#include "tests/robust/mesh/random_meshes.h"
+#include "tests/robust/support/random_meshes.h"
 
 namespace touchstone::mesh_tests {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/robust/mesh/random_meshes.h"
+#include "tests/robust/support/random_meshes.h"
 
 #include <algorithm>
 #include <array>
