@@ -15,8 +15,6 @@
 #include <vector>
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/cell/gripper.h"
-#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"

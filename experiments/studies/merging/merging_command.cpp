@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"

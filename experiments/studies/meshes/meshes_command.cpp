@@ -7,7 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"

@@ -17,7 +17,6 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/commands.h"
 #include "experiments/harness/interrupt.h"
 #include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"

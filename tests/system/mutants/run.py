@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Usage: python3 run.py [--corpus] SOURCE BUILD [NAME...]
+"""Usage: python3 run.py [--corpus] [--one-in N] SOURCE BUILD [NAME...]
 
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
 units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
 fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
+
+With --one-in N only about one mutant in N is planted; the hash of the commit draws them, so that every commit plants
+others, and the same commit the same ones.
 
 With --corpus nothing but the cases of tests/corpus may tell of the bug, and the case that does is named. Those planted
 in the files of other subjects than the fast, exact and filtered paths (CORPUS_PATHS) are left out, those that change
@@ -11,7 +14,9 @@ no answer ("changes_answers": false), and those of which no case of the corpus t
 tests/corpus/mutants.json, about constants, stages and guards of the filtered path, come in.
 """
 
+import argparse
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
@@ -66,7 +71,7 @@ class Workshop:
 
     def compile(self, folder, unit):
         if str(self.source / unit) not in self.commands:
-            raise ValueError(f"{unit} is compiled with its folder; experiments/CMakeLists.txt names those that are not")
+            raise ValueError(f"{unit} is not among the compile commands of the build")
         command = list(self.commands[str(self.source / unit)])
         target = folder / f"{pathlib.Path(unit).stem}.o"
         command[command.index("-o") + 1] = str(target)
@@ -145,10 +150,37 @@ def read_mutants(source, corpus):
     return [dict(mutant, program="corpus_tests", suites="Corpus.*") for mutant in mutants]
 
 
+def commit_of(source):
+    """The hash of the commit, or nothing outside a repository."""
+    done = subprocess.run(["git", "-C", source, "rev-parse", "HEAD"], capture_output=True, text=True)
+    return done.stdout.strip()
+
+
+def drawn(mutants, one_in, commit):
+    """The mutants with the lowest hashes of commit and name: one in so many, rounded up."""
+    by_hash = sorted(mutants, key=lambda mutant: hashlib.sha256(f"{commit} {mutant['name']}".encode()).digest())
+    chosen = {mutant["name"] for mutant in by_hash[:-(-len(mutants) // one_in)]}
+    return [mutant for mutant in mutants if mutant["name"] in chosen]
+
+
+def parsed(arguments):
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--corpus", action="store_true")
+    parser.add_argument("--one-in", type=int, default=1)
+    parser.add_argument("source")
+    parser.add_argument("build")
+    parser.add_argument("names", nargs="*")
+    return parser.parse_args(arguments)
+
+
 def main(*arguments):
-    corpus = arguments[0] == "--corpus"
-    source, build, *names = arguments[corpus:]
-    mutants = [mutant for mutant in read_mutants(source, corpus) if not names or mutant["name"] in names]
+    options = parsed(list(arguments))
+    source, build, corpus = options.source, options.build, options.corpus
+    mutants = [mutant for mutant in read_mutants(source, corpus) if not options.names or mutant["name"] in options.names]
+    if options.one_in > 1:
+        commit = commit_of(source)
+        print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")
+        mutants = drawn(mutants, options.one_in, commit)
     workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
     suites_of = {(program_of(m), m["suites"] if "suites" in m else SUITES[program_of(m)]) for m in mutants}
     for program, suites in sorted(suites_of):
