@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "experiments/harness/command.h"
 
-// The subcommands of `touchstone`. Each is defined beside what it runs; `status` becomes the exit status.
+// The subcommands of `touchstone`. Each is defined beside what it runs.
 namespace touchstone::commands {
 
-void add_judge(CLI::App& app, int& status);
-void add_methods(CLI::App& app);
-void add_near_edge(CLI::App& app, int& status);
-void add_meshes(CLI::App& app, int& status);
-void add_merging(CLI::App& app, int& status);
-void add_cases(CLI::App& app);
-void add_bench(CLI::App& app, int& status);
-void add_bench_scenes(CLI::App& app, int& status);
-void add_soak(CLI::App& app, int& status);
-void add_tradeoff(CLI::App& app, int& status);
-void add_stability(CLI::App& app, int& status);
-void add_scenes(CLI::App& app, int& status);
-void add_cell(CLI::App& app, int& status);
-void add_regress(CLI::App& app, int& status);
-void add_corpus(CLI::App& app, int& status);
-void add_thesis(CLI::App& app, int& status);
+[[nodiscard]] harness::Command judge_command();
+[[nodiscard]] harness::Command methods_command();
+[[nodiscard]] harness::Command near_edge_command();
+[[nodiscard]] harness::Command meshes_command();
+[[nodiscard]] harness::Command merging_command();
+[[nodiscard]] harness::Command cases_command();
+[[nodiscard]] harness::Command bench_command();
+[[nodiscard]] harness::Command bench_scenes_command();
+[[nodiscard]] harness::Command soak_command();
+[[nodiscard]] harness::Command tradeoff_command();
+[[nodiscard]] harness::Command stability_command();
+[[nodiscard]] harness::Command scenes_command();
+[[nodiscard]] harness::Command cell_command();
+[[nodiscard]] harness::Command regress_command();
+[[nodiscard]] harness::Command corpus_command();
+[[nodiscard]] harness::Command thesis_command();
 
 }  // namespace touchstone::commands

@@ -2,7 +2,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -46,37 +45,6 @@ const std::terminate_handler usual_end = std::get_terminate();
   std::abort();
 }
 
-/// A complaint about the command line, which it may quote.
-std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
-  const std::string sentence = touchstone::io::all_legible(error.what());
-  return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
-}
-
-int run(int argc, char** argv) {
-  CLI::App app("touchstone: does a ball touch a polygon, where, and how sure is the answer?");
-  app.require_subcommand(1);
-  app.failure_message(legible_complaint);
-  int status = 0;
-  touchstone::commands::add_judge(app, status);
-  touchstone::commands::add_methods(app);
-  touchstone::commands::add_near_edge(app, status);
-  touchstone::commands::add_meshes(app, status);
-  touchstone::commands::add_merging(app, status);
-  touchstone::commands::add_cases(app);
-  touchstone::commands::add_bench(app, status);
-  touchstone::commands::add_bench_scenes(app, status);
-  touchstone::commands::add_soak(app, status);
-  touchstone::commands::add_tradeoff(app, status);
-  touchstone::commands::add_stability(app, status);
-  touchstone::commands::add_scenes(app, status);
-  touchstone::commands::add_cell(app, status);
-  touchstone::commands::add_regress(app, status);
-  touchstone::commands::add_corpus(app, status);
-  touchstone::commands::add_thesis(app, status);
-  CLI11_PARSE(app, argc, argv);
-  return status;
-}
-
 /// What an exception that ended a command says, legible and without a library's tags.
 std::string complaint(const std::exception& error) {
   if (const auto* json = dynamic_cast<const nlohmann::json::exception*>(&error))
@@ -90,7 +58,13 @@ int main(int argc, char** argv) {
   if (!occupy_standard_streams()) return 2;
   std::set_terminate(end_out_of_memory);
   try {
-    const int status = run(argc, argv);
+    using namespace touchstone::commands;
+    const int status = touchstone::harness::run_program(
+        "touchstone: does a ball touch a polygon, where, and how sure is the answer?",
+        {judge_command(), methods_command(), near_edge_command(), meshes_command(), merging_command(), cases_command(),
+         bench_command(), bench_scenes_command(), soak_command(), tradeoff_command(), stability_command(),
+         scenes_command(), cell_command(), regress_command(), corpus_command(), thesis_command()},
+        argc, argv);
     touchstone::harness::flush_standard_output();
     return status;
   } catch (const std::bad_alloc&) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -15,8 +14,8 @@
 #include "experiments/cell/configuration/area.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
@@ -34,16 +33,8 @@ struct AreaOptions {
   double angle_step = 5, length_step = 25, overhang = 8;
   unsigned threads = harness::all_threads();
   bool force = false, no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const AreaOptions& options) {
-  std::string line = "touchstone cell area " + harness::shell_quoted(options.file);
-  for (const std::string& change : options.changes) line += " --set " + harness::shell_quoted(change);
-  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
-  return line + fmt::format(" --angle-step {:g} --length-step {:g} --overhang {:g} --threads {} --output {}{}",
-                            options.angle_step, options.length_step, options.overhang, options.threads,
-                            harness::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
-}
 
 /// The multiples of a step from `low` to `high`, both at most half a step away.
 std::vector<double> multiples(double low, double high, double step) {
@@ -73,7 +64,7 @@ std::string table_of(const std::vector<Tried>& tried) {
 int run(const AreaOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const auto parts = build_model(cell);
@@ -111,7 +102,7 @@ int run(const AreaOptions& options) {
   harness::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
                                                    station("storage", cell.storage) + station("machine", cell.machine));
   harness::write_run_record(
-      folder, {.command = command_line(options),
+      folder, {.command = options.line,
                .samples_asked = plan.size() + heights.size(),
                .samples_done = plan.size() + heights.size(),
                .threads = options.threads,
@@ -125,34 +116,28 @@ int run(const AreaOptions& options) {
 
 }  // namespace
 
-void add_area(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand("area", "Where the storage may stand: the area of configuration and the heights");
+harness::Command area_command() {
+  harness::Command command("area", "Where the storage may stand: the area of configuration and the heights");
   auto options = std::make_shared<AreaOptions>();
-  command->footer(
+  command.keep_line(options->line);
+  command.footer(
       "Runs the whole process with the storage at every place of a grid, and says which come to their end, and why "
       "the\n"
       "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and radii at "
       "its\n"
       "angle), stations.csv, and pictures of them.");
-  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
-      ->required();
-  command->add_option("--set", options->changes, "Change the cell first, as `touchstone cell run` does");
-  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
-  command->add_option("--angle-step", options->angle_step, "Between angles, in degrees")
-      ->check(CLI::Range(0.1, 90.0))
-      ->capture_default_str();
-  command->add_option("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  harness::add_threads(*command, options->threads);
-  command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
-      ->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  command.texts("--set", options->changes, "Change the cell first, as `touchstone cell run` does");
+  command.text("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
+  command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
+  command.positive("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it");
+  command.threads(options->threads);
+  command.output(options->output, "Folder for the CSV files, run.json and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
@@ -10,11 +9,15 @@
 
 namespace touchstone::cell {
 
-void add_cases(CLI::App& cell) {
-  auto* command = cell.add_subcommand("cases", "Print the gripper's cases of a run, as the corpus holds them");
+harness::Command cases_command() {
+  harness::Command command("cases", "Print the gripper's cases of a run, as the corpus holds them");
   auto file = std::make_shared<std::string>();
-  command->add_option("CELL", *file, "A cell file")->required();
-  command->callback([file] { fmt::print("{}", gripper_cases(*file)); });
+  command.text("CELL", *file, "A cell file").required();
+  command.runs([file] {
+    fmt::print("{}", gripper_cases(*file));
+    return 0;
+  });
+  return command;
 }
 
 }  // namespace touchstone::cell

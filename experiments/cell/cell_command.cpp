@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
-
 #include "experiments/cell/cell_commands.h"
 
 namespace touchstone::commands {
 
-void add_cell(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("cell", "The virtual manufacturing cell: its model, its layout, its contacts");
-  command->require_subcommand(1);
-  cell::add_show(*command, status);
-  cell::add_convert(*command, status);
-  cell::add_layout(*command, status);
-  cell::add_missed(*command, status);
-  cell::add_run(*command, status);
-  cell::add_area(*command, status);
-  cell::add_serve(*command, status);
-  cell::add_export(*command, status);
-  cell::add_cases(*command);
+harness::Command cell_command() {
+  return {"cell",
+          "The virtual manufacturing cell: its model, its layout, its contacts",
+          {cell::show_command(), cell::convert_command(), cell::layout_command(), cell::missed_command(),
+           cell::run_command(), cell::area_command(), cell::serve_command(), cell::export_command(),
+           cell::cases_command()}};
 }
 
 }  // namespace touchstone::commands

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "experiments/harness/command.h"
 
-// The subcommands of `touchstone cell`. Each is defined beside what it runs; `status` becomes the exit status.
+// The subcommands of `touchstone cell`. Each is defined beside what it runs.
 namespace touchstone::cell {
 
-void add_show(CLI::App& cell, int& status);
-void add_convert(CLI::App& cell, int& status);
-void add_layout(CLI::App& cell, int& status);
-void add_missed(CLI::App& cell, int& status);
-void add_run(CLI::App& cell, int& status);
-void add_area(CLI::App& cell, int& status);
-void add_serve(CLI::App& cell, int& status);
-void add_export(CLI::App& cell, int& status);
-void add_cases(CLI::App& cell);
+[[nodiscard]] harness::Command show_command();
+[[nodiscard]] harness::Command convert_command();
+[[nodiscard]] harness::Command layout_command();
+[[nodiscard]] harness::Command missed_command();
+[[nodiscard]] harness::Command run_command();
+[[nodiscard]] harness::Command area_command();
+[[nodiscard]] harness::Command serve_command();
+[[nodiscard]] harness::Command export_command();
+[[nodiscard]] harness::Command cases_command();
 
 }  // namespace touchstone::cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -64,17 +63,18 @@ int run(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_convert(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand(
+harness::Command convert_command() {
+  harness::Command command(
       "convert", "Convert between model files (.txt) and meshes (OBJ, OFF, STL, PLY); compare counts and bounds");
   auto options = std::make_shared<ConvertOptions>();
-  command->add_option("FROM", options->from, "A model file or mesh")->required();
-  command->add_option("TO", options->to, "What to write; the extension tells the format")->required();
-  auto* weld = command->add_flag("--weld", options->weld, "Make one vertex of equal ones");
-  command->add_flag("--merge", options->merge, "Make polygons with holes of coplanar faces")->excludes(weld);
-  command->add_option("--name", options->name, "Of the link, one word; else that of the file or model");
-  command->add_flag("--force", options->force, "Write over a file that is there");
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.text("FROM", options->from, "A model file or mesh").required();
+  command.text("TO", options->to, "What to write; the extension tells the format").required();
+  command.flag("--weld", options->weld, "Make one vertex of equal ones");
+  command.flag("--merge", options->merge, "Make polygons with holes of coplanar faces").excludes("--weld");
+  command.text("--name", options->name, "Of the link, one word; else that of the file or model");
+  command.flag("--force", options->force, "Write over a file that is there");
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

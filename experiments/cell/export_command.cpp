@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -49,22 +48,21 @@ int run(const ExportOptions& options) {
 
 }  // namespace
 
-void add_export(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand("export", "Run the process and write it down as a page or a 3D model");
+harness::Command export_command() {
+  harness::Command command("export", "Run the process and write it down as a page or a 3D model");
   auto options = std::make_shared<ExportOptions>();
-  command->add_option("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
-      ->required();
+  command.text("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+      .required();
   command
-      ->add_option("FILE", options->file,
-                   "What to write: .html, the page of `serve`, which plays the run and needs no other file; .gltf or "
-                   ".glb, the cell with the run as an animation")
-      ->required();
-  command->add_option("--rate", options->rate, "Stops a second of the animation (.gltf, .glb)")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_flag("--force", options->force, "Write over a file that is there");
-  add_run_options(*command, options->run);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+      .text("FILE", options->file,
+            "What to write: .html, the page of `serve`, which plays the run and needs no other file; .gltf or "
+            ".glb, the cell with the run as an animation")
+      .required();
+  command.positive("--rate", options->rate, "Stops a second of the animation (.gltf, .glb)");
+  command.flag("--force", options->force, "Write over a file that is there");
+  add_run_options(command, options->run);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -15,7 +14,7 @@
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/run_options.h"
 #include "experiments/cell/simulation/run_output.h"
-#include "experiments/harness/options.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
@@ -28,16 +27,8 @@ namespace {
 struct RunCommandOptions : RunOptions {
   std::string output;
   bool every_face = false, force = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const RunCommandOptions& options) {
-  std::string line = "touchstone cell run " + harness::shell_quoted(options.file);
-  for (const std::string& change : options.changes) line += " --set " + harness::shell_quoted(change);
-  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
-  line += fmt::format(" --method {} --overhang {:g}", harness::joined(options.methods), options.overhang);
-  if (options.every_face) line += " --every-face";
-  return line + (options.output.empty() ? "" : " --output " + harness::shell_quoted(options.output));
-}
 
 /// Seconds since it was made, or last asked.
 class Stopwatch {
@@ -57,8 +48,7 @@ int run(const RunCommandOptions& options) {
   Stopwatch watch;
   const auto methods = methods::find_methods(options.methods);
   std::optional<harness::OutputFolder> folder;
-  if (!options.output.empty())
-    folder.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
+  if (!options.output.empty()) folder.emplace(options.output, options.line, harness::Existing{.force = options.force});
   const Cell cell =
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const Workcell workcell(cell, build_model(cell), options.overhang);
@@ -71,7 +61,7 @@ int run(const RunCommandOptions& options) {
              cell.name, summary(workcell, process, contest), before, cycle, held);
   if (!options.output.empty()) {
     write_run(options.output, workcell, process, contest);
-    harness::write_run_record(options.output, {.command = command_line(options),
+    harness::write_run_record(options.output, {.command = options.line,
                                                .samples_asked = process.stops.size(),
                                                .samples_done = process.stops.size(),
                                                .seconds = before + cycle + held});
@@ -83,17 +73,18 @@ int run(const RunCommandOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand("run", "Run the cell's whole process, and every method beside the exact answer");
+harness::Command run_command() {
+  harness::Command command("run", "Run the cell's whole process, and every method beside the exact answer");
   auto options = std::make_shared<RunCommandOptions>();
-  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
-      ->required();
-  add_run_options(*command, *options);
-  command->add_flag("--every-face", options->every_face,
-                    "Ask about faces out of reach too, as without boxes (slow methods excepted)");
-  command->add_option("--output", options->output, "A folder for moves, trajectory, methods and disagreements");
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.keep_line(options->line);
+  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  add_run_options(command, *options);
+  command.flag("--every-face", options->every_face,
+               "Ask about faces out of reach too, as without boxes (slow methods excepted)");
+  command.output(options->output, "A folder for moves, trajectory, methods and disagreements");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/run_options.h"
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "experiments/cell/model/read_cell.h"
@@ -9,16 +8,12 @@
 
 namespace touchstone::cell {
 
-void add_run_options(CLI::App& command, RunOptions& options) {
-  command.add_option("--set", options.changes,
-                     "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be given often");
-  command.add_option("--meshes", options.meshes, "The folder of mesh files, in place of the cell file's");
-  command.add_option("--method", options.methods, "Methods to ask at every stop; `all` for every one")
-      ->delimiter(',')
-      ->capture_default_str();
-  command.add_option("--overhang", options.overhang, "By how much the balls that cover the arm may reach beyond it")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+void add_run_options(harness::Command& command, RunOptions& options) {
+  command.texts("--set", options.changes,
+                "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be given often");
+  command.text("--meshes", options.meshes, "The folder of mesh files, in place of the cell file's");
+  command.methods(options.methods, "Methods to ask at every stop; `all` for every one");
+  command.positive("--overhang", options.overhang, "By how much the balls that cover the arm may reach beyond it");
 }
 
 browser::Simulator simulator_of(const RunOptions& options) {

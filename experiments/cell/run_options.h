@@ -5,10 +5,7 @@
 #include <vector>
 
 #include "experiments/cell/browser/recording.h"
-
-namespace CLI {
-class App;
-}
+#include "experiments/harness/command.h"
 
 namespace touchstone::cell {
 
@@ -22,7 +19,7 @@ struct RunOptions {
 };
 
 /// Adds all but the file. The options must outlive the command.
-void add_run_options(CLI::App& command, RunOptions& options);
+void add_run_options(harness::Command& command, RunOptions& options);
 
 /// Reads the cell and builds its model. Throws what read_cell, find_methods and build_model throw.
 [[nodiscard]] browser::Simulator simulator_of(const RunOptions& options);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -45,15 +44,15 @@ int run(const ServeOptions& options) {
 
 }  // namespace
 
-void add_serve(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand("serve", "Show the cell in a browser: move the storage, run the process, look");
+harness::Command serve_command() {
+  harness::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
   auto options = std::make_shared<ServeOptions>();
-  command->add_option("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
-  command->add_option("--port", options->port, "Where to listen; 0: at a free port")->capture_default_str();
-  command->add_option("--host", options->host, "The address to listen at; the default can be reached from here alone")
-      ->capture_default_str();
-  add_run_options(*command, options->run);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.text("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
+  command.whole("--port", options->port, "Where to listen; 0: at a free port");
+  command.text("--host", options->host, "The address to listen at; the default can be reached from here alone");
+  add_run_options(command, options->run);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

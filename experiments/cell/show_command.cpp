@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -14,7 +13,7 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/show_output.h"
-#include "experiments/harness/options.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
@@ -27,20 +26,15 @@ namespace {
 struct ShowOptions {
   std::string file, meshes, output;
   bool force = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const ShowOptions& options) {
-  std::string line = "touchstone cell show " + harness::shell_quoted(options.file);
-  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
-  return line + " --output " + harness::shell_quoted(options.output);
-}
 
 int run(const ShowOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   std::optional<harness::OutputFolder> held;
   if (!options.output.empty()) {
-    held.emplace(folder, command_line(options), harness::Existing{.force = options.force});
+    held.emplace(folder, options.line, harness::Existing{.force = options.force});
     harness::make_folder(folder / "models");
   }
   const Cell cell = read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes));
@@ -57,26 +51,25 @@ int run(const ShowOptions& options) {
   write_faces(folder, parts);
   const std::size_t models = write_models(folder / "models", parts);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  harness::write_run_record(folder, {.command = command_line(options),
-                                     .samples_asked = parts.size(),
-                                     .samples_done = parts.size(),
-                                     .seconds = seconds});
+  harness::write_run_record(
+      folder,
+      {.command = options.line, .samples_asked = parts.size(), .samples_done = parts.size(), .seconds = seconds});
   fmt::print("\nfaces.csv and {} model files: {}\n", models, folder.string());
   return 0;
 }
 
 }  // namespace
 
-void add_show(CLI::App& cell, int& status) {
-  auto* command = cell.add_subcommand("show", "Check a cell file, build its model, and say what there is");
+harness::Command show_command() {
+  harness::Command command("show", "Check a cell file, build its model, and say what there is");
   auto options = std::make_shared<ShowOptions>();
-  command->add_option("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
-      ->required();
-  command->add_option("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
-  command->add_option("--output", options->output,
-                      "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.keep_line(options->line);
+  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  command.text("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command.output(options->output, "A folder for faces.csv, a line a face, and models/, a model file (.txt) a link");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
@@ -9,8 +8,7 @@
 #include <system_error>
 
 #include "experiments/cases/verdict.h"
-#include "experiments/harness/options.h"
-#include "experiments/harness/whole_number.h"
+#include "experiments/harness/command.h"
 #include "experiments/methods/registry.h"
 #include "experiments/workloads/workload.h"
 
@@ -29,23 +27,6 @@ struct CasesOptions {
   bool expected = false;
   std::vector<std::string> failing;
 };
-
-/// An option that takes the word of one of `all`.
-template <class Enumerator>
-void add_word(CLI::App& command, const std::string& name, Enumerator& target, const std::vector<Enumerator>& all,
-              const std::string& description) {
-  std::map<std::string, Enumerator> by_word;
-  std::vector<std::string> words;
-  for (const Enumerator value : all) {
-    by_word.emplace(workloads::word(value), value);
-    words.emplace_back(workloads::word(value));
-  }
-  command
-      .add_option_function<std::string>(
-          name, [&target, by_word](const std::string& word) { target = by_word.at(word); }, description)
-      ->check(CLI::IsMember(words))
-      ->default_str(std::string(workloads::word(target)));
-}
 
 Verdict ask(const cases::Method& method, const workloads::Sample& sample) {
   return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
@@ -90,30 +71,31 @@ void print(const CasesOptions& options) {
 
 }  // namespace
 
-void add_cases(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("cases", "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
+harness::Command cases_command() {
+  harness::Command command("cases",
+                           "Print random cases (JSON Lines); case i depends on the settings, seed and i alone");
   auto options = std::make_shared<CasesOptions>();
   auto& workload = options->workload;
-  add_word(*command, "--family", workload.family, workloads::all_families(), "Outline");
-  add_word(*command, "--placement", workload.placement,
-           {workloads::Placement::LatticeFrame, workloads::Placement::Rotated}, "How the outline comes into space");
-  add_word(*command, "--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
-  command->add_option("--vertices", workload.vertices, "Vertices of the outer loop")
-      ->check(harness::whole_number(3, 1U << 17))
-      ->capture_default_str();
-  command->add_option("--holes", workload.holes, "Holes")->check(harness::whole_number(0))->capture_default_str();
-  command->add_option("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
-  command->add_option("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines")->capture_default_str();
-  command->add_option("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
-  harness::add_seed(*command, options->seed);
-  command->add_option("--first", options->first, "Number of the first sample")->check(harness::whole_number(0));
-  command->add_option("--count", options->count, "Cases to print")
-      ->check(harness::whole_number(0))
-      ->capture_default_str();
-  command->add_flag("--expected", options->expected, "Add the exact answer");
-  harness::add_names(*command, "--failing", options->failing, "Only cases on which one of these methods errs");
-  command->callback([options] { print(*options); });
+  command.choice("--family", workload.family, workloads::all_families(), "Outline");
+  command.choice("--placement", workload.placement,
+                 std::vector{workloads::Placement::LatticeFrame, workloads::Placement::Rotated},
+                 "How the outline comes into space");
+  command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
+  command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
+  command.whole("--holes", workload.holes, "Holes", 0);
+  command.integer("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
+  command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
+  command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
+  command.seed(options->seed);
+  command.whole("--first", options->first, "Number of the first sample", 0);
+  command.whole("--count", options->count, "Cases to print", 0);
+  command.flag("--expected", options->expected, "Add the exact answer");
+  command.names("--failing", options->failing, "Only cases on which one of these methods errs");
+  command.runs([options] {
+    print(*options);
+    return 0;
+  });
+  return command;
 }
 
 }  // namespace touchstone::commands

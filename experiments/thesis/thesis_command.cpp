@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
 
@@ -26,7 +24,7 @@ namespace {
 using namespace thesis_figures;
 
 struct Options {
-  std::optional<std::uint64_t> samples;
+  std::uint64_t samples = 0;  ///< 0: as many as the settings say
   std::uint64_t seed = 1;
   unsigned threads = harness::all_threads();
   std::string output = "results/thesis";
@@ -35,22 +33,16 @@ struct Options {
   [[nodiscard]] Settings settings() const {
     Settings settings;
     if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 30, .radius_scan = 5, .height_scan = 10};
-    if (samples) settings.samples = *samples;
+    if (samples > 0) settings.samples = samples;
     settings.seed = seed;
     return settings;
   }
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  const Settings settings = options.settings();
-  return fmt::format("touchstone thesis{} --samples {} --seed {} --threads {} --output {}{}",
-                     options.quick ? " --quick" : "", settings.samples, settings.seed, options.threads,
-                     harness::shell_quoted(options.output), options.no_pictures ? " --no-pictures" : "");
-}
 
 int run_thesis(const Options& options) {
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Settings settings = options.settings();
   const harness::Interrupt interrupt;
@@ -69,7 +61,7 @@ int run_thesis(const Options& options) {
   write_entries(folder, entries);
   write_data(folder, *study);
   harness::Run record;
-  record.command = command_line(options);
+  record.command = options.line;
   record.seed = settings.seed;
   record.samples_asked = record.samples_done = settings.samples;
   record.threads = options.threads;
@@ -86,23 +78,24 @@ int run_thesis(const Options& options) {
 
 }  // namespace
 
-void add_thesis(CLI::App& app, int& status) {
+harness::Command thesis_command() {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("thesis", "Every figure and table of the 2008 thesis: its numbers beside ours");
-  command->footer(
+  harness::Command command("thesis", "Every figure and table of the 2008 thesis: its numbers beside ours");
+  command.keep_line(options->line);
+  command.footer(
       "One entry for each figure and table that the thesis lists, and for each known error of its method: the numbers\n"
       "that can be computed, what is stated of them, whether they agree, and a picture. Writes CSV files, run.json,\n"
       "pictures (SVG and PNG) and index.html, which shows all of them.");
-  command
-      ->add_option("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)")
-      ->check(harness::whole_number(100));
-  command->add_flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
-  harness::add_seed(*command, options->seed);
-  harness::add_threads(*command, options->threads);
-  command->add_option("--output", options->output, "Folder for all files")->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run_thesis(*options); }); });
+  command.whole("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)",
+                100);
+  command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
+  command.seed(options->seed);
+  command.threads(options->threads);
+  command.output(options->output, "Folder for all files");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] { return harness::run_alone([&] { return run_thesis(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/first_contact/missed_study.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 
 namespace touchstone::cell {
 namespace {
@@ -26,17 +24,12 @@ struct Options {
   unsigned threads = harness::all_threads();
   std::string output = "results/cell-missed";
   bool force = false, no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  return fmt::format("touchstone cell missed --samples {} --seed {} --threads {} --output {}{}", options.samples,
-                     options.seed, options.threads, harness::shell_quoted(options.output),
-                     options.no_pictures ? " --no-pictures" : "");
-}
 
 int run_missed(const Options& options) {
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const harness::Interrupt interrupt;
   const auto study = [&] {
@@ -46,7 +39,7 @@ int run_missed(const Options& options) {
   }();
   kinematics::write_missed(folder, study);
   harness::Run record;
-  record.command = command_line(options);
+  record.command = options.line;
   record.seed = options.seed;
   record.samples_asked = options.samples;
   record.samples_done = study.samples;
@@ -66,20 +59,21 @@ int run_missed(const Options& options) {
 
 }  // namespace
 
-void add_missed(CLI::App& cell, int& status) {
+harness::Command missed_command() {
   auto options = std::make_shared<Options>();
-  auto* command = cell.add_subcommand("missed", "Contacts that stepping passes over, and the certified search finds");
-  command->footer(
+  harness::Command command("missed", "Contacts that stepping passes over, and the certified search finds");
+  command.keep_line(options->line);
+  command.footer(
       "Random moves of one joint of the arm through thin sheets: how often a joint that moves by steps, and looks for\n"
       "contact after each, passes over the first contact, for spheres and steps of several sizes.");
-  command->add_option("--samples", options->samples, "Moves")->check(harness::whole_number(1))->capture_default_str();
-  harness::add_seed(*command, options->seed);
-  harness::add_threads(*command, options->threads);
-  command->add_option("--output", options->output, "Folder for missed.csv, run.json and the picture")
-      ->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run_missed(*options); }); });
+  command.whole("--samples", options->samples, "Moves", 1);
+  command.seed(options->seed);
+  command.threads(options->threads);
+  command.output(options->output, "Folder for missed.csv, run.json and the picture");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] { return harness::run_alone([&] { return run_missed(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/kinematics/layout_output.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
@@ -23,16 +22,12 @@ namespace {
 struct Options {
   std::string output = "results/cell-layout";
   bool force = false, no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  return fmt::format("touchstone cell layout --output {}{}", harness::shell_quoted(options.output),
-                     options.no_pictures ? " --no-pictures" : "");
-}
 
 int run_layout(const Options& options) {
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const harness::Interrupt interrupt;
   std::optional<kinematics::LayoutStudy> study;
@@ -46,7 +41,7 @@ int run_layout(const Options& options) {
   }
   kinematics::write_layout(folder, *study);
   harness::Run record;
-  record.command = command_line(options);
+  record.command = options.line;
   record.samples_asked = record.samples_done = kinematics::layout_work();
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   harness::write_run_record(folder, record);
@@ -58,17 +53,18 @@ int run_layout(const Options& options) {
 
 }  // namespace
 
-void add_layout(CLI::App& cell, int& status) {
+harness::Command layout_command() {
   auto options = std::make_shared<Options>();
-  auto* command = cell.add_subcommand("layout", "Home pose and places in which the thesis's captioned angles come out");
-  command->footer(
+  harness::Command command("layout", "Home pose and places in which the thesis's captioned angles come out");
+  command.keep_line(options->line);
+  command.footer(
       "Solves for home pose, storage and machine so that both case studies' angles come out to the degree, shows the\n"
       "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
-  command->add_option("--output", options->output, "Folder for the CSV files, run.json and pictures")
-      ->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run_layout(*options); }); });
+  command.output(options->output, "Folder for the CSV files, run.json and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] { return harness::run_alone([&] { return run_layout(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::cell

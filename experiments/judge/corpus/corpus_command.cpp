@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -15,8 +14,8 @@
 #include <vector>
 
 #include "experiments/cases/input_lines.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/write_file.h"
@@ -36,11 +35,11 @@ struct MakeOptions {
   std::string folder = corpus_folder().string();
   unsigned threads = harness::all_threads();
   bool force = false;
+  std::string line;  ///< that repeats the run
 };
 
 int make(const MakeOptions& options) {
-  const harness::OutputFolder held(options.folder, "touchstone corpus make " + harness::shell_quoted(options.folder),
-                                   {.force = options.force});
+  const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
   const auto files = corpus::make_corpus(options.threads);
   for (const auto& [name, text] : files) harness::write_file(std::filesystem::path(options.folder) / name, text);
   fmt::print("{} files in {}\n", files.size(), io::all_legible(options.folder));
@@ -64,7 +63,7 @@ int check(const std::vector<std::string>& files) {
 
 struct ShrinkOptions {
   std::string file, method;
-  std::optional<std::string> key;
+  std::string key;  ///< empty: all that are wrong
 };
 
 /// One case, or nothing where it was complained about.
@@ -105,13 +104,14 @@ int shrink(const ShrinkOptions& options) {
   if (methods.size() != 1)
     throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
   const cases::Method& method = *methods.front();
+  const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
   const harness::Interrupt interrupt;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
   cases::read_lines(files, [&](cases::Line&& line) {
     ++lines;
-    if (const auto shrunk = shrunk_line(line, method, options.key, interrupt.requested())) {
+    if (const auto shrunk = shrunk_line(line, method, key, interrupt.requested())) {
       if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "the case cannot be written");
     } else {
@@ -126,31 +126,42 @@ int shrink(const ShrinkOptions& options) {
   return interrupt.requested() ? harness::kInterrupted : status;
 }
 
+harness::Command make_command() {
+  harness::Command command("make", "Write every file of the corpus, with its page");
+  auto options = std::make_shared<MakeOptions>();
+  command.keep_line(options->line);
+  command.text("FOLDER", options->folder, "Where to");
+  command.threads(options->threads, "They do not change the files");
+  command.force(options->force);
+  command.runs([options] { return make(*options); });
+  return command;
+}
+
+harness::Command check_command() {
+  harness::Command command("check", "Derive every answer again, with two exact number types");
+  auto files = std::make_shared<std::vector<std::string>>();
+  command.texts("FILES", *files, "Files of cases with whole answers (default: the corpus)");
+  command.runs([files] { return check(files->empty() ? corpus_files() : *files); });
+  return command;
+}
+
+harness::Command shrink_command() {
+  harness::Command command("shrink", "Reduce failing cases to small ones that still fail");
+  auto options = std::make_shared<ShrinkOptions>();
+  command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
+  command.text("--method", options->method, "The method that fails").required();
+  command.text("--key", options->key,
+               "The key of the answer that must stay wrong; default: all decisive ones that are");
+  command.runs([options] { return shrink(*options); });
+  return command;
+}
+
 }  // namespace
 
-void add_corpus(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("corpus", "The certified cases of tests/corpus: make, check, and shrink new ones");
-  command->require_subcommand(1);
-
-  auto* making = command->add_subcommand("make", "Write every file of the corpus, with its page");
-  auto make_options = std::make_shared<MakeOptions>();
-  making->add_option("FOLDER", make_options->folder, "Where to")->capture_default_str();
-  harness::add_threads(*making, make_options->threads, "They do not change the files");
-  harness::add_force(*making, make_options->force);
-  making->callback([make_options, &status] { status = make(*make_options); });
-
-  auto* checking = command->add_subcommand("check", "Derive every answer anew, with two exact number types");
-  auto files = std::make_shared<std::vector<std::string>>();
-  checking->add_option("FILES", *files, "Files of cases with whole answers (default: the corpus)");
-  checking->callback([files, &status] { status = check(files->empty() ? corpus_files() : *files); });
-
-  auto* shrinking = command->add_subcommand("shrink", "Reduce failing cases to small ones that still fail");
-  auto shrink_options = std::make_shared<ShrinkOptions>();
-  shrinking->add_option("CASE", shrink_options->file, "A file of cases (JSON Lines); - is standard input")->required();
-  shrinking->add_option("--method", shrink_options->method, "The method that fails")->required();
-  shrinking->add_option("--key", shrink_options->key,
-                        "The key of the answer that must stay wrong; default: all decisive ones that are");
-  shrinking->callback([shrink_options, &status] { status = shrink(*shrink_options); });
+harness::Command corpus_command() {
+  return {"corpus",
+          "The certified cases of tests/corpus: make, check, and shrink new ones",
+          {make_command(), check_command(), shrink_command()}};
 }
 
 }  // namespace touchstone::commands

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -11,13 +10,12 @@
 #include <vector>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
@@ -36,19 +34,8 @@ struct Options {
   bool allow_missing = false, force = false;
   Settings settings;
   unsigned threads = harness::all_threads();
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  std::string line =
-      fmt::format("touchstone regress --method {} --threads {}", harness::joined(options.methods), options.threads);
-  line += options.baseline.empty()
-              ? fmt::format(" --seed {} --samples {}", options.settings.seed, options.settings.samples)
-              : " --baseline " + harness::shell_quoted(options.baseline);
-  if (options.allow_missing) line += " --allow-missing";
-  if (!options.write.empty()) line += " --write " + harness::shell_quoted(options.write);
-  if (options.force) line += " --force";
-  return line + (options.output.empty() ? "" : " --output " + harness::shell_quoted(options.output));
-}
 
 std::string cell(const Summary& summary) {
   if (summary.wrong == 0) return "-";
@@ -148,8 +135,7 @@ int run(const Options& options) {
   if (baseline) refuse_missing(options, *baseline, methods);
   const Settings settings = baseline ? baseline->settings : options.settings;
   std::optional<harness::OutputFolder> held;
-  if (!options.output.empty())
-    held.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
+  if (!options.output.empty()) held.emplace(options.output, options.line, harness::Existing{.force = options.force});
   if (!options.write.empty()) {
     harness::refuse_overwrite(options.write, options.force);
     harness::make_folder(std::filesystem::absolute(options.write).parent_path());
@@ -182,7 +168,7 @@ int run(const Options& options) {
     harness::write_file(folder / "standing.csv", standing_text(*standing));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
-        folder, {.command = command_line(options),
+        folder, {.command = options.line,
                  .seed = settings.seed,
                  .samples_asked = settings.samples,
                  .samples_done = settings.samples,
@@ -194,10 +180,11 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_regress(CLI::App& app, int& status) {
+harness::Command regress_command() {
+  harness::Command command("regress", "Hold every method's failures against a baseline");
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("regress", "Hold every method's failures against a baseline");
-  command->footer(
+  command.keep_line(options->line);
+  command.footer(
       "Asks the methods whether balls near a face, an edge and a vertex of random polygons touch, with radii at "
       "relative\n"
       "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
@@ -206,25 +193,24 @@ void add_regress(CLI::App& app, int& status) {
       "unsure,\n"
       "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if\n"
       "--write names a file that is there and --force is not given.");
-  auto* baseline =
-      command->add_option("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+  command.text("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
   command
-      ->add_flag("--allow-missing", options->allow_missing,
-                 "A method that --method names need not be in the baseline; it is then not held against anything")
-      ->needs(baseline);
-  command->add_option("--write", options->write, "Write what was found as a baseline");
-  harness::add_names(*command, "--method", options->methods, "Methods; `all` for every one of this build");
-  harness::add_seed(*command, options->settings.seed);
-  command->add_option("--samples", options->settings.samples, "Of each family of polygons and place of the ball")
-      ->check(harness::whole_number(1, kMostSamples), "COUNT")
-      ->capture_default_str()
-      ->excludes(baseline);
-  baseline->excludes("--seed");
-  harness::add_threads(*command, options->threads);
-  command->add_option("--output", options->output,
-                      "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+      .flag("--allow-missing", options->allow_missing,
+            "A method that --method names need not be in the baseline; it is then not held against anything")
+      .needs("--baseline");
+  command.text("--write", options->write, "Write what was found as a baseline");
+  command.names("--method", options->methods, "Methods; `all` for every one of this build");
+  command.seed(options->settings.seed).excludes("--baseline");
+  command
+      .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,
+             kMostSamples)
+      .excludes("--baseline");
+  command.threads(options->threads);
+  command.output(options->output,
+                 "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

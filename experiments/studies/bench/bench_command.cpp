@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -11,15 +10,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/timing/output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/bench/families.h"
 
@@ -36,16 +34,17 @@ struct Options {
   std::string json = "results/bench/bench.json";
   std::string count;
   bool force = false;
+  std::string line;  ///< that repeats the run
 };
 
-// Throws CLI::ValidationError, which names what is unknown.
+// Throws harness::UsageError, which names what is unknown.
 const Family& find_family(const std::string& name) {
   std::string known;
   for (const Family& family : all_families()) {
     if (family.name == name) return family;
     known.append(known.empty() ? "" : ", ").append(family.name);
   }
-  throw CLI::ValidationError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
+  throw harness::UsageError("--family", "there is no family \"" + name + "\"; there are " + known + ", or all");
 }
 
 std::vector<const Family*> select_families(const std::vector<std::string>& names) {
@@ -55,14 +54,6 @@ std::vector<const Family*> select_families(const std::vector<std::string>& names
   else
     for (const std::string& name : names) selected.push_back(&find_family(name));
   return selected;
-}
-
-std::string command_line(const Options& options) {
-  std::string names;
-  for (const std::string& name : options.families) names.append(names.empty() ? "" : ",").append(name);
-  return fmt::format("touchstone bench --family {} --samples {} --repetitions {} --seed {} --json {}", names,
-                     options.settings.samples, options.repetitions, options.settings.seed,
-                     harness::shell_quoted(options.json));
 }
 
 std::filesystem::path folder_of(const std::string& file) {
@@ -111,7 +102,7 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
 void write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
            std::uint64_t samples_done, double seconds) {
   harness::write_run_record(
-      folder, {command_line(options), options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
+      folder, {options.line, options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
   const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
                                       {"processor_features", processor_features()},
                                       {"samples", options.settings.samples},
@@ -125,7 +116,7 @@ int measure_all(const Options& options) {
   const auto families = select_families(options.families);
   const std::filesystem::path folder = folder_of(options.json);
   // Two files of its own, in a folder that may hold others.
-  const harness::OutputFolder held(folder, command_line(options), {.force = true});
+  const harness::OutputFolder held(folder, options.line, {.force = true});
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
     harness::refuse_overwrite(file, options.force);
   const harness::Interrupt interrupt;
@@ -153,7 +144,7 @@ int measure_all(const Options& options) {
 /// Asks one contestant every query, `repetitions` times, and does nothing else that depends on that number.
 int count(const Options& options) {
   const auto families = select_families(options.families);
-  if (families.size() != 1) throw CLI::ValidationError("--count", "needs one --family");
+  if (families.size() != 1) throw harness::UsageError("--count", "needs one --family");
   Settings settings = options.settings;
   settings.checks = false;
   std::uint64_t asked = 0, sum = 0;
@@ -170,7 +161,7 @@ int count(const Options& options) {
   if (asked == 0) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
-    throw CLI::ValidationError(
+    throw harness::UsageError(
         "--count", "\"" + options.count + "\" is no contestant of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
@@ -185,29 +176,25 @@ A missed goal does not change the exit status. For instructions a query: experim
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& status) {
+harness::Command bench_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
-  auto* command = app.add_subcommand("bench", "Time filtered against fast, and both against others, on equal queries");
-  command->footer(kFooter);
+  harness::Command command("bench", "Time filtered against fast, and both against others, on equal queries");
+  command.footer(kFooter);
   auto options = std::make_shared<Options>();
-  harness::add_names(*command, "--family", options->families, "Families of queries, separated by commas, or all");
-  command
-      ->add_option("--samples", options->settings.samples,
-                   "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart")
-      ->check(harness::whole_number(1, kMostSamples), "COUNT")
-      ->capture_default_str();
-  command->add_option("--repetitions", options->repetitions, "How often each contestant takes its turn")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  harness::add_seed(*command, options->settings.seed, "Any number; the same gives the same queries");
-  command->add_option("--json", options->json, "The file for all numbers; run.json beside it says how they were made")
-      ->capture_default_str();
-  command->add_option("--count", options->count,
-                      "Time nothing: have this contestant of one family asked all queries, for a profiler");
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] {
-    status = harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
+  command.keep_line(options->line);
+  command.names("--family", options->families, "Families of queries, separated by commas, or all");
+  command.whole("--samples", options->settings.samples,
+                "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart", 1, kMostSamples);
+  command.whole("--repetitions", options->repetitions, "How often each contestant takes its turn", 1, 100'000);
+  command.seed(options->settings.seed, "Any number; the same gives the same queries");
+  command.text("--json", options->json, "The file for all numbers; run.json beside it says how they were made");
+  command.text("--count", options->count,
+               "Time nothing: have this contestant of one family asked all queries, for a profiler");
+  command.force(options->force);
+  command.runs([options] {
+    return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
   });
+  return command;
 }
 
 }  // namespace touchstone::commands

@@ -2,21 +2,19 @@
 #include <fmt/core.h>
 #include <malloc.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/timing/output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/bench_scenes/output.h"
 #include "experiments/studies/bench_scenes/study.h"
@@ -33,18 +31,10 @@ struct SceneOptions {
   std::string meshes;  ///< a folder; empty: no real meshes
   std::string output = "results/bench-scenes";
   bool force = false, no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
 
 using Json = nlohmann::ordered_json;
-
-std::string command_line(const SceneOptions& options) {
-  const SceneSettings& settings = options.settings;
-  std::string line = fmt::format("touchstone bench-scenes --samples {} --repetitions {} --seed {} --max-faces {}",
-                                 settings.samples, settings.repetitions, settings.seed, options.most_triangles);
-  if (!options.meshes.empty()) line += " --meshes " + harness::shell_quoted(options.meshes);
-  line += " --output " + harness::shell_quoted(options.output);
-  return options.no_pictures ? line + " --no-pictures" : line;
-}
 
 /// The scenes, from the smallest of a kind to the largest; made one after the other, since they are large.
 std::vector<std::function<NamedScene()>> all_scenes(const SceneOptions& options) {
@@ -71,7 +61,7 @@ void write(const SceneOptions& options, const std::vector<SceneResult>& results,
   const std::filesystem::path folder = options.output;
   write_scene_tables(folder, results);
   const std::uint64_t samples = options.settings.samples;
-  harness::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = options.line,
                                      .seed = options.settings.seed,
                                      .samples_asked = samples,
                                      .samples_done = stopped ? 0 : samples,
@@ -98,7 +88,7 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
 }
 
 int measure_scenes(const SceneOptions& options) {
-  const harness::OutputFolder held(options.output, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(options.output, options.line, {.force = options.force});
   const auto scenes = all_scenes(options);
   const harness::Interrupt interrupt;
   const auto& stop = interrupt.requested();
@@ -133,28 +123,23 @@ int measure_scenes(const SceneOptions& options) {
 
 }  // namespace
 
-void add_bench_scenes(CLI::App& app, int& status) {
+harness::Command bench_scenes_command() {
   constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
   constexpr std::uint64_t kMostSamples = 10'000'000;
-  auto* command = app.add_subcommand("bench-scenes", "Time scenes of 1000 and more triangles beside other libraries");
+  harness::Command command("bench-scenes", "Time scenes of 1000 and more triangles beside other libraries");
   auto options = std::make_shared<SceneOptions>();
-  command->add_option("--samples", options->settings.samples, "Distinct balls, up to 10000000")
-      ->check(harness::whole_number(1, kMostSamples), "COUNT")
-      ->capture_default_str();
-  command->add_option("--repetitions", options->settings.repetitions, "How often each library takes its turn")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  harness::add_seed(*command, options->settings.seed, "Any number; the same gives the same balls");
-  command
-      ->add_option("--max-faces", options->most_triangles,
-                   "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)")
-      ->check(harness::whole_number(kFewest, kMost))
-      ->capture_default_str();
-  command->add_option("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated");
-  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  harness::add_no_pictures(*command, options->no_pictures);
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return measure_scenes(*options); }); });
+  command.keep_line(options->line);
+  command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
+  command.whole("--repetitions", options->settings.repetitions, "How often each library takes its turn", 1, 100'000);
+  command.seed(options->settings.seed, "Any number; the same gives the same balls");
+  command.whole("--max-faces", options->most_triangles,
+                "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
+  command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated");
+  command.output(options->output, "The folder for tables and pictures");
+  command.no_pictures(options->no_pictures);
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return measure_scenes(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

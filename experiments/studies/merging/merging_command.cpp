@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -9,15 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
-#include "experiments/harness/real_number.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "experiments/workloads/meshes/named_meshes.h"
@@ -34,17 +31,8 @@ struct MergeOptions {
   Settings settings;
   bool skip_bad = false, force = false;
   std::string output = "results/merging";
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const MergeOptions& options) {
-  std::string line = "touchstone merging";
-  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
-  const Settings& s = options.settings;
-  line += fmt::format(" --tolerance {} --compare {} --least {} --repetitions {} --seed {} --output {}", s.tolerance,
-                      s.balls, s.least, s.repetitions, s.seed, harness::shell_quoted(options.output));
-  if (options.skip_bad) line += " --skip-bad";
-  return line;
-}
 
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
@@ -70,7 +58,7 @@ void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vec
 int run(const MergeOptions& options) {
   constexpr int kBadInput = 2;
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const harness::Interrupt interrupt;
   std::vector<MeshResult> results;
@@ -103,7 +91,7 @@ int run(const MergeOptions& options) {
   write_counts(folder, results);
   write_polygons(folder, results);
   write_times(folder, results);
-  harness::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = options.line,
                                      .seed = options.settings.seed,
                                      .samples_asked = options.files.size(),
                                      .samples_done = results.size(),
@@ -125,31 +113,25 @@ int run(const MergeOptions& options) {
 
 }  // namespace
 
-void add_merging(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand(
+harness::Command merging_command() {
+  harness::Command command(
       "merging", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
   auto options = std::make_shared<MergeOptions>();
+  command.keep_line(options->line);
   Settings& settings = options->settings;
-  harness::add_meshes(*command, options->files, "Mesh files");
-  command
-      ->add_option("--tolerance", settings.tolerance,
-                   "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar")
-      ->check(harness::real_number(0, 1e300))
-      ->capture_default_str();
-  command->add_option("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes")
-      ->check(harness::whole_number(0, 10'000'000))
-      ->capture_default_str();
-  command->add_option("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least")
-      ->check(harness::whole_number(2))
-      ->capture_default_str();
-  command->add_option("--repetitions", settings.repetitions, "Of every timing")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  harness::add_seed(*command, settings.seed, "Any number; the same gives the same bytes, times apart");
-  command->add_flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
-  command->add_option("--output", options->output, "The folder for the tables")->capture_default_str();
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.meshes(options->files, "Mesh files");
+  command.real("--tolerance", settings.tolerance,
+               "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar", 0,
+               1e300);
+  command.whole("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes", 0, 10'000'000);
+  command.whole("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least", 2);
+  command.whole("--repetitions", settings.repetitions, "Of every timing", 1, 1000);
+  command.seed(settings.seed, "Any number; the same gives the same bytes, times apart");
+  command.flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
+  command.output(options->output, "The folder for the tables");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

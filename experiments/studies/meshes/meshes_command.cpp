@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/meshes/output.h"
@@ -33,19 +31,8 @@ struct Options {
   Settings settings{.threads = harness::all_threads()};
   bool skip_bad = false, force = false;
   std::string output = "results/meshes";
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  std::string line = "touchstone meshes";
-  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
-  std::string names;
-  for (const std::string& name : options.methods) names.append(names.empty() ? "" : ",").append(name);
-  line += fmt::format(" --method {} --seed {} --threads {} --output {}", names, options.settings.seed,
-                      options.settings.threads, harness::shell_quoted(options.output));
-  if (options.settings.faces != Settings{}.faces) line += fmt::format(" --faces {}", options.settings.faces);
-  if (options.skip_bad) line += " --skip-bad";
-  return line;
-}
 
 struct Meshes {
   std::vector<NamedMesh> read;
@@ -65,7 +52,7 @@ int run(Options& options) {
   Settings& settings = options.settings;
   settings.methods = methods::find_methods(options.methods);
   const std::filesystem::path folder = options.output;
-  const harness::OutputFolder held(folder, command_line(options), {.force = options.force});
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Meshes meshes = read(options);
   constexpr int kBadInput = 2, kInterrupted = 130;
@@ -84,8 +71,8 @@ int run(Options& options) {
   write_rejected(folder, meshes.read, result);
   write_failures(folder, settings, meshes.read, result);
   harness::write_file(folder / "left-out.txt", meshes.left_out);
-  harness::write_run_record(folder, {command_line(options), settings.seed, result.faces, faces, result.rejected.size(),
-                                     settings.threads, seconds});
+  harness::write_run_record(
+      folder, {options.line, settings.seed, result.faces, faces, result.rejected.size(), settings.threads, seconds});
 
   fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
              table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
@@ -108,21 +95,21 @@ int run(Options& options) {
 
 }  // namespace
 
-void add_meshes(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
+harness::Command meshes_command() {
+  harness::Command command("meshes", "Count wrong answers near every face of meshes (OBJ, OFF, STL, PLY)");
   auto options = std::make_shared<Options>();
-  harness::add_meshes(*command, options->files, "Mesh files");
-  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  harness::add_seed(*command, options->settings.seed);
-  command->add_option("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)")
-      ->check(harness::whole_number(1));
-  harness::add_threads(*command, options->settings.threads);
-  command->add_flag("--skip-bad", options->skip_bad,
-                    "Leave out what is wrong in a file, and say what; rejected faces are no error then");
-  command->add_option("--output", options->output, "The folder for the tables and the failing cases")
-      ->capture_default_str();
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.keep_line(options->line);
+  command.meshes(options->files, "Mesh files");
+  command.methods(options->methods);
+  command.seed(options->settings.seed);
+  command.whole("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)", 1);
+  command.threads(options->settings.threads);
+  command.flag("--skip-bad", options->skip_bad,
+               "Leave out what is wrong in a file, and say what; rejected faces are no error then");
+  command.output(options->output, "The folder for the tables and the failing cases");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/output.h"
 
@@ -36,6 +34,7 @@ struct Options {
   bool force = false, resume = false;
   std::string output = "results/near-edge";
   bool no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
 
 std::string family_words(const Settings& settings) {
@@ -48,22 +47,6 @@ std::string method_names(const Settings& settings) {
   std::vector<std::string> names;
   for (const auto* method : settings.methods) names.emplace_back(method->name());
   return harness::joined(names);
-}
-
-std::string command_line(const Options& options) {
-  std::string line = fmt::format("touchstone near-edge --method {} --families {} --samples {} --seed {} --threads {}",
-                                 harness::joined(options.methods), harness::joined(options.families), options.samples,
-                                 options.seed, options.threads);
-  const cases::Shape usual;
-  if (options.shape.vertices != usual.vertices) line += fmt::format(" --vertices {}", options.shape.vertices);
-  if (options.shape.holes != usual.holes) line += fmt::format(" --holes {}", options.shape.holes);
-  if (options.shape.origin_distance != usual.origin_distance)
-    line += fmt::format(" --origin-distance {}", options.shape.origin_distance);
-  line += fmt::format(" --truth {} --search {} --output {}", options.truth, options.search,
-                      harness::shell_quoted(options.output));
-  if (options.resume) line += " --resume";
-  if (options.no_pictures) line += " --no-pictures";
-  return line;
 }
 
 /// Maps and pictures of an earlier run would belong to other tables.
@@ -108,8 +91,7 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_),
-                    harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, options_.line, harness::Existing{.force = options_.force, .resume = options_.resume});
     const std::uint64_t before = sample();
     const double seconds_of_samples = seconds_since(begin);
     if (processes_.first()) {
@@ -122,7 +104,7 @@ class Run {
     search();
     if (!processes_.first()) return 0;
 
-    harness::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = options_.line,
                                         .seed = settings_.seed,
                                         .samples_asked = settings_.samples,
                                         .samples_done = result_.samples,
@@ -225,45 +207,34 @@ class Run {
 
 }  // namespace
 
-void add_near_edge(CLI::App& app, int& status) {
-  auto* command =
-      app.add_subcommand("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
+harness::Command near_edge_command() {
+  harness::Command command("near-edge", "Measure where methods fail near faces, edges and vertices, double by double");
   auto options = std::make_shared<Options>();
-  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  harness::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
-  command->add_option("--samples", options->samples, "Samples of each family, placement and threshold")
-      ->check(harness::whole_number(1, kMostSamples), "COUNT")
-      ->capture_default_str();
-  harness::add_seed(*command, options->seed);
-  harness::add_threads(*command, options->threads, "Of each process; they do not change the results");
-  command->add_option("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows")
-      ->check(harness::whole_number(3, 1U << 17))
-      ->capture_default_str();
-  command->add_option("--holes", options->shape.holes, "Holes of each polygon; those without room are missing")
-      ->check(harness::whole_number(0, 1000))
-      ->capture_default_str();
-  command->add_option("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes")
-      ->check(CLI::Range(0.0, 0x1p30))
-      ->capture_default_str();
-  command
-      ->add_option("--truth", options->truth,
-                   "What says who is right; filtered is quicker, and held against exact where a method errs and in "
-                   "a hundredth of the samples")
-      ->check(CLI::IsMember({"exact", "filtered"}))
-      ->capture_default_str();
-  command
-      ->add_option("--search", options->search,
-                   "Search for the furthest wrong answers from so many samples of each family, threshold and "
-                   "distance from the origin")
-      ->check(harness::whole_number(0, kMostSamples))
-      ->capture_default_str();
-  harness::add_resume(*command, options->resume);
-  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] {
-    status = harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
+  command.keep_line(options->line);
+  command.methods(options->methods);
+  command.families(options->families);
+  command.whole("--samples", options->samples, "Samples of each family, placement and threshold", 1, kMostSamples);
+  command.seed(options->seed);
+  command.threads(options->threads, "Of each process; they do not change the results");
+  command.whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows", 3,
+                1U << 17);
+  command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000);
+  command.real("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes", 0.0, 0x1p30);
+  command.choice("--truth", options->truth, {"exact", "filtered"},
+                 "What says who is right; filtered is quicker, and held against exact where a method errs and in "
+                 "a hundredth of the samples");
+  command.whole("--search", options->search,
+                "Search for the furthest wrong answers from so many samples of each family, threshold and "
+                "distance from the origin",
+                0, kMostSamples);
+  command.resume(options->resume);
+  command.output(options->output, "The folder for tables and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] {
+    return harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
+  return command;
 }
 
 }  // namespace touchstone::commands

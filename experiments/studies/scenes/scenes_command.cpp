@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -17,14 +16,13 @@
 #include <system_error>
 #include <utility>
 
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/scenes/ask.h"
@@ -38,6 +36,13 @@ namespace {
 
 using namespace scenes;
 
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
 struct SceneOptions {
   std::vector<std::string> files, objects, units;
   std::string balls, scene_unit, output, method = "filtered";
@@ -47,24 +52,8 @@ struct SceneOptions {
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
   [[nodiscard]] bool filtered() const { return method == "filtered"; }
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const SceneOptions& options) {
-  std::string line = "touchstone scenes";
-  for (const std::string& file : options.files) line += " " + harness::shell_quoted(file);
-  if (options.balls.empty())
-    line += fmt::format(" --random {} --seed {}", options.random, options.seed);
-  else
-    line += " --balls " + harness::shell_quoted(options.balls);
-  line += options.any ? " --any" : options.nearest ? " --nearest" : " --all";
-  line += fmt::format(" --method {} --threads {}", options.method, options.threads);
-  for (const std::string& names : options.objects) line += " --objects " + harness::shell_quoted(names);
-  if (!options.units.empty()) line += " --unit " + harness::joined(options.units);
-  if (!options.scene_unit.empty()) line += " --scene-unit " + options.scene_unit;
-  if (options.counts) line += " --counts";
-  if (options.skip_bad) line += " --skip-bad";
-  return line + " --output " + harness::shell_quoted(options.output);
-}
 
 /// The units of the meshes, one each, and of balls and answers; none where nothing is said of units.
 struct Units {
@@ -146,7 +135,7 @@ std::vector<std::uint32_t> chosen(const SceneOptions& options, const std::vector
   };
   for (const std::string& word : options.objects) {
     if (choose(word)) continue;  // a name may hold commas
-    for (const std::string& name : CLI::detail::split(word, ','))
+    for (const std::string& name : split_at_commas(word))
       if (!choose(name))
         throw std::invalid_argument("--objects: there is no object \"" + name + "\"; there are " +
                                     harness::joined(names));
@@ -275,8 +264,7 @@ int run(const SceneOptions& options) {
   constexpr int kBadInput = 2;
   const auto begin = std::chrono::steady_clock::now();
   std::optional<harness::OutputFolder> held;
-  if (!options.output.empty())
-    held.emplace(options.output, command_line(options), harness::Existing{.force = options.force});
+  if (!options.output.empty()) held.emplace(options.output, options.line, harness::Existing{.force = options.force});
   Lines lines(options.output);
   const Units units = units_of(options);
   (void)methods::find_methods({options.method});
@@ -300,8 +288,8 @@ int run(const SceneOptions& options) {
     const std::filesystem::path folder = options.output;
     harness::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
     harness::write_file(folder / "left-out.txt", loaded->left_out);
-    harness::write_run_record(folder, {command_line(options), options.seed, source.count, sums.balls,
-                                       source.count - sums.balls, options.threads, seconds, 1, interrupted});
+    harness::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
+                                       options.threads, seconds, 1, interrupted});
     fmt::print("Results: {}\n", io::all_legible(folder.string()));
     harness::flush_standard_output();
   }
@@ -313,50 +301,44 @@ int run(const SceneOptions& options) {
 
 }  // namespace
 
-void add_scenes(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand(
+harness::Command scenes_command() {
+  harness::Command command(
       "scenes", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
   auto options = std::make_shared<SceneOptions>();
-  harness::add_meshes(*command, options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
-  auto* source = command->add_option_group("balls");
-  source->add_option("--balls", options->balls,
-                     "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a "
-                     "case, or the numbers x y z r; # begins a comment; - is standard input");
-  source->add_option("--random", options->random, "So many random balls, half of them near a face")
-      ->check(harness::whole_number(1));
-  source->require_option(1);
-  harness::add_seed(*command, options->seed, "Of --random; the same gives the same bytes");
-  auto* question = command->add_option_group("question");
-  question->add_flag("--any", options->any, "Does the ball touch any face?");
-  question->add_flag("--all", options->all, "Which faces does it touch? (default)");
-  question->add_flag("--nearest", options->nearest, "Which face is nearest to its centre, and where?");
-  question->require_option(0, 1);
-  command
-      ->add_option("--method", options->method,
-                   "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
-                   "against filtered")
-      ->capture_default_str();
-  command
-      ->add_option("--objects", options->objects,
-                   "Ask about these only: a name, or names separated by commas; may be given several times")
-      ->allow_extra_args(false);
-  harness::add_names(
-      *command, "--unit", options->units,
-      "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
-      "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
-      "rounded once to the nearest double");
-  command->add_option("--scene-unit", options->scene_unit,
-                      "The unit of balls and answers (default: that of the first mesh)");
-  command->add_flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
-  command->add_flag("--skip-bad", options->skip_bad,
-                    "Leave out what is wrong in a file and faces that are no polygons, and say what");
-  harness::add_threads(*command, options->threads);
-  command->add_option("--output", options->output,
-                      "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
-                      "standard output, the table to standard error)");
-  command->footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
-  harness::add_force(*command, options->force);
-  command->callback([options, &status] { status = harness::run_alone([&] { return run(*options); }); });
+  command.keep_line(options->line);
+  command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
+  command.text(
+      "--balls", options->balls,
+      "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
+      "the numbers x y z r; # begins a comment; - is standard input");
+  command.whole("--random", options->random, "The number of random balls, half of them near a face", 1);
+  command.require_one_of({"--balls", "--random"});
+  command.seed(options->seed, "Of --random; the same gives the same bytes");
+  command.flag("--any", options->any, "Does the ball touch any face?");
+  command.flag("--all", options->all, "Which faces does it touch? (default)");
+  command.flag("--nearest", options->nearest, "Which face is nearest to its centre, and where?");
+  command.allow_one_of({"--any", "--all", "--nearest"});
+  command.text("--method", options->method,
+               "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
+               "against filtered");
+  command.texts("--objects", options->objects,
+                "Ask about these only: a name, or names separated by commas; may be given several times");
+  command.names("--unit", options->units,
+                "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
+                "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
+                "rounded once to the nearest double");
+  command.text("--scene-unit", options->scene_unit, "The unit of balls and answers (default: that of the first mesh)");
+  command.flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
+  command.flag("--skip-bad", options->skip_bad,
+               "Leave out what is wrong in a file and faces that are no polygons, and say what");
+  command.threads(options->threads);
+  command.output(options->output,
+                 "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
+                 "standard output, the table to standard error)");
+  command.footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
+  command.force(options->force);
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
 }
 
 }  // namespace touchstone::commands

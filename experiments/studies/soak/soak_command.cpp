@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <limits>
@@ -11,15 +10,14 @@
 #include <string>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/course.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/output.h"
 #include "experiments/workloads/adversarial/case.h"
@@ -34,14 +32,8 @@ struct Options {
   Settings settings{.threads = harness::all_threads()};
   std::string output = "results/soak";
   bool force = false, resume = false, print = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  const Settings& settings = options.settings;
-  return fmt::format("touchstone soak --cases {} --seed {} --from {} --threads {} --output {}{}", settings.cases,
-                     settings.seed, settings.from, settings.threads, harness::shell_quoted(options.output),
-                     options.resume ? " --resume" : "");
-}
 
 /// Differences as they are found, so that an endless run tells of them at once.
 class Announcer {
@@ -62,8 +54,7 @@ int run(const Options& options, const harness::Processes& processes) {
   const bool first = processes.first();
   const std::filesystem::path folder = options.output;
   std::optional<harness::OutputFolder> own;
-  if (first)
-    own.emplace(folder, command_line(options), harness::Existing{.force = options.force, .resume = options.resume});
+  if (first) own.emplace(folder, options.line, harness::Existing{.force = options.force, .resume = options.resume});
   const harness::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
   Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
                                [](const Tally& held) { return held.cases(); });
@@ -87,7 +78,7 @@ int run(const Options& options, const harness::Processes& processes) {
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   write_counts(folder, tally);
   write_differences(folder, tally);
-  harness::write_run_record(folder, {.command = command_line(options),
+  harness::write_run_record(folder, {.command = options.line,
                                      .seed = settings.seed,
                                      .samples_asked = settings.cases,
                                      .samples_done = done,
@@ -131,26 +122,21 @@ int run_soak(const Options& options) {
 
 }  // namespace
 
-void add_soak(CLI::App& app, int& status) {
-  auto* command =
-      app.add_subcommand("soak", "Hold filtered against exact on hard random cases; exit status 1 if they differ");
+harness::Command soak_command() {
+  harness::Command command("soak", "Hold filtered against exact on hard random cases; exit status 1 if they differ");
   auto options = std::make_shared<Options>();
+  command.keep_line(options->line);
   Settings& settings = options->settings;
-  command->add_option("--cases", settings.cases, "How many cases")
-      ->check(harness::whole_number(1), "COUNT")
-      ->capture_default_str();
-  harness::add_seed(*command, settings.seed, "Any number; case i depends on it and on i alone");
-  command->add_option("--from", settings.from, "The index of the first case")
-      ->check(harness::whole_number(0))
-      ->capture_default_str();
-  harness::add_threads(*command, settings.threads, "Of each process; they do not change the results");
-  command->add_option("--output", options->output, "The folder for counts, differences and the checkpoint")
-      ->capture_default_str();
-  harness::add_resume(*command, options->resume);
-  harness::add_force(*command, options->force);
-  command->add_flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them")
-      ->excludes("--resume");
-  command->callback([options, &status] { status = run_soak(*options); });
+  command.whole("--cases", settings.cases, "How many cases", 1);
+  command.seed(settings.seed, "Any number; case i depends on it and on i alone");
+  command.whole("--from", settings.from, "The index of the first case", 0);
+  command.threads(settings.threads, "Of each process; they do not change the results");
+  command.output(options->output, "The folder for counts, differences and the checkpoint");
+  command.resume(options->resume);
+  command.force(options->force);
+  command.flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them").excludes("--resume");
+  command.runs([options] { return run_soak(*options); });
+  return command;
 }
 
 }  // namespace touchstone::commands

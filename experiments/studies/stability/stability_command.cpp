@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -11,15 +10,14 @@
 #include <vector>
 
 #include "experiments/harness/checkpoint.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/stability/output.h"
 
@@ -37,16 +35,17 @@ struct Options {
   std::string output = "results/stability";
   bool force = false, resume = false;
   bool no_pictures = false;
+  std::string line;  ///< that repeats the run
 };
 
-// Throws CLI::ValidationError, which names what is unknown.
+// Throws harness::UsageError, which names what is unknown.
 Axis find_axis(const std::string& name) {
   std::string known;
   for (const Axis axis : all_axes()) {
     if (word(axis) == name) return axis;
     known.append(known.empty() ? "" : ", ").append(word(axis));
   }
-  throw CLI::ValidationError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
+  throw harness::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
 }
 
 /// In the order of all_axes(), each once.
@@ -57,13 +56,6 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
   std::sort(selected.begin(), selected.end());
   selected.erase(std::unique(selected.begin(), selected.end()), selected.end());
   return selected;
-}
-
-std::string command_line(const Options& options) {
-  return fmt::format("touchstone stability --method {} --axes {} --samples {} --seed {} --threads {} --output {}{}{}",
-                     harness::joined(options.methods), harness::joined(options.axes), options.samples, options.seed,
-                     options.threads, harness::shell_quoted(options.output), options.resume ? " --resume" : "",
-                     options.no_pictures ? " --no-pictures" : "");
 }
 
 // Raised where a block of a seed becomes another one, or the form of what is kept changes.
@@ -93,8 +85,7 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_),
-                    harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, options_.line, harness::Existing{.force = options_.force, .resume = options_.resume});
     const Summary summary = study();
     Known known{.onset = onset(), .contractions = {}, .areas = {}};
     if (!processes_.first()) return 0;
@@ -112,7 +103,7 @@ class Run {
     std::uint64_t missing = 0;
     for (const std::uint64_t count : summary.missing) missing += count;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    harness::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = options_.line,
                                         .seed = settings_.seed,
                                         .samples_asked = settings_.samples,
                                         .samples_done = summary.samples(),
@@ -166,24 +157,23 @@ class Run {
 
 }  // namespace
 
-void add_stability(CLI::App& app, int& status) {
-  auto* command =
-      app.add_subcommand("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
+harness::Command stability_command() {
+  harness::Command command("stability", "Measure where methods fail as polygons get worse, and how tight bounds are");
   auto options = std::make_shared<Options>();
-  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  harness::add_names(*command, "--axes", options->axes, "What is made worse, separated by commas, or all");
-  command->add_option("--samples", options->samples, "Polygons at each level of each axis; fewer at slow levels")
-      ->check(harness::whole_number(1), "COUNT")
-      ->capture_default_str();
-  harness::add_seed(*command, options->seed);
-  harness::add_threads(*command, options->threads, "Of each process; they do not change the results");
-  harness::add_resume(*command, options->resume);
-  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->callback([options, &status] {
-    status = harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
+  command.keep_line(options->line);
+  command.methods(options->methods);
+  command.names("--axes", options->axes, "What is made worse, separated by commas, or all");
+  command.whole("--samples", options->samples, "Polygons at each level of each axis; fewer at slow levels", 1);
+  command.seed(options->seed);
+  command.threads(options->threads, "Of each process; they do not change the results");
+  command.resume(options->resume);
+  command.output(options->output, "The folder for tables and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.runs([options] {
+    return harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
+  return command;
 }
 
 }  // namespace touchstone::commands

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -9,15 +8,14 @@
 #include <stdexcept>
 
 #include "experiments/harness/checkpoint.h"
+#include "experiments/harness/command.h"
 #include "experiments/harness/interrupt.h"
-#include "experiments/harness/options.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
-#include "experiments/harness/whole_number.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/output.h"
 
@@ -38,16 +36,8 @@ struct Options {
   bool force = false, resume = false;
   bool no_pictures = false;
   bool redraw = false;
+  std::string line;  ///< that repeats the run
 };
-
-std::string command_line(const Options& options) {
-  return fmt::format(
-      "touchstone tradeoff --method {} --families {} --samples {} --seed {} --threads {} --queries {} "
-      "--repetitions {} --output {}{}{}",
-      harness::joined(options.methods), harness::joined(options.families), options.samples, options.seed,
-      options.threads, options.queries, options.repetitions, harness::shell_quoted(options.output),
-      options.resume ? " --resume" : "", options.no_pictures ? " --no-pictures" : "");
-}
 
 /// What an earlier run left would belong to other data.
 void remove_old(const std::filesystem::path& folder) {
@@ -62,7 +52,7 @@ int redraw(const Options& options) {
   const std::filesystem::path folder = options.output;
   for (const char* file : {"front.csv", "errors.csv"})
     if (!std::filesystem::exists(folder / file))
-      throw CLI::ValidationError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
+      throw harness::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
   const harness::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
   return harness::draw_pictures("tradeoff", held) ? 0 : 1;
 }
@@ -104,8 +94,7 @@ class Run {
   int operator()() {
     const auto begin = std::chrono::steady_clock::now();
     if (processes_.first())
-      held_.emplace(folder_, command_line(options_),
-                    harness::Existing{.force = options_.force, .resume = options_.resume});
+      held_.emplace(folder_, options_.line, harness::Existing{.force = options_.force, .resume = options_.resume});
     const Errors errors = measure();
     if (!processes_.first()) return 0;
     remove_old(folder_);
@@ -119,7 +108,7 @@ class Run {
     if (processes_.count() == 1) write_timings(folder_, timings);
     if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    harness::write_run_record(folder_, {.command = command_line(options_),
+    harness::write_run_record(folder_, {.command = options_.line,
                                         .seed = settings_.seed,
                                         .samples_asked = settings_.samples,
                                         .samples_done = errors.samples,
@@ -184,35 +173,28 @@ in both files and drawn in the pictures, and the front says whom they may keep f
 
 }  // namespace
 
-void add_tradeoff(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("tradeoff", "Hold the run time of methods against their errors; draw the best");
-  command->footer(kFooter);
+harness::Command tradeoff_command() {
+  harness::Command command("tradeoff", "Hold the run time of methods against their errors; draw the best");
+  command.footer(kFooter);
   auto options = std::make_shared<Options>();
-  harness::add_names(*command, "--method", options->methods, "Method names, separated by commas, or all");
-  harness::add_names(*command, "--families", options->families, "Families of polygons, separated by commas, or all");
-  command->add_option("--samples", options->samples, "Samples of each family, placement and threshold: for the errors")
-      ->check(harness::whole_number(1), "COUNT")
-      ->capture_default_str();
-  harness::add_seed(*command, options->seed, "Any number; the same gives the same questions");
-  harness::add_threads(*command, options->threads,
-                       "Of each process, for the errors; they do not change them. Times: always one");
-  command->add_option("--queries", options->queries, "Distinct balls in each timed list")
-      ->check(harness::whole_number(1, 1'000'000), "COUNT")
-      ->capture_default_str();
-  command->add_option("--repetitions", options->repetitions, "How often each method takes its turn on a list")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  harness::add_resume(*command, options->resume);
-  command->add_option("--output", options->output, "The folder for tables and pictures")->capture_default_str();
-  harness::add_force(*command, options->force);
-  harness::add_no_pictures(*command, options->no_pictures);
-  command->add_flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
-  command->callback([options, &status] {
-    status =
-        options->redraw
-            ? harness::run_alone([&] { return redraw(*options); })
-            : harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
+  command.keep_line(options->line);
+  command.methods(options->methods);
+  command.families(options->families);
+  command.whole("--samples", options->samples, "Samples of each family, placement and threshold: for the errors", 1);
+  command.seed(options->seed, "Any number; the same gives the same questions");
+  command.threads(options->threads, "Of each process, for the errors; they do not change them. Times: always one");
+  command.whole("--queries", options->queries, "Distinct balls in each timed list", 1, 1'000'000);
+  command.whole("--repetitions", options->repetitions, "How often each method takes its turn on a list", 1, 100'000);
+  command.resume(options->resume);
+  command.output(options->output, "The folder for tables and pictures");
+  command.force(options->force);
+  command.no_pictures(options->no_pictures);
+  command.flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
+  command.runs([options] {
+    if (options->redraw) return harness::run_alone([&] { return redraw(*options); });
+    return harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });
   });
+  return command;
 }
 
 }  // namespace touchstone::commands

@@ -3,26 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "experiments/harness/command.h"
 
 namespace touchstone::run_tests {
 
-using AddCommand = void (*)(CLI::App& app, int& status);
+using MakeCommand = harness::Command (*)();
 
-/// Runs the subcommand that `add` adds, with these arguments. Returns the exit status; throws what it throws.
-inline int run_command(AddCommand add, const char* name, std::vector<std::string> arguments) {
-  CLI::App app("test");
-  int status = 0;
-  add(app, status);
-  arguments.insert(arguments.begin(), name);
-  std::reverse(arguments.begin(), arguments.end());
-  app.parse(arguments);
-  return status;
-}
+/// Runs the command with these arguments. Returns the exit status; throws what it throws.
+inline int run_command(MakeCommand make, const std::vector<std::string>& arguments) { return make()(arguments); }
 
 struct Ran {
   int status;
@@ -30,13 +21,13 @@ struct Ran {
 };
 
 /// The same, with what it prints; what is thrown stands in `err` as main would print it.
-inline Ran run_captured(AddCommand add, const char* name, std::vector<std::string> arguments) {
+inline Ran run_captured(MakeCommand make, const std::vector<std::string>& arguments) {
   Ran ran{0, "", ""};
   std::string thrown;
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   try {
-    ran.status = run_command(add, name, std::move(arguments));
+    ran.status = run_command(make, arguments);
   } catch (const std::exception& error) {
     ran.status = 2;
     thrown = error.what();

@@ -179,7 +179,7 @@ TEST(Reconfiguration, FindsTheLongestRun) {
 
 TEST(ThesisCommand, RefusesWhatMakesNoSense) {
   const auto err = [](std::vector<std::string> arguments) {
-    return run_tests::run_captured(commands::add_thesis, "thesis", std::move(arguments)).err;
+    return run_tests::run_captured(commands::thesis_command, std::move(arguments)).err;
   };
   EXPECT_NE(err({"--samples", "-1"}).find("--samples"), std::string::npos);
   EXPECT_NE(err({"--samples", "0"}).find("--samples"), std::string::npos);

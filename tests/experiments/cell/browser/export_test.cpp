@@ -203,7 +203,7 @@ class ExportCommand : public testing::Test {
   [[nodiscard]] run_tests::Ran run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "export");
     for (const char* word : {"--overhang", "30", "--method", "filtered"}) arguments.emplace_back(word);
-    return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
+    return run_tests::run_captured(commands::cell_command, std::move(arguments));
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (scratch.path / name).string(); }
   const run_tests::Scratch scratch;

@@ -18,7 +18,7 @@ namespace {
 
 run_tests::Ran serve(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "serve");
-  return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
+  return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 
 TEST(ServeCommand, NamesTheKeyOfABadCellFile) {

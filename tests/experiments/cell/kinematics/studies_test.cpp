@@ -23,7 +23,7 @@ using run_tests::text_of;
 const std::atomic<bool> kGoOn{false}, kStop{true};
 
 run_tests::Ran touchstone_cell(std::vector<std::string> arguments) {
-  return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
+  return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 
 TEST(MissedStudy, CountsWhatStepsPassOver) {

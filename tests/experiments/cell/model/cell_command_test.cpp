@@ -18,7 +18,7 @@ namespace {
 using run_tests::Ran;
 
 Ran touchstone_cell(std::vector<std::string> arguments) {
-  return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
+  return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 
 class CellCommand : public testing::Test {

@@ -80,9 +80,9 @@ TEST(Area, IsTheSameForAnyNumberOfThreads) {
 
 TEST(Area, TheCommandWritesEveryPlace) {
   const run_tests::Scratch scratch;
-  const auto ran = run_tests::run_captured(commands::add_cell, "cell",
-                                           {"area", kAristo.string(), "--angle-step", "90", "--length-step", "300",
-                                            "--overhang", "20", "--no-pictures", "--output", scratch.path.string()});
+  const auto ran = run_tests::run_captured(
+      commands::cell_command, {"area", kAristo.string(), "--angle-step", "90", "--length-step", "300", "--overhang",
+                               "20", "--no-pictures", "--output", scratch.path.string()});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto lines = [&](const char* name) {
     const std::string text = run_tests::text_of(scratch.path / name);
@@ -97,7 +97,7 @@ TEST(Area, TheCommandWritesEveryPlace) {
 TEST(Area, TheCommandRefusesAGridWithoutEnd) {
   const run_tests::Scratch scratch;
   const auto ran = run_tests::run_captured(
-      commands::add_cell, "cell",
+      commands::cell_command,
       {"area", kAristo.string(), "--length-step", "1e-3", "--overhang", "20", "--output", scratch.path.string()});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind("--length-step 0.001: that is about ", 0), 0U) << ran.err;

@@ -21,7 +21,7 @@ using run_tests::Ran;
 
 Ran cell_run(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"run", kAristo.string(), "--overhang", "20"});
-  return run_tests::run_captured(commands::add_cell, "cell", std::move(arguments));
+  return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 
 TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {

@@ -176,7 +176,7 @@ TEST(Baseline, EveryChangeIsNamedOnce) {
 
 TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
   for (const char* option : {"--seed", "--samples"}) {
-    const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", "none", option, "3"});
+    const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", "none", option, "3"});
     EXPECT_NE(ran.status, 0);
     EXPECT_NE(ran.err.find("excludes"), std::string::npos) << ran.err;
   }
@@ -186,7 +186,7 @@ TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
   harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
-  const auto ran = run_tests::run_captured(commands::add_regress, "regress", {"--baseline", file, "--method", "fast"});
+  const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--method", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
 }
@@ -196,13 +196,13 @@ TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const std::string file = (scratch.path / "baseline.json").string();
   harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
   const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
-  const auto refused = run_tests::run_captured(commands::add_regress, "regress", named);
+  const auto refused = run_tests::run_captured(commands::regress_command, named);
   EXPECT_EQ(refused.status, 2) << refused.out;
   EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing goes on without it");
   std::vector<std::string> allowed = named;
   allowed.emplace_back("--allow-missing");
   for (const auto& arguments : {allowed, {"--baseline", file, "--method", "all", "--threads", "2"}}) {
-    const auto ran = run_tests::run_captured(commands::add_regress, "regress", arguments);
+    const auto ran = run_tests::run_captured(commands::regress_command, arguments);
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(ran.out.find("fast: not in the baseline\n"), std::string::npos) << ran.out;
   }
@@ -212,17 +212,17 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
   const std::vector<std::string> arguments = {"--method", "fast", "--samples", "1", "--write", file};
-  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", arguments).status, 0);
+  EXPECT_EQ(run_tests::run_captured(commands::regress_command, arguments).status, 0);
   const std::string written = run_tests::text_of(file);
   harness::write_file(file, "mine");
-  const auto refused = run_tests::run_captured(commands::add_regress, "regress", arguments);
+  const auto refused = run_tests::run_captured(commands::regress_command, arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
   EXPECT_EQ(refused.err, file + ": is there already; --force writes over it");
   EXPECT_EQ(run_tests::text_of(file), "mine");
   std::vector<std::string> forced = arguments;
   forced.emplace_back("--force");
-  EXPECT_EQ(run_tests::run_captured(commands::add_regress, "regress", forced).status, 0);
+  EXPECT_EQ(run_tests::run_captured(commands::regress_command, forced).status, 0);
   EXPECT_EQ(run_tests::text_of(file), written);
 }
 
@@ -233,7 +233,7 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
   harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
-  const auto ran = run_tests::run_captured(commands::add_regress, "regress",
+  const auto ran = run_tests::run_captured(commands::regress_command,
                                            {"--baseline", (scratch.path / "baseline.json").string(), "--method",
                                             "thesis,boost-geometry", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 1) << ran.err;

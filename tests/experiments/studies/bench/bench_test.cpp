@@ -3,7 +3,6 @@
 // asserted.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -209,19 +208,19 @@ TEST(BenchCommand, CountsAsksOneContestantOnly) {
 }
 
 TEST(BenchCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_bench({"--family", "circles"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--samples", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--samples", "-1"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--samples", "10000001"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--repetitions", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--seed", "one"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--count", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), CLI::ParseError);
+  EXPECT_THROW(run_bench({"--family", "circles"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "0"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "-1"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--samples", "10000001"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--repetitions", "0"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--seed", "one"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--count", "fast"}), harness::UsageError);
+  EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), harness::UsageError);
   EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/dev/null/bench.json"}), std::runtime_error);
   EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/tmp"}), std::runtime_error);
   try {
     run_bench({"--family", "circles"});
-  } catch (const CLI::ParseError& error) {
+  } catch (const harness::UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("there are random-triangles, half-near, "), std::string::npos);
   }
 }

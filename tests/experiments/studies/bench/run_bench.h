@@ -11,7 +11,7 @@
 namespace touchstone::bench {
 
 inline int run_bench(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_bench, "bench", std::move(arguments));
+  return run_tests::run_command(commands::bench_command, std::move(arguments));
 }
 
 }  // namespace touchstone::bench

@@ -132,7 +132,7 @@ TEST(MergeCommand, StopsWithinAMeshWhereItIsInterruptedAndSaysHowFarItCame) {
     if (!ended) ::kill(::getpid(), SIGINT);
   });
   const auto ran = run_tests::run_captured(
-      commands::add_merging, "merging", {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
+      commands::merging_command, {mesh, "--compare", "10000000", "--output", (scratch.path / "out").string()});
   ended = true;
   interrupting.join();
   EXPECT_EQ(ran.status, harness::kInterrupted) << ran.err;
@@ -152,9 +152,8 @@ TEST(MergeCommand, SaysHowManyPartsAreLeftOutBeyondThoseThatItNames) {
   std::string bad;
   for (std::size_t i = 0; i < kMostSentences + 500; ++i) bad += "v 0 0 zero\n";
   harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + bad);
-  const auto ran =
-      run_tests::run_captured(commands::add_merging, "merging",
-                              {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  const auto ran = run_tests::run_captured(
+      commands::merging_command, {mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.err.find("left out: " + mesh + ": 500 more parts\n"), std::string::npos);
 }
@@ -165,7 +164,7 @@ TEST(MergeCommand, SaysOfEachPolygonHowFarItsFacesAreOffItsPlane) {
   harness::write_file(mesh, "v 0 0 0\nv 4 0 0\nv 4 4 0.25\nv 0 4 0\nv 9 9 9\nf 1 2 4\nf 2 3 4\nf 3 5 4\n");
   const auto polygons = [&](const char* tolerance) {
     const auto ran = run_tests::run_captured(
-        commands::add_merging, "merging",
+        commands::merging_command,
         {mesh, "--compare", "0", "--tolerance", tolerance, "--force", "--output", (scratch.path / "out").string()});
     EXPECT_EQ(ran.status, 0) << ran.err;
     std::string text = run_tests::text_of(scratch.path / "out" / "polygons.csv");
@@ -184,7 +183,7 @@ TEST(MergeCommand, SaysNothingOfRatiosAndDifferencesWhereNoFaceIsAPolygon) {
   const run_tests::Scratch scratch;
   const std::string mesh = (scratch.path / "mesh.obj").string();
   harness::write_file(mesh, "v 0 0 0\nf 1 1 1\n");
-  const auto ran = run_tests::run_captured(commands::add_merging, "merging",
+  const auto ran = run_tests::run_captured(commands::merging_command,
                                            {mesh, "--skip-bad", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.out.find("nan"), std::string::npos) << ran.out;
@@ -196,9 +195,8 @@ TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
   const std::string none = (scratch.path / "none.obj").string(), mesh = (scratch.path / "mesh.obj").string();
   harness::write_file(none, "V 0 0 0\n");
   harness::write_file(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const auto ran = run_tests::run_captured(
-      commands::add_merging, "merging",
-      {none, mesh, "--compare", "0", "--skip-bad", "--output", (scratch.path / "out").string()});
+  const auto ran = run_tests::run_captured(commands::merging_command, {none, mesh, "--compare", "0", "--skip-bad",
+                                                                       "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err, "touchstone: " + none + ": line 1: 'V' is not an OBJ keyword; the file has no face\n");
   EXPECT_NE(ran.out.find("1 of 2 meshes"), std::string::npos) << ran.out;
@@ -206,7 +204,7 @@ TEST(MergeCommand, NamesAFileWithoutAFaceAndGoesOnWithTheOthers) {
 
 TEST(MergeCommand, RefusesAToleranceThatIsNotTheNumberWritten) {
   for (const char* tolerance : {"1e-400", "1e400", "nan", "-1", "0x1p-3", "0.1mm"})
-    EXPECT_EQ(run_tests::run_captured(commands::add_merging, "merging", {"absent.obj", "--tolerance", tolerance})
+    EXPECT_EQ(run_tests::run_captured(commands::merging_command, {"absent.obj", "--tolerance", tolerance})
                   .err.find("--tolerance: \"" + std::string(tolerance) + "\" is no"),
               0U)
         << tolerance;
@@ -219,7 +217,7 @@ TEST(MergeCommand, NamesFacesThatAreNoPolygonsAndFailsUnlessTheyMayBeSkipped) {
   for (const bool skip : {false, true}) {
     std::vector<std::string> arguments{mesh, "--compare", "0", "--force", "--output", output};
     if (skip) arguments.emplace_back("--skip-bad");
-    const auto ran = run_tests::run_captured(commands::add_merging, "merging", arguments);
+    const auto ran = run_tests::run_captured(commands::merging_command, arguments);
     EXPECT_EQ(ran.status, skip ? 0 : 2) << ran.err;
     EXPECT_NE(ran.err.find("mesh.obj: line 6: face 1: zero-normal"), std::string::npos) << ran.err;
   }

@@ -2,7 +2,6 @@
 // The study of thresholds: what is compared, that its samples stand at thresholds, and that it keeps its promises.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -311,7 +310,7 @@ TEST(NearEdgeStudy, FamiliesStandAlone) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_near_edge, "near-edge", std::move(arguments));
+  return run_tests::run_command(commands::near_edge_command, std::move(arguments));
 }
 
 TEST(NearEdgeCommand, WritesResultsAndASidecar) {
@@ -373,15 +372,15 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--method", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--samples", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--samples", "many"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--samples", "1099511627777"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--truth", "fast"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--holes", "-1"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--vertices", "2"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--origin-distance", "-1"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "1099511627777"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--truth", "fast"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--holes", "-1"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--vertices", "2"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--origin-distance", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 

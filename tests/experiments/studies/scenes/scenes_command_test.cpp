@@ -32,7 +32,7 @@ using run_tests::Scratch;
 using run_tests::text_of;
 
 Ran touchstone_scene(std::vector<std::string> arguments) {
-  return run_tests::run_captured(commands::add_scenes, "scenes", std::move(arguments));
+  return run_tests::run_captured(commands::scenes_command, std::move(arguments));
 }
 
 std::vector<nlohmann::json> lines_of(const Ran& run) {
@@ -368,7 +368,7 @@ TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
   ::dup2(full, STDOUT_FILENO);
   std::string said;
   try {
-    (void)run_tests::run_command(commands::add_scenes, "scenes", {mesh, "--balls", balls});
+    (void)run_tests::run_command(commands::scenes_command, {mesh, "--balls", balls});
   } catch (const std::exception& error) {
     said = error.what();
   }

@@ -2,7 +2,6 @@
 // The soak: its cases are what it says, it finds planted errors, and killed runs end as whole ones do.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -332,12 +331,12 @@ TEST(SoakCheckpoint, ReadsWhatWasWrittenBefore) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_soak, "soak", std::move(arguments));
+  return run_tests::run_command(commands::soak_command, std::move(arguments));
 }
 
 TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   const auto ran =
-      run_tests::run_captured(commands::add_soak, "soak", {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
+      run_tests::run_captured(commands::soak_command, {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   std::istringstream lines(ran.out);
   std::string line;
@@ -370,11 +369,11 @@ TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--cases", "0"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--cases", "many"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--seed", "-1"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--from", "1.5"}), CLI::ParseError);
-  EXPECT_THROW(run_command({"--threads", "0"}), CLI::ParseError);
+  EXPECT_THROW(run_command({"--cases", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--cases", "many"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--from", "1.5"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--from", "18446744073709551615", "--cases", "2"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--cases", "1"}), std::runtime_error);
 }

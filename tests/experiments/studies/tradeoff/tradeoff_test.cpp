@@ -229,7 +229,7 @@ TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
 }
 
 int run_command(std::vector<std::string> arguments) {
-  return run_tests::run_command(commands::add_tradeoff, "tradeoff", std::move(arguments));
+  return run_tests::run_command(commands::tradeoff_command, std::move(arguments));
 }
 
 TEST(TradeoffCommand, WritesResultsAndASidecar) {

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/harness/command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
+
+#include "experiments/harness/real_number.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/whole_number.h"
+#include "geometry/io/detail/legible.h"
+
+namespace touchstone::harness {
+namespace {
+
+const std::string kProgram = "touchstone";
+
+/// An option as it is written back: the words of its value, none where it has none.
+struct Declared {
+  std::string name;
+  const CLI::Option* option;
+  bool has_default;
+  std::function<std::vector<std::string>()> words;
+};
+
+bool is_positional(const std::string& name) { return !name.starts_with("--"); }
+
+/// A word of a shell command, in quotes only where it needs them.
+std::string quoted_where_needed(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789,.:/_=+-";
+  return word.find_first_not_of(kPlain) == std::string::npos ? word : shell_quoted(word);
+}
+
+/// The shortest text that reads back as the same number.
+std::string shortest(double number) {
+  std::array<char, 32> text;
+  return {text.begin(), std::to_chars(text.begin(), text.end(), number).ptr};
+}
+
+/// A complaint about the command line, which it may quote.
+std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
+  const std::string sentence = io::all_legible(error.what());
+  return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
+}
+
+std::string check_utf8(const std::string& name) {
+  try {
+    (void)nlohmann::json(name).dump();
+    return {};
+  } catch (const nlohmann::json::exception&) {
+    return "the name of a file is not UTF-8: " + io::legible(name);
+  }
+}
+
+}  // namespace
+
+struct Command::Parts {
+  std::shared_ptr<CLI::App> app;
+  std::vector<Declared> options;
+  std::function<int()> run;
+  std::string* kept_line = nullptr;
+  std::vector<Command> subcommands;
+  int status = 0;
+
+  [[nodiscard]] std::string line() const;
+};
+
+std::string Command::Parts::line() const {
+  std::string line, options_text;
+  for (const CLI::App* of = app.get(); of != nullptr && of->get_name() != kProgram; of = of->get_parent())
+    line = " " + of->get_name() + line;
+  line = kProgram + line;
+  for (const Declared& declared : options) {
+    if (declared.name == "--force" || (!declared.has_default && declared.option->count() == 0)) continue;
+    for (const std::string& word : declared.words()) {
+      std::string& text = is_positional(declared.name) ? line : options_text;
+      if (!is_positional(declared.name)) text += " " + declared.name;
+      if (!word.empty()) text += " " + quoted_where_needed(word);
+    }
+  }
+  return line + options_text;
+}
+
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option& Option::needs(const std::string& other) {
+  option_->needs(app_->get_option(other));
+  return *this;
+}
+
+Option& Option::excludes(const std::string& other) {
+  option_->excludes(app_->get_option(other));
+  return *this;
+}
+
+Command::Command(const std::string& name, const std::string& about) : parts_(std::make_shared<Parts>()) {
+  parts_->app = std::make_shared<CLI::App>(about, name);
+  // The application must not keep its own parts alive.
+  parts_->app->callback([parts = parts_.get()] {
+    if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
+    if (parts->run) parts->status = parts->run();
+  });
+}
+
+Command::Command(const std::string& name, const std::string& about, const std::vector<Command>& subcommands)
+    : Command(name, about) {
+  parts_->subcommands = subcommands;
+  parts_->app->require_subcommand(1);
+  for (const Command& command : subcommands) parts_->app->add_subcommand(command.parts_->app);
+}
+
+CLI::App& Command::app() const { return *parts_->app; }
+
+Option Command::flag(const std::string& name, bool& value, const std::string& about) {
+  CLI::Option* option = app().add_flag(name, value, about);
+  parts_->options.push_back(
+      {name, option, true, [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
+  return {app(), *option};
+}
+
+Option Command::text(const std::string& name, std::string& value, const std::string& about, const Check& check) {
+  CLI::Option* option = app().add_option(name, value, about);
+  const bool has_default = !value.empty();
+  if (has_default) option->capture_default_str();
+  if (check) option->check(check);
+  parts_->options.push_back({name, option, has_default,
+                             [&value] { return value.empty() ? std::vector<std::string>{} : std::vector{value}; }});
+  return {app(), *option};
+}
+
+Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
+                       const std::string& about) {
+  CLI::Option* option = app().add_option(name, value, about)->check(CLI::IsMember(words))->capture_default_str();
+  parts_->options.push_back({name, option, true, [&value] { return std::vector{value}; }});
+  return {app(), *option};
+}
+
+Option Command::word_option(const std::string& name, const std::function<std::string()>& get,
+                            const std::function<void(std::size_t)>& set, const std::vector<std::string>& words,
+                            const std::string& about) {
+  const auto assign = [set, words](const CLI::results_t& results) {
+    set(static_cast<std::size_t>(std::ranges::find(words, results.back()) - words.begin()));
+    return true;
+  };
+  CLI::Option* option = app().add_option(name, assign, about, true, get)->check(CLI::IsMember(words));
+  parts_->options.push_back({name, option, true, [get] { return std::vector{get()}; }});
+  return {app(), *option};
+}
+
+Option Command::names(const std::string& name, std::vector<std::string>& values, const std::string& about) {
+  CLI::Option* option = app().add_option(name, values, about)->delimiter(',')->allow_extra_args(false);
+  const bool has_default = !values.empty();
+  if (has_default) option->capture_default_str();
+  parts_->options.push_back({name, option, has_default, [&values] {
+                               return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)};
+                             }});
+  return {app(), *option};
+}
+
+Option Command::texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
+                      const Check& check) {
+  CLI::Option* option = app().add_option(name, values, about);
+  if (!is_positional(name)) option->allow_extra_args(false);
+  if (check) option->check(check);
+  parts_->options.push_back({name, option, false, [&values] { return values; }});
+  return {app(), *option};
+}
+
+Option Command::whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
+                                    const std::function<void(std::uint64_t)>& set, const std::string& about,
+                                    std::uint64_t lowest, std::uint64_t highest) {
+  const auto assign = [set](const CLI::results_t& results) {
+    const std::string& text = results.back();
+    std::uint64_t number = 0;
+    const bool read = std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc();
+    if (read) set(number);
+    return read;
+  };
+  const bool has_default = get() >= lowest && get() <= highest;
+  CLI::Option* option = app().add_option(name, assign, about, has_default, [get] { return std::to_string(get()); });
+  option->type_name("UINT")->check(whole_number(lowest, highest), "");
+  parts_->options.push_back({name, option, has_default, [get] { return std::vector{std::to_string(get())}; }});
+  return {app(), *option};
+}
+
+Option Command::integer(const std::string& name, int& value, const std::string& about) {
+  CLI::Option* option = app().add_option(name, value, about)->capture_default_str();
+  parts_->options.push_back({name, option, true, [&value] { return std::vector{std::to_string(value)}; }});
+  return {app(), *option};
+}
+
+Option Command::real(const std::string& name, double& value, const std::string& about, double lowest, double highest) {
+  const bool has_default = value >= lowest && value <= highest;
+  CLI::Option* option = app().add_option(name, value, about);
+  if (has_default) option->capture_default_str();
+  option->check(real_number(lowest, highest), "");
+  parts_->options.push_back({name, option, has_default, [&value] { return std::vector{shortest(value)}; }});
+  return {app(), *option};
+}
+
+Option Command::positive(const std::string& name, double& value, const std::string& about) {
+  Option option = real(name, value, about, std::numeric_limits<double>::denorm_min());
+  return option;
+}
+
+void Command::require_one_of(const std::vector<std::string>& names) {
+  auto* group = app().add_option_group("");
+  for (const std::string& name : names) group->add_option(app().get_option(name));
+  group->require_option(1);
+}
+
+void Command::allow_one_of(const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    for (const std::string& other : names)
+      if (name != other) app().get_option(name)->excludes(app().get_option(other));
+}
+
+Option Command::seed(std::uint64_t& value, const std::string& about) { return whole("--seed", value, about); }
+
+Option Command::threads(unsigned& value, const std::string& about) {
+  constexpr unsigned kMost = 1024;
+  return whole("--threads", value, about, 1, kMost);
+}
+
+Option Command::methods(std::vector<std::string>& values, const std::string& about) {
+  return names("--method", values, about);
+}
+
+Option Command::families(std::vector<std::string>& values) {
+  return names("--families", values, "Families of polygons, separated by commas, or all");
+}
+
+Option Command::meshes(std::vector<std::string>& files, const std::string& about) {
+  return texts("MESH", files, about, check_utf8).required();
+}
+
+Option Command::output(std::string& folder, const std::string& about) { return text("--output", folder, about); }
+
+Option Command::no_pictures(bool& value) { return flag("--no-pictures", value, "Write the data only"); }
+
+Option Command::resume(bool& value) {
+  return flag("--resume", value, "Continue the run that was stopped or killed in that folder");
+}
+
+Option Command::force(bool& value) {
+  Option option = flag("--force", value, "Write over what is there; without it, a folder must be empty or new");
+  if (app().get_option_no_throw("--resume") != nullptr) option.excludes("--resume");
+  return option;
+}
+
+void Command::footer(const std::string& text) { app().footer("\n" + text); }
+
+void Command::runs(std::function<int()> run) { parts_->run = std::move(run); }
+
+void Command::keep_line(std::string& line) { parts_->kept_line = &line; }
+
+int Command::operator()(std::vector<std::string> arguments) const {
+  std::ranges::reverse(arguments);
+  try {
+    app().parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  for (const Command& command : parts_->subcommands)
+    if (command.app().parsed()) return command.parts_->status;
+  return parts_->status;
+}
+
+unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv) {
+  const Command program(kProgram, about, commands);
+  CLI::App& app = program.app();
+  app.failure_message(legible_complaint);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    constexpr int kWrongInput = 2;
+    return app.exit(error) == 0 ? 0 : kWrongInput;
+  }
+  for (const Command& command : commands) {
+    if (!command.app().parsed()) continue;
+    for (const Command& sub : command.parts_->subcommands)
+      if (sub.app().parsed()) return sub.parts_->status;
+    return command.parts_->status;
+  }
+  return 0;
+}
+
+}  // namespace touchstone::harness

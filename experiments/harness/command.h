@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace touchstone::harness {
+
+/// A command line that is wrong; the message names the option.
+class UsageError : public std::runtime_error {
+ public:
+  UsageError(const std::string& option, const std::string& reason) : std::runtime_error(option + ": " + reason) {}
+  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// An option that was declared. Others are named as on the command line; they have been declared before it.
+class Option {
+ public:
+  Option(CLI::App& app, CLI::Option& option) : app_(&app), option_(&option) {}
+  Option& required();
+  Option& needs(const std::string& other);
+  Option& excludes(const std::string& other);
+
+ private:
+  CLI::App* app_;
+  CLI::Option* option_;
+};
+
+/// A subcommand of the program: its options, each declared once, and what it runs.
+///
+/// An option is bound to a variable, whose value when it is declared is the default. The variables must live as long as
+/// the command, for example in a struct that the function given to `runs` shares. Names begin with `--`; other names
+/// are positional arguments. From the declarations come parsing, its errors, the help, and the line that repeats a run.
+class Command {
+ public:
+  Command(const std::string& name, const std::string& about);
+  /// One that only groups its subcommands, of which one must be given.
+  Command(const std::string& name, const std::string& about, const std::vector<Command>& subcommands);
+
+  Option flag(const std::string& name, bool& value, const std::string& about);
+  /// `check` returns what is wrong with a text, or nothing.
+  using Check = std::function<std::string(const std::string&)>;
+  Option text(const std::string& name, std::string& value, const std::string& about, const Check& check = {});
+  /// One of these words.
+  Option choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
+                const std::string& about);
+  /// One of the words of these enumerators, as word(enumerator) tells them.
+  template <class Enumerator>
+    requires std::is_enum_v<Enumerator>
+  Option choice(const std::string& name, Enumerator& value, const std::vector<Enumerator>& all,
+                const std::string& about) {
+    std::vector<std::string> words;
+    for (const Enumerator one : all) words.emplace_back(word(one));
+    return word_option(
+        name, [&value] { return std::string(word(value)); },
+        [&value, all](std::size_t index) { value = all[index]; }, words, about);
+  }
+  /// Values separated by commas.
+  Option names(const std::string& name, std::vector<std::string>& values, const std::string& about);
+  /// Positional: all remaining arguments. With `--`: the option may be given several times, with one value each.
+  Option texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
+               const Check& check = {});
+  /// An integer from `lowest` to `highest`. A default outside of this range means that there is none.
+  template <std::unsigned_integral T>
+  Option whole(const std::string& name, T& value, const std::string& about, std::uint64_t lowest = 0,
+               std::uint64_t highest = std::numeric_limits<T>::max()) {
+    return whole_number_option(
+        name, [&value] { return std::uint64_t{value}; }, [&value](std::uint64_t n) { value = static_cast<T>(n); },
+        about, lowest, highest);
+  }
+  Option integer(const std::string& name, int& value, const std::string& about);
+  /// A decimal number whose nearest double is from `lowest` to `highest`. A default outside of this range means that
+  /// there is none.
+  Option real(const std::string& name, double& value, const std::string& about,
+              double lowest = std::numeric_limits<double>::lowest(),
+              double highest = std::numeric_limits<double>::max());
+  /// A finite number above 0.
+  Option positive(const std::string& name, double& value, const std::string& about);
+  /// Exactly one of these options must be given, or at most one.
+  void require_one_of(const std::vector<std::string>& names);
+  void allow_one_of(const std::vector<std::string>& names);
+
+  // Options that several commands have.
+  Option seed(std::uint64_t& value, const std::string& about = "Any number; the same gives the same bytes");
+  Option threads(unsigned& value, const std::string& about = "They do not change the results");
+  Option methods(std::vector<std::string>& values,
+                 const std::string& about = "Method names, separated by commas, or all");
+  Option families(std::vector<std::string>& values);
+  Option meshes(std::vector<std::string>& files, const std::string& about = "Mesh files");
+  Option output(std::string& folder, const std::string& about);
+  Option no_pictures(bool& value);
+  Option resume(bool& value);
+  Option force(bool& value);
+
+  /// Printed behind the options in the help.
+  void footer(const std::string& text);
+  /// Sets what it runs; `run` returns the exit status.
+  void runs(std::function<int()> run);
+  /// Sets the variable that receives, before it runs, the command line that repeats the run: every option that has a
+  /// default or was given, except --force.
+  void keep_line(std::string& line);
+
+  /// Parses the arguments behind the command's name and runs it. Returns the exit status. Throws UsageError, and what
+  /// it throws itself.
+  int operator()(std::vector<std::string> arguments) const;
+
+ private:
+  friend int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv);
+  struct Parts;
+  [[nodiscard]] CLI::App& app() const;
+  Option whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
+                             const std::function<void(std::uint64_t)>& set, const std::string& about,
+                             std::uint64_t lowest, std::uint64_t highest);
+
+  Option word_option(const std::string& name, const std::function<std::string()>& get,
+                     const std::function<void(std::size_t)>& set, const std::vector<std::string>& words,
+                     const std::string& about);
+
+  std::shared_ptr<Parts> parts_;
+};
+
+/// Threads of this machine, the default of --threads.
+[[nodiscard]] unsigned all_threads();
+
+/// Parses the program's command line and runs the command that it names. Prints help and, on stderr, what is wrong with
+/// the line. Returns the exit status.
+int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv);
+
+}  // namespace touchstone::harness
