@@ -15,6 +15,7 @@ namespace {
 
 using cases::Verdict;
 using filtered::Stage;
+using scene::CullOutcome;
 using scene::FaceCounts;
 using scene::FaceId;
 
