@@ -6,7 +6,7 @@ transformations, whose rests are exact; and those of numbers, without any roundi
 the model has no scale, and maxima are 1.
 
 Gappa's intervals do not see that rests cancel roundings, so the difference of the two lines is multiplied out here. It
-is a hint: Gappa reports one that is no identity.
+is a hint: Gappa reports a hint that is not an identity.
 """
 
 import collections

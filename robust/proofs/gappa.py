@@ -13,7 +13,7 @@ OPERATORS = {"+": "add_rel", "-": "sub_rel", "*": "mul_rel"}
 def dyadic(value):
     """A Fraction whose denominator is a power of two, as Gappa writes it."""
     if value.denominator & (value.denominator - 1):
-        raise ValueError(f"{value} is no dyadic number")
+        raise ValueError(f"{value} is not a dyadic number")
     return f"{value.numerator}b-{value.denominator.bit_length() - 1}"
 
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robust/filtered/detail/ball_triangle_view.h"
+#include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::filtered {

@@ -10,6 +10,7 @@
 #include "robust/filtered/detail/bigint_polygon.h"
 #include "robust/filtered/detail/edge_tree.h"
 #include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/detail/vector3.h"
 #include "robust/filtered/filtered.h"
 
@@ -59,8 +60,5 @@ struct PreparedPolygon::Parts {
   mutable std::once_flag exact_once_;
   mutable std::optional<exact::PreparedPolygon> exact_;
 };
-
-/// Returns what was prepared. Requires a polygon that was not moved from.
-[[nodiscard]] inline const PreparedPolygon::Parts& parts_of(const PreparedPolygon& polygon) { return *polygon.parts_; }
 
 }  // namespace touchstone::filtered

@@ -19,10 +19,9 @@ const Loop kHole{{3, 3, 0}, {6, 3, 0}, {6, 6, 0}, {3, 6, 0}};
 TEST(Validate, NamesEdgesVerticesAndLoops) {
   EXPECT_EQ(verdict({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {5, 4, 0}}),
             "loop-meets-itself: the outer loop: edge 1 (vertices 1, 2) meets edge 3 (vertices 3, 0)");
-  EXPECT_EQ(
-      verdict({{0, 0, 0}, {4, 0, 0}, {4, 0, 1}, {4, 4, 0}, {0, 4, 0}}),
-      "loop-meets-itself: the outer loop: edge 1 (vertices 1, 2) becomes a point when the polygon is seen along its "
-      "dropped axis");
+  EXPECT_EQ(verdict({{0, 0, 0}, {4, 0, 0}, {4, 0, 1}, {4, 4, 0}, {0, 4, 0}}),
+            "loop-meets-itself: the outer loop: edge 1 (vertices 1, 2) becomes a point when the polygon is projected "
+            "along its dropped axis");
   EXPECT_EQ(verdict(kSquare, {{{8, 4, 0}, {10, 4, 0}, {8, 5, 0}}}),
             "loops-meet: the outer loop and hole 0: edge 1 (vertices 1, 2) meets edge 4 (vertices 4, 5)");
   EXPECT_EQ(verdict(kSquare, {kHole, {{10, 0, 0}, {11, 0, 0}, {11, 1, 0}}}),

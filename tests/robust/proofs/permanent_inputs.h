@@ -13,7 +13,7 @@ inline constexpr int roundings_of<Permanent<Roundings>> = Roundings;
 
 /// The inputs of expressions.h as the filters have them: rounded, but for the radius.
 struct PermanentInputs {
-  Vector3<Permanent<1>> from, edge;
+  Vector3<Permanent<1>> to_center, edge;
   Permanent<0> radius;
   Vector3<Permanent<1>> first_edge, second_edge, normal, axis, from_origin;
   Permanent<1> foot_x, foot_y, start_x, start_y, direction_x, direction_y;
