@@ -87,7 +87,7 @@ def digest(paths):
 
 def command_of(run):
     """Without its output, and with a long list of files cut short."""
-    words = re.sub(r" --output '[^']*'| --json '[^']*'| --baseline '[^']*'", "", run["command"])
+    words = re.sub(r" --(output|json|baseline) ('[^']*'|\S+)", "", run["command"])
     return re.sub(r"('[^']*' ){3,}", "MESH... ", words)
 
 

@@ -75,10 +75,9 @@ std::string gripper_cases(const std::string& cell_file) {
     if (polygon.vertex_count() > kMostVertices || exact::validate(polygon)) return;
     const auto stop = nearest_stop(process, polygon);
     if (!stop) return;
-    text +=
-        lines_about(fmt::format("{}-{}-{}", name, owner, face),
-                    fmt::format("touchstone corpus gripper {}.json: stop {}, face {} of {}", name, *stop, face, owner),
-                    process.stops[*stop].sphere, polygon);
+    text += lines_about(fmt::format("{}-{}-{}", name, owner, face),
+                        fmt::format("touchstone cell cases {}.json: stop {}, face {} of {}", name, *stop, face, owner),
+                        process.stops[*stop].sphere, polygon);
   };
   const auto standing = polygons_of(workcell.obstacles().faces);
   for (std::size_t i = 0; i < standing.size(); ++i) add(workcell.obstacles().owners[i], i, standing[i]);

@@ -58,14 +58,13 @@ class Command {
                 const std::string& about);
   /// One of the words of these enumerators, as word(enumerator) tells them.
   template <class Enumerator>
-    requires std::is_enum_v<Enumerator>
-  Option choice(const std::string& name, Enumerator& value, const std::vector<Enumerator>& all,
-                const std::string& about) {
+  requires std::is_enum_v<Enumerator> Option choice(const std::string& name, Enumerator& value,
+                                                    const std::vector<Enumerator>& all, const std::string& about) {
     std::vector<std::string> words;
     for (const Enumerator one : all) words.emplace_back(word(one));
     return word_option(
-        name, [&value] { return std::string(word(value)); },
-        [&value, all](std::size_t index) { value = all[index]; }, words, about);
+        name, [&value] { return std::string(word(value)); }, [&value, all](std::size_t index) { value = all[index]; },
+        words, about);
   }
   /// Values separated by commas.
   Option names(const std::string& name, std::vector<std::string>& values, const std::string& about);

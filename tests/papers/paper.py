@@ -96,7 +96,7 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("soak: ValueError: 1 answers of filtered differ", lambda at: edit(at / "soak/soak.csv", "1,1,1,0", "1,1,1,1"))
     spoiled("stability: ValueError: filtered failed", lambda at: edit(at / "stability/failures.csv", "filtered,1,0,4", "filtered,1,1,4"))
     spoiled("meshes: ValueError: filtered differs", lambda at: edit(at / "meshes/meshes.csv", "8,0", "8,1"))
-    spoiled("bench-scene: ValueError: Scene is wrong", lambda at: edit(at / "bench-scenes/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
+    spoiled("bench-scenes: ValueError: Scene is wrong", lambda at: edit(at / "bench-scenes/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
     spoiled("thesis: ValueError: unknown status: better", lambda at: edit(at / "thesis/entries.csv", "not computable", "better"))
     spoiled("bench/bench.json", lambda at: (at / "bench/bench.json").write_text("{"))
 

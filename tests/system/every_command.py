@@ -49,7 +49,7 @@ COMMANDS = {
     "regress": [["--method", "fast", "--samples", "1", "--output", OUTPUT]],
     "corpus make": [[OUTPUT]],
     "corpus check": [[str(SOURCE / "tests/corpus/features.jsonl")]],
-    "corpus gripper": [[CELL]],
+    "cell cases": [[CELL]],
     "corpus shrink": [["wrong.jsonl", "--method", "thesis"]],
     "thesis": [["--quick", "--samples", "100", "--no-pictures", "--output", OUTPUT]],
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An engine that may read all cases before it answers.
+#include "experiments/methods/process/engine.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "experiments/methods/process/engine.h"
 #include "geometry/io/detail/legible.h"
 #include "tests/experiments/judge/run_judge.h"
 

@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import sys
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "papers"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "papers"))
 
 from miniature import BENCH
 

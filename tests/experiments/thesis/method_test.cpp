@@ -76,7 +76,7 @@ TEST(Flowchart, NamesTheFrontAsTheMethodDoes) {
 }
 
 TEST(AngleSum, IsWhatTheMethodAddsUp) {
-  for (const stability::Outline& outline : outlines()) {
+  for (const stability::Outline& outline : stability::outlines()) {
     const thesis::PreparedPolygon<> method(outline.polygon());
     const stability::Box outer = stability::bounds(outline),
                          box = outer.enlarged(outer.width() / 2, outer.height() / 2);

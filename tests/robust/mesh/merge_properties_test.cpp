@@ -9,8 +9,8 @@
 #include "robust/exact/exact.h"
 #include "robust/mesh/merge.h"
 #include "tests/robust/mesh/merged.h"
-#include "tests/robust/support/random_meshes.h"
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/random_meshes.h"
 
 namespace touchstone::mesh_tests {
 namespace {

@@ -39,7 +39,7 @@ endforeach()
 
 set(common -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
     -DSAMPLE=${SCRATCH}/sample.cpp)
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${SCRATCH}/build ${common} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/system/consumer -B ${SCRATCH}/build ${common} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
     -DOWN_HEADERS=${SCRATCH}/own "-DHEADERS=${headers}")
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/sample)
@@ -48,5 +48,5 @@ if(NOT promised OR NOT output STREQUAL promised)
   message(FATAL_ERROR "the sample prints `${output}`; README.md promises `${promised}`")
 endif()
 
-run(${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${SCRATCH}/in_source ${common} -DTOUCHSTONE_SOURCE=${SOURCE})
+run(${CMAKE_COMMAND} -S ${SOURCE}/tests/system/consumer -B ${SCRATCH}/in_source ${common} -DTOUCHSTONE_SOURCE=${SOURCE})
 run(ninja -C ${SCRATCH}/in_source sample)

@@ -140,7 +140,7 @@ def judge(workshop, mutant):
 def read_mutants(source, corpus):
     """Each with the program and the suites that are to tell of it."""
     tests = pathlib.Path(source) / "tests"
-    mutants = json.loads((tests / "mutants" / "mutants.json").read_text())
+    mutants = json.loads((tests / "system" / "mutants" / "mutants.json").read_text())
     if not corpus:
         return mutants
     mutants = [mutant for mutant in mutants

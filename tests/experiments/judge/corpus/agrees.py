@@ -28,7 +28,7 @@ def main(touchstone, corpus, scratch):
     with verdicts.open("w") as out:
         if subprocess.run([touchstone, "judge", "--method", "exact", cases], stdout=out).returncode != 0:
             faults.append("exact does not meet the corpus")
-    checker = corpus.parent / "independent" / "checker.py"
+    checker = corpus.parent / "system" / "independent" / "checker.py"
     if subprocess.run([sys.executable, "-B", checker, cases, verdicts]).returncode != 0:
         faults.append("the independent checker disagrees")
     for method in ("fast", "thesis"):

@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).parents[2]
+ROOT = pathlib.Path(__file__).parents[4]
 # Counts as valgrind prints them, 1000 to begin with and `price` a query; ten queries each time.
 VALGRIND = """#!/bin/sh
 while [ $# -gt 0 ]; do case $1 in --count) what=$2; shift;; --repetitions) times=$2; shift;; esac; shift; done
