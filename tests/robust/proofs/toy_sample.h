@@ -69,7 +69,7 @@ template <class Number>
 Inputs<Exact> exact_inputs(const Operands& operands) {
   std::size_t next = 0;
   Inputs<Exact> exact{};
-  for (auto vector : {&Inputs<Number>::to_center, &Inputs<Exact>::edge, &Inputs<Exact>::first_edge,
+  for (auto vector : {&Inputs<Exact>::to_center, &Inputs<Exact>::edge, &Inputs<Exact>::first_edge,
                       &Inputs<Exact>::second_edge, &Inputs<Exact>::axis, &Inputs<Exact>::from_origin}) {
     exact.*vector = {operands[next], operands[next + 1], operands[next + 2]};
     next += 3;
