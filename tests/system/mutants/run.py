@@ -73,6 +73,8 @@ class Workshop:
         if str(self.source / unit) not in self.commands:
             raise ValueError(f"{unit} is not among the compile commands of the build")
         command = list(self.commands[str(self.source / unit)])
+        if pathlib.Path(command[0]).name == "ccache":  # it would not see the mutated header
+            del command[0]
         target = folder / f"{pathlib.Path(unit).stem}.o"
         command[command.index("-o") + 1] = str(target)
         command[command.index("-c") + 1] = str(folder / unit)
