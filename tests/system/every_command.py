@@ -142,7 +142,7 @@ class EveryCommand(unittest.TestCase):
                         done = self.run_in([*call, *more], folder, stdout=subprocess.PIPE)
                         self.assertEqual(done.returncode, 2, done.stderr)
                         self.assertIn(f"{folder}: another run writes there: process {process.pid} on ", done.stderr)
-                        self.assertIn("Z: touchstone scenes 'mesh.obj' --balls ", done.stderr)
+                        self.assertIn("Z: touchstone scenes mesh.obj --balls ", done.stderr)
                         self.assertEqual(content(folder), before)
             balls.write("0 0 0 1\n")
         self.assertEqual(process.wait(PATIENCE), 0)

@@ -17,11 +17,18 @@ SAYS_SO = "there is not enough memory to read", "touchstone: out of memory", "ca
 MIB = 1 << 20
 
 
-def outcome(command, limit):
-    """Exit status and sentence; nothing where the program cannot even be loaded."""
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+def run(command, limit):
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
-    return None if "error while loading shared libraries" in done.stderr else (done.returncode, done.stderr)
+
+
+def outcome(command, limit):
+    """Exit status and sentence; nothing where the program cannot even be loaded: where it cannot print its help, because
+    a shared library that it needs is not loaded, or initialises itself in vain before the program begins."""
+    if run([command[0], "--help"], limit).returncode != 0:
+        return None
+    done = run(command, limit)
+    return done.returncode, done.stderr
 
 
 def check(command):

@@ -152,7 +152,7 @@ TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
   EXPECT_EQ(rows, sums.size());
   const auto record = nlohmann::json::parse(text_of(folder + "/run.json"));
   EXPECT_EQ(record["samples_done"], 50);
-  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --all --method filtered"),
+  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --method filtered"),
             std::string::npos);
 }
 
