@@ -59,7 +59,9 @@ class Archive {
 namespace detail {
 
 template <class T>
-concept HasMembers = requires(T& value) { value.members(); };
+concept HasMembers = requires(T& value) {
+  value.members();
+};
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -116,6 +118,7 @@ void Archive::pass(T& value) {
     std::size_t size = value.size();
     pass(size);
     if (reading_ && size > text_.size()) throw DamagedArchive("a list is longer than the text");
+    if (reading_ && !value.empty() && value.size() != size) throw DamagedArchive("a list has another length");
     value.resize(size);
     pass_all(value);
   } else if constexpr (is_optional<T>) {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -12,19 +13,13 @@
 #include "experiments/harness/write_file.h"
 
 namespace touchstone::harness {
-namespace {
 
-/// As on the command line: ` --seed 3 --method fast,thesis`.
-std::string option(const std::string& name, const nlohmann::ordered_json& value) {
-  return " --" + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
-}
-
-}  // namespace
-
-void Checkpoint::write(const nlohmann::ordered_json& state) const {
-  nlohmann::ordered_json whole = settings_;
-  whole.update(state);
-  write_file(path_, whole.dump() + "\n");
+void Checkpoint::write_text(std::uint64_t done, const std::string& state) const {
+  nlohmann::ordered_json whole = {{"version", settings_.version}};
+  for (const auto& [name, value] : settings_.options) whole[name] = value;
+  whole["done"] = done;
+  whole["state"] = state;
+  write_file(path_, whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 bool Checkpoint::set_aside() const {
@@ -34,23 +29,24 @@ bool Checkpoint::set_aside() const {
   return !error;
 }
 
-nlohmann::json Checkpoint::parsed() const {
+std::optional<std::string> Checkpoint::read_text() const {
   std::ifstream file(path_, std::ios::binary);
-  if (!file) return nullptr;
+  if (!file) return std::nullopt;
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   try {
     const auto whole = nlohmann::json::parse(text);
-    if (whole.at("version") != nlohmann::json(settings_.at("version"))) refuse("is of another version of this program");
+    if (whole.at("version") != settings_.version) refuse("is of another version of this program");
     std::string found, wanted;
-    for (const auto& [name, value] : settings_.items()) {
-      if (whole.at(name) == nlohmann::json(value)) continue;
-      found += option(name, whole.at(name));
-      wanted += option(name, value);
+    for (const auto& [name, value] : settings_.options) {
+      const auto& held = whole.at(name).get_ref<const std::string&>();
+      if (held == value) continue;
+      found += " --" + name + " " + held;
+      wanted += " --" + name + " " + value;
     }
     if (!found.empty()) refuse("is of" + found + ", not of" + wanted);
-    return whole;
+    return whole.at("state").get<std::string>();
   } catch (const nlohmann::json::exception& error) {
-    refuse(error, text);
+    refuse("is not a checkpoint of this program: " + json_fault(error, text));
   }
 }
 
@@ -59,9 +55,5 @@ void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
-
-void Checkpoint::refuse(const nlohmann::json::exception& error, std::string_view text) const {
-  refuse("is no checkpoint of this program: " + harness::json_fault(error, text));
-}
 
 }  // namespace touchstone::harness

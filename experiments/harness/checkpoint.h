@@ -3,41 +3,51 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
+#include <vector>
+
+#include "experiments/harness/archive.h"
 
 namespace touchstone::harness {
 
-/// What has been done of a long run, in a file that always holds one whole state.
+/// Everything that results depend on: the values of options by their names (without dashes), and a version, which is
+/// raised where sample n of a seed becomes another one, or a state's form or meaning changes.
+struct ResultSettings {
+  int version;
+  std::vector<std::pair<std::string, std::string>> options;
+};
+
+/// The state of a long run, in a file that always holds one whole state. States are archived; items_done(state), found
+/// by its argument, returns how much of the run a state holds.
 class Checkpoint {
  public:
-  /// `settings`: an object of all that the results depend on, by the names of the options (without dashes), and
-  /// `version`, which is raised where the state's form or meaning changes.
-  Checkpoint(std::filesystem::path path, nlohmann::ordered_json settings)
+  Checkpoint(std::filesystem::path path, ResultSettings settings)
       : path_(std::move(path)), settings_(std::move(settings)) {}
 
-  /// `state`: an object; its keys differ from those of the settings. Throws std::runtime_error, which names the file,
-  /// where it cannot be written.
-  void write(const nlohmann::ordered_json& state) const;
-
-  /// The state to go on with (by its from_json); nothing where there is no file yet. Throws std::runtime_error for a
-  /// file that is damaged, of another version, or of other settings: it names those that differ.
+  /// Throws std::runtime_error, which names the file, where it cannot be written.
   template <class State>
-  [[nodiscard]] std::optional<State> read() const {
-    const nlohmann::json whole = parsed();
-    if (whole.is_null()) return std::nullopt;
+  void write(const State& state) const {
+    write_text(items_done(state), archived(state));
+  }
+
+  /// Returns the state to continue with, or nothing where there is no file yet. Throws std::runtime_error for a file
+  /// that is damaged, of another version, or of other settings: it names those that differ.
+  template <class State>
+  [[nodiscard]] std::optional<State> read(State state) const {
+    const std::optional<std::string> text = read_text();
+    if (!text) return std::nullopt;
     try {
-      return whole.get<State>();
-    } catch (const nlohmann::json::exception& error) {
-      refuse(error);
+      restore(*text, state);
+      return state;
+    } catch (const DamagedArchive& error) {
+      refuse(std::string("is not a checkpoint of this program: ") + error.what());
     }
   }
 
-  /// Renames what stands there, if anything does, to the same name and `.previous`: a run that begins anew loses no
-  /// other. Returns whether it did. Throws std::runtime_error, which names the file, where that cannot be done.
+  /// Renames an existing file to the same name with `.previous`: a new run loses no other. Returns whether there was
+  /// one. Throws std::runtime_error, which names the file, where that cannot be done.
   bool set_aside() const;
 
   /// Throws std::runtime_error, which names the file, if it holds more items than are asked for.
@@ -46,15 +56,13 @@ class Checkpoint {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  void write_text(std::uint64_t done, const std::string& state) const;
+  [[nodiscard]] std::optional<std::string> read_text() const;
   /// Throws std::runtime_error, which names the file and says why.
   [[noreturn]] void refuse(const std::string& why) const;
-  /// The same, of what is not the JSON of a checkpoint.
-  [[noreturn]] void refuse(const nlohmann::json::exception& error, std::string_view text = {}) const;
-  /// Null where there is no file.
-  [[nodiscard]] nlohmann::json parsed() const;
 
   std::filesystem::path path_;
-  nlohmann::ordered_json settings_;
+  ResultSettings settings_;
 };
 
 }  // namespace touchstone::harness

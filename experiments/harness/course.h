@@ -34,20 +34,20 @@ Course<State> course(const Processes& processes, const std::atomic<bool>& stop, 
 
 /// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
 /// first process's checkpoint then holds it; one that stood there and is not gone on from is set aside, and stderr says
-/// so. Throws as Checkpoint does, and std::runtime_error where it holds more than the `asked` items, as count(state)
-/// tells.
-template <class State, class Count>
-State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero,
-            const Count& count) {
+/// so. Throws as Checkpoint does, and std::runtime_error where it holds more than the `asked` items, as
+/// items_done(state) tells.
+template <class State>
+State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero) {
   if (!processes.first()) return zero;
   State state = std::move(zero);
   if (resume) {
-    if (auto held = checkpoint.read<State>()) state = std::move(*held);
+    if (auto held = checkpoint.read(state)) state = std::move(*held);
   } else if (checkpoint.set_aside()) {
-    fmt::print(stderr, "touchstone: begins anew, without --resume; the earlier run's {0} is kept as {0}.previous\n",
+    fmt::print(stderr,
+               "touchstone: starting over, without --resume; the previous checkpoint is saved as {0}.previous\n",
                checkpoint.path().string());
   }
-  checkpoint.refuse_more(count(state), asked);
+  checkpoint.refuse_more(items_done(state), asked);
   checkpoint.write(state);
   return state;
 }

@@ -57,21 +57,4 @@ double Distribution::quantile(double share) const {
   return largest_;
 }
 
-void to_json(nlohmann::ordered_json& json, const Distribution& distribution) {
-  auto counts = nlohmann::ordered_json::array();
-  for (const auto& [bits, count] : distribution.counts_) {
-    counts.push_back(bits);
-    counts.push_back(count);
-  }
-  json = {std::bit_cast<std::uint64_t>(distribution.largest_), std::move(counts)};  // JSON has no infinity
-}
-
-void from_json(const nlohmann::json& json, Distribution& distribution) {
-  distribution = {};
-  distribution.largest_ = std::bit_cast<double>(json.at(0).get<std::uint64_t>());
-  const auto& counts = json.at(1);
-  for (std::size_t i = 0; i < counts.size(); i += 2)
-    distribution.counts_[counts.at(i).get<std::uint32_t>()] = counts.at(i + 1).get<std::uint64_t>();
-}
-
 }  // namespace touchstone::statistics

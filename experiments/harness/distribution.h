@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace touchstone::statistics {
 
@@ -26,10 +26,8 @@ class Distribution {
   /// Exact; 0 where there is no number.
   [[nodiscard]] double largest() const { return largest_; }
 
+  auto members() { return std::tie(counts_, largest_); }
   friend bool operator==(const Distribution&, const Distribution&) = default;
-  // Throws nlohmann::json::exception where something is missing.
-  friend void to_json(nlohmann::ordered_json& json, const Distribution& distribution);
-  friend void from_json(const nlohmann::json& json, Distribution& distribution);
 
  private:
   std::map<std::uint32_t, std::uint64_t> counts_;  ///< by the leading bits of the doubles, which ascend with them

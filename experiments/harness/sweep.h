@@ -4,12 +4,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "experiments/harness/blocks.h"
 #include "experiments/harness/processes.h"
+#include "experiments/harness/sum.h"
 
 namespace touchstone::harness {
 
@@ -49,7 +49,7 @@ std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, LegLength& length
 /// are done or one process is stopped; returns how many items the sum then holds: always the first ones.
 ///
 /// After each leg save(done, sum) is called, at the first process; only its sum and only its `done` count. Requires
-/// that parts may be added in any order (operator+=) and pass as JSON (to_json to an ordered_json, from_json).
+/// that parts may be added in any order (see `add`) and archived (see Archive).
 template <class Sum, class Work, class Save>
 std::uint64_t run_sweep(const Sweep& sweep, const Work& work, const Save& save, const Sum& zero, std::uint64_t done,
                         Sum& sum) {
@@ -60,13 +60,14 @@ std::uint64_t run_sweep(const Sweep& sweep, const Work& work, const Save& save, 
   while (done < sweep.items && !stopped) {
     std::vector<Sum> parts(sweep.threads, zero);
     done = run_leg(sweep, done, length, [&](unsigned thread, std::uint64_t item) { work(item, parts[thread]); });
-    for (std::size_t thread = 1; thread < parts.size(); ++thread) parts.front() += parts[thread];
-    std::string packed;
-    if (!processes.first()) nlohmann::ordered_json::to_cbor(nlohmann::ordered_json(parts.front()), packed);
-    for (const std::string& part : processes.gathered(packed))
-      parts.front() += nlohmann::json::from_cbor(part).get<Sum>();
+    for (std::size_t thread = 1; thread < parts.size(); ++thread) add(parts.front(), parts[thread]);
+    for (const std::string& text : processes.gathered(processes.first() ? std::string() : archived(parts.front()))) {
+      Sum part = zero;
+      restore(text, part);
+      add(parts.front(), part);
+    }
     if (processes.first()) {
-      sum += parts.front();
+      add(sum, parts.front());
       save(done, sum);
     }
     stopped = processes.largest(sweep.stop ? 1 : 0) > 0;

@@ -30,11 +30,6 @@ void Counts::add(std::size_t stratum, Test test, std::size_t method, const std::
   *tally += {any ? 1U : 0U, 1};
 }
 
-Counts& Counts::operator+=(const Counts& other) {
-  for (std::size_t i = 0; i < tallies_.size(); ++i) tallies_[i] += other.tallies_[i];
-  return *this;
-}
-
 const Tally& Counts::at(std::size_t stratum, Test test, std::size_t method, std::size_t offset) const {
   return tallies_[first(stratum, test, method) + offset];
 }
@@ -53,22 +48,6 @@ Summary Counts::summary(const std::vector<std::size_t>& strata, Test test, std::
     summary.samples += at(stratum, test, method, offsets.size());
   }
   return summary;
-}
-
-void to_json(nlohmann::ordered_json& json, const Counts& counts) {
-  std::vector<std::uint64_t> failures, trials;
-  for (const Tally& tally : counts.tallies_) {
-    failures.push_back(tally.failures);
-    trials.push_back(tally.trials);
-  }
-  json = {{"methods", counts.methods_}, {"failures", failures}, {"trials", trials}};
-}
-
-void from_json(const nlohmann::json& json, Counts& counts) {
-  counts = Counts(json.at("methods").get<std::size_t>());
-  const auto &failures = json.at("failures"), &trials = json.at("trials");
-  for (std::size_t i = 0; i < counts.tallies_.size(); ++i)
-    counts.tallies_[i] = {failures.at(i).get<std::uint64_t>(), trials.at(i).get<std::uint64_t>()};
 }
 
 }  // namespace touchstone::near_edge

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "experiments/cases/comparison.h"
@@ -19,6 +19,7 @@ using cases::Test;
 struct Tally {
   std::uint64_t failures = 0, trials = 0;
 
+  auto members() { return std::tie(failures, trials); }
   Tally& operator+=(const Tally& other);
   friend bool operator==(const Tally&, const Tally&) = default;
 };
@@ -41,8 +42,7 @@ class Counts {
 
   /// Adds one sample: `failed`, for each offset.
   void add(std::size_t stratum, Test test, std::size_t method, const std::vector<bool>& failed);
-  /// Sums do not depend on their order. Requires the same methods.
-  Counts& operator+=(const Counts& other);
+  auto members() { return std::tie(tallies_); }
 
   [[nodiscard]] std::size_t methods() const { return methods_; }
   [[nodiscard]] const Tally& at(std::size_t stratum, Test test, std::size_t method, std::size_t offset) const;
@@ -50,9 +50,6 @@ class Counts {
   [[nodiscard]] Summary summary(const std::vector<std::size_t>& strata, Test test, std::size_t method) const;
 
   friend bool operator==(const Counts&, const Counts&) = default;
-  // Throws nlohmann::json::exception where something is missing.
-  friend void to_json(nlohmann::ordered_json& json, const Counts& counts);
-  friend void from_json(const nlohmann::json& json, Counts& counts);
 
  private:
   [[nodiscard]] std::size_t first(std::size_t stratum, Test test, std::size_t method) const;

@@ -28,18 +28,4 @@ void Disagreements::keep_first() {
   if (kept_.size() > kMostKept) kept_.resize(kMostKept);
 }
 
-void to_json(nlohmann::ordered_json& json, const Disagreements& disagreements) {
-  auto kept = nlohmann::ordered_json::array();
-  for (const auto& [n, stratum, line] : disagreements.kept_) kept.push_back({n, stratum, line});
-  json = {{"count", disagreements.count_}, {"kept", kept}};
-}
-
-void from_json(const nlohmann::json& json, Disagreements& disagreements) {
-  disagreements = Disagreements();
-  disagreements.count_ = json.at("count").get<std::uint64_t>();
-  for (const auto& kept : json.at("kept"))
-    disagreements.kept_.push_back(
-        {kept.at(0).get<std::uint64_t>(), kept.at(1).get<std::uint64_t>(), kept.at(2).get<std::string>()});
-}
-
 }  // namespace touchstone::near_edge

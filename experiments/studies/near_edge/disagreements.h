@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace touchstone::near_edge {
@@ -14,6 +14,7 @@ struct Disagreement {
   std::uint64_t stratum;
   std::string line;  ///< one line of JSON: the case in the contract's form, with what `exact` says expected
 
+  auto members() { return std::tie(n, stratum, line); }
   friend bool operator==(const Disagreement&, const Disagreement&) = default;
 };
 
@@ -30,10 +31,8 @@ class Disagreements {
   /// The first ones by n, then by stratum.
   [[nodiscard]] const std::vector<Disagreement>& kept() const { return kept_; }
 
+  auto members() { return std::tie(count_, kept_); }
   friend bool operator==(const Disagreements&, const Disagreements&) = default;
-  // Throws nlohmann::json::exception where something is missing.
-  friend void to_json(nlohmann::ordered_json& json, const Disagreements& disagreements);
-  friend void from_json(const nlohmann::json& json, Disagreements& disagreements);
 
  private:
   void keep_first();

@@ -149,6 +149,8 @@ Scene draw_scene(Spot spot, Test test, double origin_distance, std::uint64_t see
 struct Sheet {
   std::vector<Map> maps;
 
+  auto members() { return std::tie(maps); }
+
   Sheet& operator+=(const Sheet& other) {
     for (std::size_t m = 0; m < maps.size(); ++m) {
       add(maps[m].truth, other.maps[m].truth);
@@ -163,20 +165,6 @@ struct Sheet {
       if (others[pixel] != kNotDrawn) letters[pixel] = others[pixel];
   }
 };
-
-// Between processes: the letters alone; every process knows the rest.
-void to_json(nlohmann::ordered_json& json, const Sheet& sheet) {
-  json = nlohmann::ordered_json::array();
-  for (const Map& map : sheet.maps) json.push_back({map.truth, map.verdicts});
-}
-
-void from_json(const nlohmann::json& json, Sheet& sheet) {
-  for (const auto& map : json) {
-    sheet.maps.emplace_back();
-    sheet.maps.back().truth = map.at(0).get<std::string>();
-    sheet.maps.back().verdicts = map.at(1).get<std::vector<std::string>>();
-  }
-}
 
 char letter(Test test, const cases::PartialAnswer& truth) {
   if (test == Test::Contact) return *truth.contact ? 'c' : 'n';

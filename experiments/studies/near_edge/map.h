@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "experiments/cases/comparison.h"
@@ -49,6 +50,7 @@ struct Map {
   std::string truth;           ///< a letter a pixel, row by row: i(nside) b(oundary) o(utside), or c(ontact) n(one)
   std::vector<std::string> verdicts;  ///< of each method: = right, + wrongly in, - wrongly out, b boundary missed
 
+  auto members() { return std::tie(truth, verdicts); }
   friend bool operator==(const Map&, const Map&) = default;
 };
 

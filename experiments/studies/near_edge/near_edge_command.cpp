@@ -14,6 +14,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/table.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/output.h"
 
@@ -59,18 +60,18 @@ void remove_old(const std::filesystem::path& folder) {
 }
 
 // Raised where sample n of a seed becomes another one, or the form of what is kept changes.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 /// All that the results depend on, by the names of the options.
-nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
-  return {{"version", kVersion},
-          {"seed", settings.seed},
-          {"method", method_names(settings)},
-          {"families", family_words(settings)},
-          {"vertices", settings.shape.vertices},
-          {"holes", settings.shape.holes},
-          {"origin-distance", settings.shape.origin_distance},
-          {"truth", std::string(settings.truth->name())}};
+harness::ResultSettings checkpoint_settings(const Settings& settings) {
+  return {kVersion,
+          {{"seed", std::to_string(settings.seed)},
+           {"method", method_names(settings)},
+           {"families", family_words(settings)},
+           {"vertices", std::to_string(settings.shape.vertices)},
+           {"holes", std::to_string(settings.shape.holes)},
+           {"origin-distance", harness::shortest(settings.shape.origin_distance)},
+           {"truth", std::string(settings.truth->name())}}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
@@ -137,8 +138,7 @@ class Run {
   /// Returns how many samples an earlier run had done.
   std::uint64_t sample() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    result_ = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_),
-                             [](const Result& result) { return result.samples; });
+    result_ = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_));
     const std::uint64_t before = result_.samples;
     harness::ProgressLine line("near-edge: samples", settings_.samples, before);
     run_study(settings_, harness::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
@@ -155,8 +155,7 @@ class Run {
   void search() {
     if (options_.search == 0) return;
     const harness::Checkpoint checkpoint(folder_ / "search-checkpoint.json", checkpoint_settings(settings_));
-    onsets_ = harness::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_),
-                             [](const Onsets& onsets) { return onsets.done; });
+    onsets_ = harness::begin(checkpoint, processes_, options_.resume, options_.search, no_onsets(settings_));
     const std::uint64_t before = onsets_.done;
     {
       harness::ProgressLine line("near-edge: search", options_.search, before);

@@ -107,9 +107,9 @@ WorstCases no_worst_cases(const Settings& settings) {
 
 /// The first process's, at every process.
 Onsets shared(const harness::Processes& processes, const Onsets& onsets) {
-  std::string packed;
-  if (processes.first()) nlohmann::ordered_json::to_cbor(nlohmann::ordered_json(onsets), packed);
-  return nlohmann::json::from_cbor(processes.of_first(packed)).get<Onsets>();
+  Onsets of_first;
+  harness::restore(processes.of_first(processes.first() ? harness::archived(onsets) : std::string()), of_first);
+  return of_first;
 }
 
 }  // namespace
@@ -134,53 +134,11 @@ Onset& Onset::operator+=(const Onset& other) {
   return *this;
 }
 
-Onsets& Onsets::operator+=(const Onsets& other) {
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] += other.all[i];
-  done += other.done;
-  missing += other.missing;
-  return *this;
-}
-
 WorstCases& WorstCases::operator+=(const WorstCases& other) {
   for (std::size_t i = 0; i < all.size(); ++i)
     if (Search::is_worse(other.all[i], all[i])) all[i] = other.all[i];
   wrong_truths += other.wrong_truths;
   return *this;
-}
-
-void to_json(nlohmann::ordered_json& json, const Onsets& onsets) {
-  auto all = nlohmann::ordered_json::array();
-  for (const Onset& onset : onsets.all) {
-    auto furthest = nlohmann::ordered_json::array();
-    for (const Find& find : onset.furthest) furthest.push_back({find.share, find.n});
-    all.push_back({onset.wrong, onset.samples, furthest});
-  }
-  json = {{"done", onsets.done}, {"missing", onsets.missing}, {"onsets", all}};
-}
-
-void from_json(const nlohmann::json& json, Onsets& onsets) {
-  onsets = {{}, json.at("done").get<std::uint64_t>(), json.at("missing").get<std::uint64_t>()};
-  for (const auto& from : json.at("onsets")) {
-    Onset onset;
-    for (std::size_t k = 0; k < onset.wrong.size(); ++k) onset.wrong[k] = from.at(0).at(k).get<std::uint64_t>();
-    onset.samples = from.at(1).get<std::uint64_t>();
-    for (const auto& find : from.at(2))
-      onset.furthest.push_back({find.at(0).get<double>(), find.at(1).get<std::uint64_t>()});
-    onsets.all.push_back(std::move(onset));
-  }
-}
-
-void to_json(nlohmann::ordered_json& json, const WorstCases& worst) {
-  auto all = nlohmann::ordered_json::array();
-  for (const auto& [share, n, doubles, line] : worst.all) all.push_back({share, n, doubles, line});
-  json = {{"wrong_truths", worst.wrong_truths}, {"worst", all}};
-}
-
-void from_json(const nlohmann::json& json, WorstCases& worst) {
-  worst = {{}, json.at("wrong_truths").get<std::uint64_t>()};
-  for (const auto& from : json.at("worst"))
-    worst.all.push_back({from.at(0).get<double>(), from.at(1).get<std::uint64_t>(), from.at(2).get<std::int64_t>(),
-                         from.at(3).get<std::string>()});
 }
 
 Onsets no_onsets(const Settings& settings) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "experiments/studies/near_edge/climb.h"
@@ -27,6 +27,7 @@ struct Find {
   double share = 0;
   std::uint64_t n = 0;
 
+  auto members() { return std::tie(share, n); }
   /// Further away first; of those equally far the first.
   friend bool operator<(const Find& a, const Find& b) { return a.share != b.share ? a.share > b.share : a.n < b.n; }
   friend bool operator==(const Find&, const Find&) = default;
@@ -40,6 +41,7 @@ struct Onset {
   std::uint64_t samples = 0;
   std::vector<Find> furthest;  ///< the first ones
 
+  auto members() { return std::tie(wrong, samples, furthest); }
   Onset& operator+=(const Onset& other);
 };
 
@@ -49,7 +51,7 @@ struct Onsets {
   std::uint64_t done = 0;     ///< samples of each region
   std::uint64_t missing = 0;  ///< samples, of all, that were not found
 
-  Onsets& operator+=(const Onsets& other);
+  auto members() { return std::tie(all, done, missing); }
 };
 
 /// A case about which a method is wrong far from the threshold, found by climbing.
@@ -59,6 +61,7 @@ struct Worst {
   std::int64_t doubles = 0;  ///< the same offset in doubles; negative: a smaller radius, or a smaller coordinate
   std::string line;          ///< the case as JSON, with the one key expected that the method gets wrong
 
+  auto members() { return std::tie(share, n, doubles, line); }
   friend bool operator==(const Worst&, const Worst&) = default;
 };
 
@@ -67,14 +70,11 @@ struct WorstCases {
   std::vector<Worst> all;          ///< [region][method]
   std::uint64_t wrong_truths = 0;  ///< that `exact` did not confirm: a defect of this program
 
+  auto members() { return std::tie(all, wrong_truths); }
   WorstCases& operator+=(const WorstCases& other);
 };
 
-// Throws nlohmann::json::exception where something is missing.
-void to_json(nlohmann::ordered_json& json, const Onsets& onsets);
-void from_json(const nlohmann::json& json, Onsets& onsets);
-void to_json(nlohmann::ordered_json& json, const WorstCases& worst);
-void from_json(const nlohmann::json& json, WorstCases& worst);
+[[nodiscard]] inline std::uint64_t items_done(const Onsets& onsets) { return onsets.done; }
 
 /// What no sample has been added to yet.
 [[nodiscard]] Onsets no_onsets(const Settings& settings);

@@ -124,31 +124,6 @@ class Study {
 
 }  // namespace
 
-Result& Result::operator+=(const Result& other) {
-  counts += other.counts;
-  samples += other.samples;
-  missing += other.missing;
-  checked += other.checked;
-  disagreements += other.disagreements;
-  return *this;
-}
-
-void to_json(nlohmann::ordered_json& json, const Result& result) {
-  json = {{"samples", result.samples},
-          {"missing", result.missing},
-          {"checked", result.checked},
-          {"disagreements", result.disagreements},
-          {"counts", result.counts}};
-}
-
-void from_json(const nlohmann::json& json, Result& result) {
-  result.samples = json.at("samples").get<std::uint64_t>();
-  result.missing = json.at("missing").get<std::uint64_t>();
-  result.checked = json.at("checked").get<std::uint64_t>();
-  result.disagreements = json.at("disagreements").get<Disagreements>();
-  result.counts = json.at("counts").get<Counts>();
-}
-
 Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
 
 std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result) {

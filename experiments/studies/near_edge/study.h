@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "experiments/harness/course.h"
@@ -36,13 +35,11 @@ struct Result {
   std::uint64_t checked = 0;    ///< balls, of all tests, about which `exact` was asked besides another truth
   Disagreements disagreements;  ///< where it said otherwise
 
-  Result& operator+=(const Result& other);
+  auto members() { return std::tie(counts, samples, missing, checked, disagreements); }
   friend bool operator==(const Result&, const Result&) = default;
 };
 
-// Throws nlohmann::json::exception where something is missing.
-void to_json(nlohmann::ordered_json& json, const Result& result);
-void from_json(const nlohmann::json& json, Result& result);
+[[nodiscard]] inline std::uint64_t items_done(const Result& result) { return result.samples; }
 
 /// What no sample has been added to yet.
 [[nodiscard]] Result no_result(const Settings& settings);

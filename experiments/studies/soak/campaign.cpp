@@ -5,9 +5,9 @@
 
 namespace touchstone::soak {
 
-nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
-  constexpr int kVersion = 1;  // raised where case i of a seed becomes another one, or the tally's form changes
-  return {{"version", kVersion}, {"seed", settings.seed}, {"from", settings.from}};
+harness::ResultSettings checkpoint_settings(const Settings& settings) {
+  constexpr int kVersion = 2;  // raised where case i of a seed becomes another one, or the tally's form changes
+  return {kVersion, {{"seed", std::to_string(settings.seed)}, {"from", std::to_string(settings.from)}}};
 }
 
 std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const harness::Processes& processes,

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 
+#include "experiments/harness/checkpoint.h"
 #include "experiments/harness/sweep.h"
 #include "experiments/studies/soak/contestant.h"
 #include "experiments/studies/soak/tally.h"
@@ -20,7 +20,7 @@ struct Settings {
 };
 
 /// What a harness::Checkpoint of a tally asks for.
-[[nodiscard]] nlohmann::ordered_json checkpoint_settings(const Settings& settings);
+[[nodiscard]] harness::ResultSettings checkpoint_settings(const Settings& settings);
 
 /// Asks about the cases from, from + 1, ... that the tally does not hold yet, and adds them to it in their order.
 ///

@@ -56,8 +56,7 @@ int run(const Options& options, const harness::Processes& processes) {
   std::optional<harness::OutputFolder> own;
   if (first) own.emplace(folder, options.line, harness::Existing{.force = options.force, .resume = options.resume});
   const harness::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
-  Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally(),
-                               [](const Tally& held) { return held.cases(); });
+  Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally());
 
   const harness::Interrupt interrupt;
   const std::uint64_t before = tally.cases();

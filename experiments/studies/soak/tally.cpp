@@ -38,28 +38,6 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
-void to_json(nlohmann::ordered_json& json, const Tally& tally) {
-  auto outcomes = nlohmann::ordered_json::array(), kept = nlohmann::ordered_json::array();
-  for (const Outcomes& o : tally.outcomes_) outcomes.push_back({o.cases, o.by_stage, o.differences});
-  for (const Difference& difference : tally.kept_) kept.push_back({difference.index, difference.line});
-  json = {{"cases", tally.cases_}, {"differing", tally.differing_}, {"outcomes", outcomes}, {"kept", kept}};
-}
-
-void from_json(const nlohmann::json& json, Tally& tally) {
-  tally = Tally();
-  tally.cases_ = json.at("cases").get<std::uint64_t>();
-  tally.differing_ = json.at("differing").get<std::uint64_t>();
-  const auto& outcomes = json.at("outcomes");
-  for (std::size_t i = 0; i < tally.outcomes_.size(); ++i) {
-    Outcomes& o = tally.outcomes_[i];
-    o.cases = outcomes.at(i).at(0).get<std::uint64_t>();
-    o.by_stage = outcomes.at(i).at(1).get<decltype(o.by_stage)>();
-    o.differences = outcomes.at(i).at(2).get<std::uint64_t>();
-  }
-  for (const auto& difference : json.at("kept"))
-    tally.kept_.push_back({difference.at(0).get<std::uint64_t>(), difference.at(1).get<std::string>()});
-}
-
 /// By index; those of one case stay in their order.
 void Tally::keep_first() {
   std::stable_sort(kept_.begin(), kept_.end(),

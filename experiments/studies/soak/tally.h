@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "experiments/workloads/adversarial/case.h"
@@ -29,6 +29,7 @@ struct Outcomes {
   std::array<std::uint64_t, filtered::kStages> by_stage{};  ///< the slowest stage that a case went to
   std::uint64_t differences = 0;                            ///< cases that came out otherwise than by `exact`
 
+  auto members() { return std::tie(cases, by_stage, differences); }
   Outcomes& operator+=(const Outcomes& other);
   friend bool operator==(const Outcomes&, const Outcomes&) = default;
 };
@@ -38,6 +39,7 @@ struct Difference {
   std::uint64_t index;
   std::string line;  ///< one line of JSON: the case in the contract's form, tagged with what differed
 
+  auto members() { return std::tie(index, line); }
   friend bool operator==(const Difference&, const Difference&) = default;
 };
 
@@ -59,11 +61,8 @@ class Tally {
   /// The first ones, ascending.
   [[nodiscard]] const std::vector<Difference>& kept() const { return kept_; }
 
+  auto members() { return std::tie(outcomes_, cases_, differing_, kept_); }
   friend bool operator==(const Tally&, const Tally&) = default;
-
-  // Throws nlohmann::json::exception where something is missing.
-  friend void to_json(nlohmann::ordered_json& json, const Tally& tally);
-  friend void from_json(const nlohmann::json& json, Tally& tally);
 
  private:
   static std::size_t place(adversarial::Family family, Way way) {
@@ -75,5 +74,7 @@ class Tally {
   std::uint64_t cases_ = 0, differing_ = 0;
   std::vector<Difference> kept_;
 };
+
+[[nodiscard]] inline std::uint64_t items_done(const Tally& tally) { return tally.cases(); }
 
 }  // namespace touchstone::soak

@@ -113,29 +113,6 @@ int Onset::first(std::size_t distance, std::size_t method, double share) const {
   return 0;
 }
 
-Onset& Onset::operator+=(const Onset& other) {
-  for (std::size_t i = 0; i < failures_.size(); ++i) {
-    failures_[i] += other.failures_[i];
-    wrong_[i] += other.wrong_[i];
-  }
-  triangles_ += other.triangles_;
-  return *this;
-}
-
-void to_json(nlohmann::ordered_json& json, const Onset& onset) {
-  json = {{"methods", onset.methods_},
-          {"failures", onset.failures_},
-          {"wrong", onset.wrong_},
-          {"triangles", onset.triangles_}};
-}
-
-void from_json(const nlohmann::json& json, Onset& onset) {
-  onset = Onset(json.at("methods").get<std::vector<std::string>>());
-  onset.failures_ = json.at("failures").get<std::vector<std::uint64_t>>();
-  onset.wrong_ = json.at("wrong").get<std::vector<std::uint64_t>>();
-  onset.triangles_ = json.at("triangles").get<std::uint64_t>();
-}
-
 Onset no_onset(const std::vector<const cases::Method*>& methods) { return Onset(names_of(methods)); }
 
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "experiments/cases/method.h"
@@ -45,11 +45,7 @@ class Onset {
     wrong_[place(distance, method, k)] += answers;
   }
   void add_triangle() { ++triangles_; }
-  Onset& operator+=(const Onset& other);
-
-  // Throws nlohmann::json::exception where something is missing.
-  friend void to_json(nlohmann::ordered_json& json, const Onset& onset);
-  friend void from_json(const nlohmann::json& json, Onset& onset);
+  auto members() { return std::tie(failures_, wrong_, triangles_); }
 
  private:
   [[nodiscard]] std::size_t place(std::size_t distance, std::size_t method, int k) const {
@@ -61,6 +57,8 @@ class Onset {
   std::vector<std::uint64_t> failures_, wrong_;
   std::uint64_t triangles_ = 0;
 };
+
+[[nodiscard]] inline std::uint64_t items_done(const Onset& onset) { return onset.triangles(); }
 
 /// What no triangle has been added to yet.
 [[nodiscard]] Onset no_onset(const std::vector<const cases::Method*>& methods);

@@ -59,17 +59,16 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
 }
 
 // Raised where a block of a seed becomes another one, or the form of what is kept changes.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 /// All that the results depend on, by the names of the options. Blocks are numbered through all axes.
-nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+harness::ResultSettings checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, axes;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
-  return {{"version", kVersion},
-          {"seed", settings.seed},
-          {"method", harness::joined(methods)},
-          {"axes", harness::joined(axes)}};
+  return {
+      kVersion,
+      {{"seed", std::to_string(settings.seed)}, {"method", harness::joined(methods)}, {"axes", harness::joined(axes)}}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
@@ -129,8 +128,7 @@ class Run {
  private:
   Summary study() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    Summary summary = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_),
-                                     [](const Summary& held) { return held.samples(); });
+    Summary summary = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_));
     harness::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
     run_study(settings_, harness::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
     return summary;
@@ -139,8 +137,7 @@ class Run {
   Onset onset() {
     const std::uint64_t triangles = 10 * settings_.samples;
     const harness::Checkpoint checkpoint(folder_ / "onset-checkpoint.json", checkpoint_settings(settings_));
-    Onset onset = harness::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods),
-                                 [](const Onset& held) { return held.triangles(); });
+    Onset onset = harness::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods));
     harness::ProgressLine line("stability: known results", triangles, onset.triangles());
     find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
                harness::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);

@@ -55,6 +55,7 @@ struct WorstCase {
   std::uint64_t block;
   std::string line;
 
+  auto members() { return std::tie(level, method, rank, error, block, line); }
   [[nodiscard]] bool worse_than(const WorstCase& other) const {
     if (rank != other.rank) return rank > other.rank;
     return error != other.error ? error > other.error : block < other.block;

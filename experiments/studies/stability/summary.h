@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -19,6 +18,7 @@ struct Tally {
   std::uint64_t failed = 0, samples = 0;
   std::uint64_t wrong = 0, balls = 0;
 
+  auto members() { return std::tie(failed, samples, wrong, balls); }
   Tally& operator+=(const Tally& other);
   [[nodiscard]] double rate() const {
     return samples == 0 ? 0 : static_cast<double>(failed) / static_cast<double>(samples);
@@ -27,6 +27,8 @@ struct Tally {
 
 struct ErrorSummary {
   statistics::Distribution relative, ulps;
+
+  auto members() { return std::tie(relative, ulps); }
 };
 
 /// Observations on one polygon are not independent, polygons are: one fails if a bound is exceeded with any ball.
@@ -35,6 +37,7 @@ struct BoundSummary {
   std::uint64_t exceeded = 0;
   std::uint64_t failed = 0, polygons = 0;
 
+  auto members() { return std::tie(tightness, exceeded, failed, polygons); }
   BoundSummary& operator+=(const BoundSummary& other);
 };
 
@@ -45,6 +48,8 @@ inline constexpr std::uint64_t kSamplesShown = 2;
 struct ConditionPoint {
   std::size_t level, quantity;
   double condition, relative_error;
+
+  auto members() { return std::tie(level, quantity, condition, relative_error); }
 };
 
 /// What the tables are made of. Axes and methods by their place in the settings. Sums do not depend on their order.
@@ -66,6 +71,10 @@ struct Summary {
   std::vector<std::uint64_t> missing;                           ///< of each axis
   std::uint64_t confirmed = 0, disputed = 0;
 
+  auto members() {
+    return std::tie(blocks, failures, errors, bounds, all_bounds, points, worst, missing, confirmed, disputed);
+  }
+
   /// Samples of each axis, all done.
   [[nodiscard]] std::uint64_t samples() const { return blocks / missing.size(); }
   /// Nothing where the method has no such test, or was not asked.
@@ -82,9 +91,7 @@ struct Summary {
   void add_bounds(const Block& block, std::size_t axis);
 };
 
-// Every bit of every number. Throws nlohmann::json::exception where something is missing.
-void to_json(nlohmann::ordered_json& json, const Summary& summary);
-void from_json(const nlohmann::json& json, Summary& summary);
+[[nodiscard]] inline std::uint64_t items_done(const Summary& summary) { return summary.samples(); }
 
 /// What no block has been added to yet.
 [[nodiscard]] Summary no_summary(const Settings& settings);

@@ -154,14 +154,6 @@ std::uint64_t Errors::polygons(const std::vector<std::size_t>& strata, std::size
   return sum;
 }
 
-Errors& Errors::operator+=(const Errors& other) {
-  for (std::size_t stratum = 0; stratum < at.size(); ++stratum)
-    for (std::size_t m = 0; m < at[stratum].size(); ++m) at[stratum][m] += other.at[stratum][m];
-  samples += other.samples;
-  missing += other.missing;
-  return *this;
-}
-
 Errors no_errors(const Settings& settings) {
   Errors errors;
   errors.at.assign(cases::all_strata().size(), std::vector(settings.methods.size(), nothing()));

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "experiments/cases/comparison.h"
@@ -37,6 +37,7 @@ struct Tally {
   std::uint64_t overflowed = 0;  ///< of the wrong ones: those of samples at which the whole answer is not finite
 
   [[nodiscard]] std::uint64_t not_right() const { return wrong + unsure; }
+  auto members() { return std::tie(wrong, unsure, trials, overflowed); }
   Tally& operator+=(const Tally& other);
   friend bool operator==(const Tally&, const Tally&) = default;
 };
@@ -51,6 +52,7 @@ struct UlpErrors {
   std::uint64_t asked = 0;
   statistics::Distribution known;  ///< of the answers that give the quantity; infinite where it is not finite
 
+  auto members() { return std::tie(asked, known); }
   /// Of the answers that give it as finite numbers. Requires one of them.
   [[nodiscard]] double quantile_of_finite(double share) const;
 };
@@ -60,6 +62,8 @@ struct Worst {
   double ulps = 0;
   std::uint64_t n = 0;
   std::size_t stratum = 0;
+
+  auto members() { return std::tie(ulps, n, stratum); }
 };
 
 /// What one method did in one stratum.
@@ -71,6 +75,7 @@ struct MethodErrors {
 
   /// Over the offsets near the threshold.
   [[nodiscard]] Tally near_threshold() const;
+  auto members() { return std::tie(offsets, samples, ulps, worst); }
   MethodErrors& operator+=(const MethodErrors& other);
 };
 
@@ -84,12 +89,10 @@ struct Errors {
   [[nodiscard]] MethodErrors sum(const std::vector<std::size_t>& strata, std::size_t method) const;
   /// The polygons behind such a sum, which limits are of: the thresholds of a family in a placement share theirs.
   [[nodiscard]] std::uint64_t polygons(const std::vector<std::size_t>& strata, std::size_t method) const;
-  Errors& operator+=(const Errors& other);
+  auto members() { return std::tie(at, samples, missing); }
 };
 
-// Every bit of every number. Throws nlohmann::json::exception where something is missing.
-void to_json(nlohmann::ordered_json& json, const Errors& errors);
-void from_json(const nlohmann::json& json, Errors& errors);
+[[nodiscard]] inline std::uint64_t items_done(const Errors& errors) { return errors.samples; }
 
 /// What no sample has been added to yet.
 [[nodiscard]] Errors no_errors(const Settings& settings);

@@ -66,17 +66,17 @@ std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
 }
 
 // Raised where sample n of a seed becomes another one, or the form of what is kept changes.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 /// All that the errors depend on, by the names of the options.
-nlohmann::ordered_json checkpoint_settings(const Settings& settings) {
+harness::ResultSettings checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, families;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const auto family : settings.families) families.emplace_back(word(family));
-  return {{"version", kVersion},
-          {"seed", settings.seed},
-          {"method", harness::joined(methods)},
-          {"families", harness::joined(families)}};
+  return {kVersion,
+          {{"seed", std::to_string(settings.seed)},
+           {"method", harness::joined(methods)},
+           {"families", harness::joined(families)}}};
 }
 
 /// One run with all processes: errors by all, times and files by the first.
@@ -130,8 +130,7 @@ class Run {
  private:
   Errors measure() {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
-    Errors errors = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_),
-                                   [](const Errors& held) { return held.samples; });
+    Errors errors = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_));
     harness::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
     measure_errors(settings_, harness::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
     return errors;
