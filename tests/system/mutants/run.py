@@ -32,6 +32,7 @@ SUITES = {
     "cell_simulation_tests": "*",
     "contact_tests": "*",
     "filtered_tests": "-FilteredEnvironment.*:FilteredErrorFree.*:FilteredDoubleDouble*:FilteredInteger.*:Signs.*",
+    "geometry_tests": "*",
     "lattice_tests": "*",
     "scene_tests": "*",
     "mesh_tests": "-MergeStudy.*",

@@ -152,8 +152,7 @@ TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
   EXPECT_EQ(rows, sums.size());
   const auto record = nlohmann::json::parse(text_of(folder + "/run.json"));
   EXPECT_EQ(record["samples_done"], 50);
-  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --method filtered"),
-            std::string::npos);
+  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --method filtered"), std::string::npos);
 }
 
 // Any method: exact agrees on every ball; single floats do not where a radius is a double below the distance.
