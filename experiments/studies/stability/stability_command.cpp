@@ -118,7 +118,7 @@ class Run {
     harness::flush_standard_output();
     if (stopped) {
       fmt::print(stderr,
-                 "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume goes on\n",
+                 "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume continues\n",
                  options_.output, summary.samples(), settings_.samples);
       return harness::kInterrupted;
     }

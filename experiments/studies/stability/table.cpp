@@ -90,7 +90,7 @@ std::string limits_of_none(const Settings& settings, const Summary& summary) {
     axes[{most, fewest}].append(" ").append(word(settings.axes[axis]));
   }
   const auto upper = [](std::uint64_t samples) { return 100 * statistics::clopper_pearson(0, samples).upper; };
-  std::string text = "\nPolygons at a level; where none of them failed, at most so many of such do (95 %):\n";
+  std::string text = "\nPolygons at a level, and the upper limit (95 %) of the share that fails if none of them did:\n";
   for (const auto& [count, names] : axes) {
     const auto [most, fewest] = count;
     text += most == fewest
