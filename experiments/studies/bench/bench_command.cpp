@@ -162,7 +162,7 @@ int count(const Options& options) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
     throw harness::UsageError(
-        "--count", "\"" + options.count + "\" is no contestant of " + families[0]->name + "; there are " + names);
+        "--count", "\"" + options.count + "\" is not a contestant of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
              options.repetitions, sum);

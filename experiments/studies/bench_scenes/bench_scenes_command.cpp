@@ -112,8 +112,7 @@ int measure_scenes(const SceneOptions& options) {
 
   const std::string exact = libraries.front().name;
   print(growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact));
-  for (const std::string& absent : absent_libraries())
-    fmt::print("Built without {}: it is no contestant here.\n", absent);
+  for (const std::string& absent : absent_libraries()) fmt::print("Built without {}: it does not take part.\n", absent);
   fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.settings.repetitions, options.settings.seed, seconds, options.output);
   harness::flush_standard_output();

@@ -114,8 +114,7 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
 
 std::string scene_legend() {
   return R"(
-Each library builds the scene, with one thread, and all take turns in every repetition, each about the first so many
-("asked") of the same balls: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions,
+Each library builds the scene, with one thread, and all take turns in every repetition, each about the Times and ratios: medians of the repetitions,
 +- half the distance of the timing::quartiles or (timing::quartiles); a ratio is one of times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
