@@ -215,11 +215,12 @@ harness::Command near_edge_command() {
   command.families(options->families);
   command.whole("--samples", options->samples, "Samples of each family, placement and threshold", 1, kMostSamples);
   command.seed(options->seed);
-  command.threads(options->threads, "Of each process; they do not change the results");
-  command.whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows", 3,
+  command.threads(options->threads, "Threads of each process; they do not change the results");
+  command.whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as nearly as a family allows", 3,
                 1U << 17);
   command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000);
-  command.real("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes", 0.0, 0x1p30);
+  command.real("--origin-distance", options->shape.origin_distance,
+               "The distance of each polygon from the origin, in its sizes", 0.0, 0x1p30);
   command.choice("--truth", options->truth, {"exact", "filtered"},
                  "The oracle that decides which answers are right; filtered is faster, and is compared with exact "
                  "where a method is wrong and in a hundredth of the samples");
