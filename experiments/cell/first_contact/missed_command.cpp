@@ -65,7 +65,8 @@ harness::Command missed_command() {
   command.keep_line(options->line);
   command.footer(
       "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
-      "only\nafter each step, misses the first contact, for spheres and steps of several sizes.");
+      "only\n"
+      "after each step, misses the first contact, for spheres and steps of several sizes.");
   command.whole("--samples", options->samples, "Moves", 1);
   command.seed(options->seed);
   command.threads(options->threads);

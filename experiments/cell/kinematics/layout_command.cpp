@@ -59,7 +59,8 @@ harness::Command layout_command() {
   command.keep_line(options->line);
   command.footer(
       "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
-      "the\nfamily of solutions, the chosen one, and its predictions for other angles and heights.");
+      "the\n"
+      "family of solutions, the chosen one, and its predictions for other angles and heights.");
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);

@@ -56,7 +56,7 @@ nlohmann::json value_of(const std::string& path, const std::string& text) {
   }
 }
 
-/// Is it the path, or below it?
+/// Returns whether it is the path, or below it.
 bool below(const std::string& label, const std::string& path) {
   return label.compare(0, path.size(), path) == 0 &&
          (label.size() == path.size() || label[path.size()] == '.' || label[path.size()] == '[');

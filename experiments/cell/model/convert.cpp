@@ -191,7 +191,7 @@ std::vector<std::array<double, 3>> points_of(const LinkModel& model) {
   return points;
 }
 
-/// How many polygons there are of so many corners.
+/// Returns the number of polygons by number of corners.
 std::map<std::size_t, std::size_t> corners_of(const LinkModel& model) {
   std::map<std::size_t, std::size_t> count;
   for (const LinkPart& part : model.parts)

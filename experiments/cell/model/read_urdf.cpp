@@ -22,7 +22,7 @@
 namespace touchstone::cell {
 namespace {
 
-/// What urdfdom says of the file that it reads, while this lives.
+/// Collects the messages of urdfdom during its lifetime.
 class Sentences : public console_bridge::OutputHandler {
  public:
   Sentences() { console_bridge::useOutputHandler(this); }

@@ -36,7 +36,7 @@ struct MergeOptions {
 
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
-/// What is wrong in the file, and so was not read.
+/// Reports the faulty parts of the file, which were not read.
 void tell_left_out(const std::string& file, const ReadMesh& mesh) {
   for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
   if (mesh.parts_left_out > mesh.left_out.size())

@@ -82,7 +82,7 @@ struct Loaded {
   std::uint64_t parts_left_out = 0;
 };
 
-/// Nothing if some file cannot be read as it is asked for, which is said on standard error.
+/// Returns nothing if a file cannot be read as requested, and reports that on standard error.
 std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   constexpr std::size_t kShown = 3;
   workloads::NamedFiles files =
@@ -166,7 +166,7 @@ Source source_of(const SceneOptions& options, const std::vector<Object>& objects
   return {options.random, [random, seed = options.seed](std::uint64_t i) { return random->draw(seed, i); }};
 }
 
-/// What was asked for so far.
+/// The sums of the answers so far.
 struct Sums {
   std::uint64_t balls = 0;
   scene::FaceCounts counts;
