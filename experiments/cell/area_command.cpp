@@ -117,18 +117,18 @@ int run(const AreaOptions& options) {
 }  // namespace
 
 harness::Command area_command() {
-  harness::Command command("area", "Where the storage may stand: the area of configuration and the heights");
+  harness::Command command("area", "Find where the storage may stand: the area of configuration and the heights");
   auto options = std::make_shared<AreaOptions>();
   command.keep_line(options->line);
   command.footer(
-      "Runs the whole process with the storage at every place of a grid, and says which come to their end, and why "
+      "Runs the whole process with the storage at every place of a grid, and reports which runs complete, and why "
       "the\n"
       "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and radii at "
       "its\n"
       "angle), stations.csv, and pictures of them.");
   command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
   command.texts("--set", options->changes, "Change the cell first, as `touchstone cell run` does");
-  command.text("--meshes", options->meshes, "The folder of mesh files, in place of the cell file's");
+  command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's");
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
   command.positive("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it");

@@ -68,11 +68,11 @@ harness::Command convert_command() {
       "convert", "Convert between model files (.txt) and meshes (OBJ, OFF, STL, PLY); compare counts and bounds");
   auto options = std::make_shared<ConvertOptions>();
   command.text("FROM", options->from, "A model file or mesh").required();
-  command.text("TO", options->to, "What to write; the extension tells the format").required();
-  command.flag("--weld", options->weld, "Make one vertex of equal ones");
-  command.flag("--merge", options->merge, "Make polygons with holes of coplanar faces").excludes("--weld");
-  command.text("--name", options->name, "Of the link, one word; else that of the file or model");
-  command.flag("--force", options->force, "Write over a file that is there");
+  command.text("TO", options->to, "The file to write; its extension selects the format").required();
+  command.flag("--weld", options->weld, "Merge equal vertices");
+  command.flag("--merge", options->merge, "Merge coplanar faces into polygons with holes").excludes("--weld");
+  command.text("--name", options->name, "The name of the link, one word (default: that of the file or model)");
+  command.flag("--force", options->force, "Overwrite an existing file");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -30,7 +30,7 @@ int run(const ExportOptions& options) {
   const std::string extension = std::filesystem::path(options.file).extension().string();
   if (extension != ".html" && extension != ".gltf" && extension != ".glb")
     throw std::invalid_argument(
-        fmt::format("{}: the extension '{}' is none of .html, .gltf and .glb", options.file, extension));
+        fmt::format("{}: the extension '{}' must be .html, .gltf or .glb", options.file, extension));
   harness::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
   const browser::Recording recording = simulator.run(browser::setting_of(simulator.cell()));
@@ -49,17 +49,17 @@ int run(const ExportOptions& options) {
 }  // namespace
 
 harness::Command export_command() {
-  harness::Command command("export", "Run the process and write it down as a page or a 3D model");
+  harness::Command command("export", "Run the process and write it to a page or a 3D model");
   auto options = std::make_shared<ExportOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
       .required();
   command
       .text("FILE", options->file,
-            "What to write: .html, the page of `serve`, which plays the run and needs no other file; .gltf or "
-            ".glb, the cell with the run as an animation")
+            "The file to write: .html for the page of `serve`, which plays the run and needs no other file; .gltf or "
+            ".glb for the cell with the run as an animation")
       .required();
-  command.positive("--rate", options->rate, "Stops a second of the animation (.gltf, .glb)");
-  command.flag("--force", options->force, "Write over a file that is there");
+  command.positive("--rate", options->rate, "Stops per second of the animation (.gltf, .glb)");
+  command.flag("--force", options->force, "Overwrite an existing file");
   add_run_options(command, options->run);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

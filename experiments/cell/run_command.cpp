@@ -74,13 +74,13 @@ int run(const RunCommandOptions& options) {
 }  // namespace
 
 harness::Command run_command() {
-  harness::Command command("run", "Run the cell's whole process, and every method beside the exact answer");
+  harness::Command command("run", "Run the cell's whole process, and compare every method with the exact answer");
   auto options = std::make_shared<RunCommandOptions>();
   command.keep_line(options->line);
   command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
   add_run_options(command, *options);
   command.flag("--every-face", options->every_face,
-               "Ask about faces out of reach too, as without boxes (slow methods excepted)");
+               "Also ask about faces whose boxes the sphere misses (except with slow methods)");
   command.output(options->output, "A folder for moves, trajectory, methods and disagreements");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -10,9 +10,9 @@ namespace touchstone::cell {
 
 void add_run_options(harness::Command& command, RunOptions& options) {
   command.texts("--set", options.changes,
-                "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be given often");
-  command.text("--meshes", options.meshes, "The folder of mesh files, in place of the cell file's");
-  command.methods(options.methods, "Methods to ask at every stop; `all` for every one");
+                "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated");
+  command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's");
+  command.methods(options.methods, "Methods to ask at every stop; `all` for every method");
   command.positive("--overhang", options.overhang, "By how much the balls that cover the arm may reach beyond it");
 }
 

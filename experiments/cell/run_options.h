@@ -9,7 +9,7 @@
 
 namespace touchstone::cell {
 
-/// What `touchstone cell run`, `serve` and `export` are told of the cell and of its runs.
+/// The options of `touchstone cell run`, `serve` and `export` about the cell and its runs.
 struct RunOptions {
   std::string file, meshes;
   std::vector<std::string> changes;
@@ -18,7 +18,7 @@ struct RunOptions {
   double overhang = 8;
 };
 
-/// Adds all but the file. The options must outlive the command.
+/// Adds all options except the file. `options` must outlive the command.
 void add_run_options(harness::Command& command, RunOptions& options);
 
 /// Reads the cell and builds its model. Throws what read_cell, find_methods and build_model throw.

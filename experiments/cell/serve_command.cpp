@@ -35,7 +35,7 @@ int run(const ServeOptions& options) {
                              [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
   routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()));
   if (!server.loopback())
-    fmt::print(stderr, "touchstone: --host {}: other machines can reach this server, too\n", options.host);
+    fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
   harness::flush_standard_output();
   server.run(interrupt.requested());
@@ -48,8 +48,8 @@ harness::Command serve_command() {
   harness::Command command("serve", "Show the cell in a browser: move the storage, run the process, look");
   auto options = std::make_shared<ServeOptions>();
   command.text("CELL", options->run.file, "A cell file (JSON); without one, the Aristo's");
-  command.whole("--port", options->port, "Where to listen; 0: at a free port");
-  command.text("--host", options->host, "The address to listen at; the default can be reached from here alone");
+  command.whole("--port", options->port, "The port to listen at; 0 chooses a free one");
+  command.text("--host", options->host, "The address to listen at; only this machine can reach the default");
   add_run_options(command, options->run);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

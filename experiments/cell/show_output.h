@@ -10,13 +10,14 @@
 
 namespace touchstone::cell {
 
-/// For the terminal: parts with their faces, joints, stations, and where values come from.
+/// Returns a summary for the terminal: parts with their faces, joints, stations, and where values come from.
 [[nodiscard]] std::string summary(const Cell& cell, const std::vector<ModelPart>& parts);
 
-/// faces.csv: a line a face. Throws std::runtime_error where it cannot be written.
+/// Writes faces.csv: one line per face. Throws std::runtime_error if it cannot be written.
 void write_faces(const std::filesystem::path& folder, const std::vector<ModelPart>& parts);
 
-/// Model files: all parts of a link in one, every other part in one of its own. Returns how many. Throws as above.
+/// Writes model files: one for all parts of a link, and one for every other part. Returns their number. Throws as
+/// above.
 std::size_t write_models(const std::filesystem::path& folder, const std::vector<ModelPart>& parts);
 
 }  // namespace touchstone::cell

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How all pages look, and the parts that they are made of. A page is one file that loads nothing: light and dark by the
-reader's setting, narrow and printed. Same data, same bytes."""
+"""The style and the parts of all pages. A page is one file that loads nothing. It adapts to light and dark, narrow screens
+and print. The same data give the same bytes."""
 import base64
 import html
 import math
@@ -78,29 +78,29 @@ def percent(share, digits=2):
 
 
 def multiple(ratio, digits=2):
-    """3.5 ×: so many times."""
+    """A factor, as 3.5 ×."""
     return f"{rounded(ratio, digits)}\u00a0×"
 
 
 def power(base, exponent):
-    """As text, so that it also stands in alternative texts: 2⁻³³."""
+    """A power as plain text, which alternative texts need: 2⁻³³."""
     return base + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def share_of_size(share):
-    """The least power of two that is no less, up to the whole size."""
+    """The least power of two that is not less than the share, up to the whole size."""
     exponent = math.ceil(math.log2(share))
     return power("2", exponent) if exponent < 0 else "1"
 
 
 def level(text):
-    """Of a stress, as the data name it: 1e4 as 10⁴, 2^20 as 2²⁰."""
+    """A level of stress from its name in the data: 1e4 as 10⁴, 2^20 as 2²⁰."""
     parts = re.fullmatch(r"(?:1e|(2)\^)(-?\d+)", text)
     return power(parts[1] or "10", parts[2]) if parts else escaped(text).replace("-", "−")
 
 
 def upper_limit(trials):
-    """The one-sided 95 % limit of a probability after no failure in so many independent trials (Clopper and Pearson)."""
+    """The one-sided 95 % limit of a probability after `trials` independent trials without a failure (Clopper and Pearson)."""
     return 1 - 0.05 ** (1 / trials)
 
 
@@ -142,7 +142,7 @@ def size_of(path):
         sides = [re.search(rf' {side}="([\d.]+)pt"', tag[0] if tag else "") for side in ("width", "height")]
         if all(sides):
             return tuple(round(float(side[1]) * 4 / 3) for side in sides)
-    raise DataError(f"{path}: is no picture of ours")
+    raise DataError(f"{path}: is not a picture that the studies drew")
 
 
 def image(path, alt):

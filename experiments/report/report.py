@@ -102,7 +102,7 @@ def sections(results, found, said):
 
 
 def commits(found):
-    """What all was made with, and a warning where that differs."""
+    """The commits, compilers and processors of the studies, and a warning if the commits differ."""
     def distinct(key):
         return list(dict.fromkeys(str(study.run.get(key) or "unknown") for study in found.values()))
 
@@ -112,27 +112,26 @@ def commits(found):
             f"{words(map(escaped, distinct('processor')))} with {words(map(escaped, distinct('compiler')))}, commit "
             f"{words(code(c[:12]) for c in commit)}.")
     if len(commit) > 1:
-        text += ' <b class="no">Not all studies were made by the same commit: see below each.</b>'
+        text += ' <b class="no">The studies were made by different commits; see each study.</b>'
     if any(c.endswith("+") for c in commit):
-        text += " A + after a commit: the sources differed from it."
+        text += " A + after a commit means that the sources differed from it."
     return text
 
 
 def reproducing(results):
-    return f"""<section><h2 id="reproducing">The same again</h2>
+    return f"""<section><h2 id="reproducing">Reproduce this page</h2>
 <p>On a Debian 12 machine, in a clone of the repository:</p>
 <pre tabindex="0"><code>./reproduce          # the studies with small samples, and this page
 ./reproduce --full   # all studies with their full samples: about half an hour</code></pre>
-<p>Both may be stopped or killed and called again: what was done is not done again, what was half done goes on, and the page
-comes out the same
-(times apart). Each study can be run alone by the command below it; with the same seed it gives the same data, byte for byte,
-with any number of threads, and those that run on many machines (<code>near-edge</code>, <code>stability</code>,
-<code>tradeoff</code>, <code>soak</code>) with any number of processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page anew.</p>
-<h3>Testing an engine of yours</h3>
-<p>An engine is any program that reads cases, one a line of JSON, and prints what it answers:</p>
-<pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles err
-touchstone judge --exec './engine' cases.jsonl              # what yours answers, held against the exact answers
-touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # the engines that are built in, against what they were</code></pre>
+<p>Both can be interrupted and run again: finished studies are skipped, interrupted ones continue, and the page is the same
+(except for times). Each study can be run alone by the command below it. The same seed gives the same data, byte for byte,
+with any number of threads; for studies that run on many machines (<code>near-edge</code>, <code>stability</code>,
+<code>tradeoff</code>, <code>soak</code>), also with any number of processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page again.</p>
+<h3>Test your own engine</h3>
+<p>An engine is any program that reads cases, one line of JSON each, and prints its answers:</p>
+<pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles are wrong
+touchstone judge --exec './engine' cases.jsonl              # compares its answers with the exact ones
+touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # compares the built-in engines with their baseline</code></pre>
 <p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
 <code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></section>
 """
@@ -140,10 +139,10 @@ touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # 
 
 def page(results):
     if not results.is_dir():
-        raise DataError(f"{results}: is no folder")
+        raise DataError(f"{results}: is not a folder")
     found = {name: study for name in CHAPTERS if (study := study_in(results / name))}
     if not found:
-        raise DataError(f"{results}: holds no study's run.json")
+        raise DataError(f"{results}: does not contain the run.json of any study")
     missing = [f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>' for name in CHAPTERS if name not in found]
     not_run = f"<p>Not run: {words(missing)}.</p>" if missing else ""
     said = read_all(results, found)
@@ -153,9 +152,9 @@ def page(results):
     body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
 <p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point
 numbers, which round; near contact
-the rounding decides. This page measures how often different ways of asking are wrong, how far from contact, and what it costs
-never to be wrong:
-by {code("filtered")}, which gives the answer of exact arithmetic.</p>
+the rounding decides. This page measures how often different methods are wrong, how far from contact, and the cost of never
+being wrong,
+with {code("filtered")}, which gives the answer of exact arithmetic.</p>
 <p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
 <main><section class="verdict"><h2 id="verdict">Verdict</h2><p class="headline">{verdict.headline(asked)}</p><ul>
 {"".join(f"<li>{line}</li>" for line in verdict.lines(found, asked))}
@@ -165,7 +164,7 @@ by {code("filtered")}, which gives the answer of exact arithmetic.</p>
 {never_failed.table_of(asked, titles)}
 <nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used
 here</a></li>{contents}
-<li><a href="#reproducing">The same again; testing an engine of yours</a></li><li><a href="#methods">The
+<li><a href="#reproducing">Reproduce this page; test your own engine</a></li><li><a href="#methods">The
 methods</a></li></ol></nav>
 <section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{terms.TERMS}</section>
 {sections(results, found, said)}{reproducing(results)}{terms.methods(results)}</main>

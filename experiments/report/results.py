@@ -19,7 +19,7 @@ def finite(text):
 
 
 def number(text):
-    """Infinity is one (an error beyond all bounds); what is no number is none."""
+    """Reads a number. Accepts infinity (an unbounded error), refuses NaN."""
     value = float(text)
     if math.isnan(value):
         raise ValueError

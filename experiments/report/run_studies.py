@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: run_studies.py TOUCHSTONE RESULTS [--full] [--paper]
 
-Runs the studies of studies.py, each in its folder of RESULTS; called from the project's folder. What was done to its end by
-the same program with the same arguments is not done again; what was stopped or killed halfway goes on, where the study can.
+Runs the studies of studies.py, each in its folder of RESULTS; called from the project's folder. Skips studies that
+the same program has finished with the same arguments, and continues interrupted ones if the study can.
 """
 import fcntl
 import hashlib
@@ -90,13 +90,13 @@ def status_of(command, lock):
 def run(program, study, path, mode, lock):
     folder = Folder(path, study, program)
     if folder.done(mode) or folder.done("full"):
-        print("Done before.", flush=True)
+        print("Already done.", flush=True)
         return 0
     if mode != "full" and folder.begun("full"):
-        print("Begun with --full, and not done: ./reproduce --full goes on.", flush=True)
+        print("Begun with --full, and unfinished: ./reproduce --full continues it.", flush=True)
         return 0
     if folder.foreign():
-        print(f"run_studies.py: {path}: holds what ./reproduce did not make; move it away, or give ./reproduce another --output",
+        print(f"run_studies.py: {path}: has files that ./reproduce did not make; move it away, or give ./reproduce another --output",
               file=sys.stderr)
         return 2
     existing = "--resume" if folder.resumes(mode) else "--force"  # the folder holds the mark
@@ -118,7 +118,7 @@ def main(program, results, *options):
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
-        sys.exit(f"run_studies.py: another run is at work in {results}")
+        sys.exit(f"run_studies.py: another run is working in {results}")
     methods = subprocess.run([program, "methods"], check=True, capture_output=True, text=True).stdout
     with replacing(results / "methods.txt") as file:
         file.write_text(methods, encoding="utf-8")
@@ -128,11 +128,11 @@ def main(program, results, *options):
             continue
         print(f"\n== {study.name}: {study.about} (after {time.monotonic() - begin:.0f} s of studies)", flush=True)
         if study.needs_meshes and not meshes():
-            print("Left out: there are no meshes in cache/meshes.")
+            print("Skipped: there are no meshes in cache/meshes.")
             continue
         status = run(program, study, results / study.name, mode, lock)
         if status == INTERRUPTED:
-            print("run_studies.py: interrupted; called again, it goes on", file=sys.stderr)
+            print("run_studies.py: interrupted; run it again to continue", file=sys.stderr)
             return INTERRUPTED
         if status:
             print(f"run_studies.py: {study.name}: exit status {status}", file=sys.stderr)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shares in percent, for people."""
+"""Shares in percent, as readers see them."""
 
 
 def unless_whole(share, shown, places=1):
-    """`shown`, what 100 * share looks like when rounded, unless that looks like 0 or 100 and is not: then with so many
-    decimal places, and `<` or `>` where these do not suffice."""
+    """`shown`, the rounded value of 100 * share, unless that is 0 or 100 and the exact value is not: then the value with
+    `places` decimal places, and with `<` or `>` if these do not suffice."""
     looks = float(shown.replace(",", ""))
     if not (share < 1 and looks >= 100 or share > 0 and looks == 0):
         return shown

@@ -14,7 +14,7 @@ class Study:
     full: list  # calls of the program, each a list of arguments
     quick: list | None = None  # None: with --full alone, or for the paper
     paper: list | None = None  # of one without quick calls: what the paper needs of it
-    resumes: bool = False  # goes on where it was killed, with --resume
+    resumes: bool = False  # continues after an interruption, with --resume
 
     @property
     def needs_meshes(self):
@@ -39,7 +39,7 @@ STUDIES = [
           **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"])),
     Study("thesis", "the thesis's figures",
           full=[["thesis", "--output", OUTPUT]], quick=[["thesis", "--quick", "--output", OUTPUT]]),
-    Study("regress", "engines of others", **same(["regress", "--output", OUTPUT])),
+    Study("regress", "third-party engines", **same(["regress", "--output", OUTPUT])),
     Study("near-edge", "random polygons, double by double", resumes=True,
           full=[[*NEAR_EDGE, "--output", OUTPUT]],
           quick=[[*NEAR_EDGE, "--samples", "60", "--search", "8", "--output", OUTPUT]]),

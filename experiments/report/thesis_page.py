@@ -107,7 +107,7 @@ Universiti Putra Malaysia, 2008. Its front matter, with every caption, is public
 cited from its lists of figures and tables; pictures and numbers are computed by <code>touchstone thesis</code>, none is copied.</p>
 <div class="summary"><p>{len(entries)} figures and tables, {len(entries) - sum(chapter_of(e) == "E" for e in entries)} of the thesis
 and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:</p><ul>{counts}</ul>
-<p>{len(stated) - len(differing)} of {len(stated)} numbers that are stated somewhere come out{"; these do not:" if differing else "."}</p>
+<p>{len(stated) - len(differing)} of {len(stated)} stated numbers are reproduced{"; these are not:" if differing else "."}</p>
 {"<ul>" + differ + "</ul>" if differ else ""}
 <p>Where a number comes from:</p><ul>{labels}</ul>
 <p>Shares of random samples have Clopper-Pearson limits. {run["samples_asked"]:,} balls of each outline and radius, seed

@@ -37,7 +37,7 @@ std::vector<Number> joined(std::vector<Number> a, const std::vector<Number>& b) 
   return a;
 }
 
-/// What is found at a stop, by the exact test and by the thesis's.
+/// Returns the results at a stop, by the exact test and by the thesis's.
 std::vector<Number> stop_numbers(const Study& study, std::size_t number, std::size_t stop) {
   const CaseStudy& its = study.cases[number];
   if (stop >= its.stops.size()) return {};

@@ -49,7 +49,7 @@ ordered_json numbers(const Pose& pose) {
   return list;
 }
 
-/// Of the links in the cell, the one that stands still first.
+/// Returns the poses of the links in the cell, the fixed one first.
 std::vector<Pose> link_poses(const cell::Robot& robot, const kinematics::Angles& commanded) {
   std::vector<Pose> poses = chain_of(robot).frames(commanded);
   poses.pop_back();  // the flange's is that of the last link

@@ -10,20 +10,20 @@
 
 namespace touchstone::thesis_figures {
 
-/// One entry for every caption, in their order.
+/// Returns one entry for every caption, in their order.
 ///
-/// The numbers that captions state are written here as the captions have them; ours come out of the study. Of a study
-/// that was only begun, entries of what was not measured have numbers of nothing.
+/// The numbers that captions state are written as the captions have them; our numbers are results of the study. If a
+/// study was only begun, entries for anything not measured have numbers based on no samples.
 [[nodiscard]] std::vector<Entry> entries_of(const Study& study);
 
-/// What the chapters' files add entries to.
+/// The list to which the chapters' files add entries.
 class EntryList {
  public:
-  /// `shows` is empty where there is no picture. Throws std::logic_error for an id that no caption has or that has
-  /// been added before.
+  /// Adds an entry. `shows` is empty if there is no picture. Throws std::logic_error for an id without a caption, or
+  /// one that was added before.
   void add(std::string_view id, Status status, std::string text, std::vector<Number> numbers, std::string shows = "");
 
-  /// In the captions' order. Throws std::logic_error where one is missing.
+  /// Returns the entries in the captions' order. Throws std::logic_error if one is missing.
   [[nodiscard]] std::vector<Entry> all() &&;
 
  private:
@@ -36,9 +36,9 @@ void add_environment(const Study& study, EntryList& entries);
 void add_case_studies(const Study& study, EntryList& entries);
 void add_known_errors(const Study& study, EntryList& entries);
 
-/// What a move of a case study came out with, in degrees; NaN where it is no move of that joint.
+/// Returns the angle of a move of a case study, in degrees; NaN if it moves another joint.
 [[nodiscard]] double moved(const CaseStudy& study, std::size_t move, kinematics::AristoJoint joint);
-/// A move's angle as a caption has it: without a sign, in the direction that `what` tells.
+/// Returns a move's angle as a caption has it: without a sign, in the direction that `what` names.
 [[nodiscard]] Number captioned(std::string what, double degrees, int stated);
 
 }  // namespace touchstone::thesis_figures

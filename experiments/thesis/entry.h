@@ -19,45 +19,45 @@ using cell::Label;
 struct Number {
   std::string what, unit;
   double ours;
-  bool chosen = false;                         ///< ours rests on chosen values
-  std::optional<statistics::Limits> limits{};  ///< 95 %, where ours is a share of random samples
-  std::uint64_t samples = 0;                   ///< of these
-  std::optional<double> stated{};              ///< in the thesis, elsewhere or derived
-  double tolerance = 0;                        ///< by which ours may differ from it and agree
-  std::optional<Label> label{};                ///< where the stated one comes from
+  bool chosen = false;                         ///< whether our number depends on chosen values
+  std::optional<statistics::Limits> limits{};  ///< 95 %, if ours is a share of random samples
+  std::uint64_t samples = 0;                   ///< the number of these samples
+  std::optional<double> stated{};              ///< as stated in the thesis or elsewhere, or as derived
+  double tolerance = 0;                        ///< the largest difference that counts as agreement
+  std::optional<Label> label{};                ///< the source of the stated number
 
-  /// Nothing where no number is stated.
+  /// Returns whether ours agrees with the stated number; nothing if none is stated.
   [[nodiscard]] std::optional<bool> agrees() const;
 };
 
-/// That nothing is stated about.
+/// Returns a number without a stated counterpart.
 [[nodiscard]] Number found(std::string what, std::string unit, double ours, bool chosen);
-/// A share in percent of random samples, with its limits.
+/// Returns a share in percent of random samples, with its limits.
 [[nodiscard]] Number share(std::string what, std::uint64_t count, std::uint64_t samples, bool chosen);
-/// Beside one that is stated.
+/// Returns the number with a stated counterpart.
 [[nodiscard]] Number beside(Number ours, Label label, double stated, double tolerance = 0);
 
 enum class Status {
   Reproduced,     ///< from the thesis's text, public sources and arithmetic alone
   WithChosen,     ///< with values that no public source gives
   Photograph,     ///< of real machines
-  NotComputable,  ///< no number, or none that is public
+  NotComputable,  ///< has no number, or no public one
 };
 
-/// What came of a figure or table.
+/// The result for a figure or table.
 struct Entry {
   const Caption* caption;
   Status status;
-  std::string text;             ///< what was done, or why nothing can be
-  std::vector<Number> numbers;  ///< of photographs, too, where captions name some
-  std::string shows;            ///< what our picture shows; empty where there is none
+  std::string text;             ///< what was done, or why nothing can be done
+  std::vector<Number> numbers;  ///< also for photographs, if captions name some
+  std::string shows;            ///< what our picture shows; empty without a picture
 
-  /// All that are stated agree.
+  /// Returns whether all stated numbers agree.
   [[nodiscard]] bool agrees() const;
-  /// For people: `reproduced`, `reproduced with chosen values`, `photograph: not computable`, `not computable`; or
-  /// `differs`, where a number of the first two kinds does.
+  /// Returns the status in words: `reproduced`, `reproduced with chosen values`, `photograph: not computable`, `not
+  /// computable`; or `differs`, if a number of the first two kinds does.
   [[nodiscard]] std::string_view status_words() const;
-  /// Of its files, without extension: `4-3`, `table-6-1`, `E-2`.
+  /// Returns the name of its files, without extension: `4-3`, `table-6-1`, `E-2`.
   [[nodiscard]] std::string file_stem() const;
 };
 

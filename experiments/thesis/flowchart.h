@@ -11,7 +11,7 @@
 
 namespace touchstone::thesis_figures {
 
-/// Where the thesis's flowchart ends (Fig 4.3).
+/// The ends of the thesis's flowchart (Fig 4.3).
 enum class End {
   InFront,  ///< the ball misses the plane: no collision
   Behind,   ///< on the other side
@@ -23,7 +23,7 @@ inline constexpr std::array kEnds{End::InFront, End::Behind, End::Inside, End::E
 [[nodiscard]] std::string_view word(End end);
 [[nodiscard]] constexpr bool is_hit(End end) { return end == End::Inside || end == End::Edge; }
 
-/// Balls by where a method ends and where exact tests end.
+/// Numbers of balls by the end of a method and the end of the exact tests.
 struct Ends {
   std::array<std::array<std::uint64_t, kEnds.size()>, kEnds.size()> counts{};  ///< [the method's][the exact one]
 
@@ -32,33 +32,33 @@ struct Ends {
   [[nodiscard]] std::uint64_t samples() const;
   [[nodiscard]] std::uint64_t at(End method) const;
   [[nodiscard]] std::uint64_t exactly_at(End exact) const;
-  [[nodiscard]] std::uint64_t elsewhere() const;  ///< not where the exact tests end
+  [[nodiscard]] std::uint64_t elsewhere() const;  ///< balls for which the ends differ
   [[nodiscard]] std::uint64_t true_hits() const;
   [[nodiscard]] std::uint64_t false_hits() const;
   [[nodiscard]] std::uint64_t misses() const;
 };
 
-/// The thesis's method as we read it first, its variants, and ours in plain doubles.
+/// The thesis's method in our first reading, its variants, and ours in plain doubles.
 inline constexpr std::array<std::string_view, 9> kMethods{"thesis",        "thesis-float",  "thesis-0.9999",
                                                           "thesis-1",      "thesis-signed", "thesis-atan2",
                                                           "thesis-newell", "thesis-closed", "fast"};
-/// Of the balls, as shares of an outline's largest extent.
+/// The radii of the balls, as shares of an outline's largest extent.
 inline constexpr std::array kRadii{0.002, 0.01, 0.05, 0.1};
 
-/// What came out for one outline and radius.
+/// The results for one outline and radius.
 struct Flowchart {
   const stability::Outline* outline;
-  double radius;  ///< as a share
+  double radius;  ///< as a share of the outline's largest extent
   std::array<Ends, kMethods.size()> methods{};
   std::uint64_t culled = 0;  ///< false hits of `thesis` whose ball misses the box around the outline
 };
 
-/// Balls of one radius, feet uniform in the outline's bounding box enlarged by 3 radii, heights uniform within 1.5
-/// radii of its plane; every method's course beside that of exact tests.
+/// Draws balls of one radius, with feet uniform in the outline's bounding box enlarged by 3 radii, and heights uniform
+/// within 1.5 radii of its plane; compares the course of every method with that of exact tests.
 ///
-/// Front is what the method calls so: which side that is for each method is asked with one ball far off, and the exact
-/// sides are named alike. Truth is `filtered`. A function of its arguments; streams keep workloads
-/// apart. Cost: about 10 us a ball.
+/// Front is the side that the method calls so: one far ball determines it for each method, and the exact sides are
+/// named accordingly. The truth is `filtered`. A function of its arguments; streams keep the random numbers of
+/// workloads apart. Cost: about 10 us per ball.
 [[nodiscard]] Flowchart measure_flowchart(const stability::Outline& outline, double radius, std::uint64_t balls,
                                           std::uint64_t seed, std::uint64_t stream);
 

@@ -37,7 +37,7 @@ Edge random_edge(const stability::Outline& outline, Random& random) {
                  static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(outline.corners.size()) - 1)));
 }
 
-/// Of a flowchart's workload.
+/// Draws a ball of a flowchart's workload.
 Ball random_ball(const stability::Box& bounds, double radius, Random& random) {
   Ball ball{bounds.enlarged(3 * radius, 3 * radius).point(random), radius};
   ball.center.z() = 1.5 * radius * (2 * random.unit() - 1);

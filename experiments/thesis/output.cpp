@@ -276,7 +276,7 @@ std::string table(const std::vector<Entry>& entries) {
   std::ranges::sort(statuses, std::greater<>{}, &std::pair<std::string_view, std::size_t>::second);
   std::string text = fmt::format("{} figures and tables\n", entries.size());
   for (const auto& [words, count] : statuses) text += fmt::format("{:>5}  {}\n", count, words);
-  text += fmt::format("{} of {} numbers that are stated (T in the thesis, S elsewhere, D derived) come out\n", agreeing,
+  text += fmt::format("{} of {} stated numbers (T in the thesis, S elsewhere, D derived) are reproduced\n", agreeing,
                       stated);
   if (!differing.empty()) text += "otherwise:\n" + differing;
   return text;

@@ -32,7 +32,7 @@ Outcome outcome_of(const Rehearsal& rehearsal) {
 
 using Corners = std::array<Eigen::Vector2d, 4>;
 
-/// Of a box in the frame of a station, in the cell.
+/// Returns the corners, in the cell, of a box in the frame of a station.
 Corners corners_of(const Eigen::AlignedBox2d& box, double azimuth, double radius) {
   const double c = workloads::cosine(azimuth), s = workloads::sine(azimuth);
   const auto at = [&](double x, double y) -> Eigen::Vector2d {

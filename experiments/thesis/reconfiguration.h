@@ -10,51 +10,52 @@
 #include "experiments/cell/kinematics/rehearsal.h"
 #include "experiments/cell/model/model.h"
 
-/// Where the storage may stand: rehearsals of the way from home by the storage to the machine, one a place.
+/// The feasible places of the storage, found by rehearsing the way from home by the storage to the machine, once per
+/// place.
 namespace touchstone::thesis_figures {
 
-/// What comes out with the storage at a place.
+/// The outcome with the storage at a place.
 enum class Outcome {
-  FromSide,   ///< it completes, the material touched from the side
-  FromAbove,  ///< it completes, the material touched from above
+  FromSide,   ///< the way completes, touching the material from the side
+  FromAbove,  ///< the way completes, touching the material from above
   OnRobot,    ///< seen from above, the storage would stand in the circle in which the robot's body turns
   OnMachine,  ///< seen from above, the storage would stand in the machine
   OutOfReach,
   JointLimit,
-  InTheWay,  ///< the sphere touches something on a move that should be free
-  Nothing,   ///< the sphere touches nothing where it should, or steps pass over it, or nothing lifts it clear
+  InTheWay,  ///< the sphere touches an obstacle on a move that should be free
+  Nothing,   ///< the sphere misses what it should touch, steps skip the contact, or no lift clears the material
 };
 [[nodiscard]] std::string_view word(Outcome outcome);
 [[nodiscard]] constexpr bool completes(Outcome outcome) {
   return outcome == Outcome::FromSide || outcome == Outcome::FromAbove;
 }
 
-/// The cell's floor: what a plan view shows. All of it is chosen.
+/// The cell's floor as a plan view shows it. All of it is chosen.
 struct FloorPlan {
   double body;                  ///< radius of the circle in which the robot's first two links turn
-  Eigen::AlignedBox2d storage;  ///< in the frame of its station, stand included
+  Eigen::AlignedBox2d storage;  ///< in the frame of its station, including the stand
   Eigen::AlignedBox2d machine;  ///< likewise
-  /// The least radius at which the storage is clear of the body.
+  /// Returns the least radius at which the storage is clear of the body.
   [[nodiscard]] double least_radius() const { return body - storage.min().x(); }
 };
 [[nodiscard]] FloorPlan floor_plan(const std::vector<cell::ModelPart>& parts);
 
-/// A storage somewhere.
+/// A place of the storage, and its outcome.
 struct Place {
   double angle, radius, height;
   Outcome outcome;
-  std::string failure;  ///< in words, with the number that is exceeded; empty where it completes
+  std::string failure;  ///< in words, with the exceeded number; empty if the way completes
 };
-/// The floor plan comes first, then the rehearsal, which asks about the sphere alone.
+/// Tries a place: checks the floor plan first, then rehearses, testing the sphere alone.
 [[nodiscard]] Place try_place(const kinematics::Layout& layout, const FloorPlan& plan, double angle, double radius,
                               double height);
 
-/// An unbroken run of places that complete.
+/// A contiguous run of places that complete.
 struct Stretch {
-  std::size_t first, last;  ///< among the places
+  std::size_t first, last;  ///< indices of places
   [[nodiscard]] bool empty() const { return first > last; }
 };
-/// The longest, the first of equal ones.
+/// Returns the longest run, the first of equal ones.
 [[nodiscard]] Stretch longest_stretch(const std::vector<Place>& places);
 
 }  // namespace touchstone::thesis_figures

@@ -21,18 +21,18 @@
 #include "experiments/thesis/known_errors.h"
 #include "experiments/thesis/reconfiguration.h"
 
-/// What `touchstone thesis` computes, once, for all of its entries.
+/// The computations of `touchstone thesis`, done once for all of its entries.
 namespace touchstone::thesis_figures {
 
 struct Settings {
-  std::uint64_t samples = 20'000;  ///< balls of each outline and radius; other measurements have their share of it
+  std::uint64_t samples = 20'000;  ///< balls for each outline and radius; other measurements use a share of it
   std::uint64_t seed = 1;
   int angle_step = 5;                    ///< degrees, of the area of configuration
   int radius_step = 10;                  ///< mm
-  int radius_scan = 1, height_scan = 2;  ///< mm, of the radii and heights at one angle
+  int radius_scan = 1, height_scan = 2;  ///< mm, for the radii and heights at one angle
 };
 
-/// What rehearsals at every whole angle of the storage, from -60 to 60 degrees, came out with.
+/// The results of rehearsals at every whole angle of the storage, from -60 to 60 degrees.
 struct Predictions {
   std::uint64_t places = 0;      ///< angles, in both cases' places
   std::uint64_t to_storage = 0;  ///< of these, the base turned by 150 degrees less the angle, clockwise
@@ -40,12 +40,13 @@ struct Predictions {
   std::uint64_t net = 0;         ///< elbow and shoulder were at +35 and +28 at the machine
 };
 
-/// The way of a model file: written, read again.
+/// The round trip of a model file: written, and read again.
 struct LinkFile {
   cell::LinkModel model;
   std::string text;
-  bool same = false;                              ///< read again it is the same model
-  std::size_t converted = 0, converted_same = 0;  ///< to meshes and read again: files, and those without a difference
+  bool same = false;  ///< whether reading it again gives the same model
+  std::size_t converted = 0,
+              converted_same = 0;  ///< files converted to meshes and read again, and those of them without a difference
 };
 
 struct Study {
@@ -53,7 +54,7 @@ struct Study {
   kinematics::Layout layout;
   cell::Cell cell;
   std::vector<cell::ModelPart> parts;
-  std::vector<LinkFile> link_files;          ///< of every link, and of the machine's bottom part
+  std::vector<LinkFile> link_files;          ///< for every link, and for the machine's bottom part
   std::vector<stability::Outline> outlines;  ///< the gripper's first, then those of outlines.h
 
   // Chapter 4
@@ -80,23 +81,25 @@ struct Study {
   kinematics::MissedStudy missed;
 
   [[nodiscard]] const stability::Outline& gripper() const { return outlines.front(); }
-  /// That of an outline, by its place in `outlines`, and radius, by its place in kRadii.
+  /// Returns the flowchart of an outline, by its index in `outlines`, and a radius, by its index in kRadii.
   [[nodiscard]] const Flowchart& flowchart(std::size_t outline, std::size_t radius) const {
     return flowcharts[outline * kRadii.size() + radius];
   }
 };
 
-/// Told how much of all is done.
+/// Receives the share of the work that is done.
 using StudyProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// What needs neither samples nor time: the model, the case studies in this layout. The rest is empty.
+/// Computes the parts that need neither samples nor time: the model and the case studies in this layout. The other
+/// parts are empty.
 ///
-/// Throws cell::BadCell where the cell's file (of the sources) cannot be read.
+/// Throws cell::BadCell if the cell's file (in the source tree) cannot be read.
 [[nodiscard]] Study begin_study(const Settings& settings, const kinematics::Layout& layout);
 
-/// All of it, in the chosen layout; nothing where it was stopped. The same for any number of threads.
+/// Computes all parts in the chosen layout; returns nothing if it was stopped. The result does not depend on the number
+/// of threads.
 ///
-/// Throws as begin_study does. Cost: some 40 s of one core with the default settings.
+/// Throws as begin_study does. Cost: about 40 s of one core with the default settings.
 [[nodiscard]] std::optional<Study> run_study(const Settings& settings, unsigned threads, const std::atomic<bool>& stop,
                                              const StudyProgress& progress);
 

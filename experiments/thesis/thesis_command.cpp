@@ -80,15 +80,17 @@ int run_thesis(const Options& options) {
 
 harness::Command thesis_command() {
   auto options = std::make_shared<Options>();
-  harness::Command command("thesis", "Every figure and table of the 2008 thesis: its numbers beside ours");
+  harness::Command command("thesis",
+                           "Reproduce every figure and table of the 2008 thesis: compare its numbers with ours");
   command.keep_line(options->line);
   command.footer(
-      "One entry for each figure and table that the thesis lists, and for each known error of its method: the numbers\n"
-      "that can be computed, what is stated of them, whether they agree, and a picture. Writes CSV files, run.json,\n"
+      "Makes one entry for each figure and table that the thesis lists, and for each known error of its method: the\n"
+      "numbers that can be computed, the stated numbers, whether they agree, and a picture. Writes CSV files, "
+      "run.json,\n"
       "pictures (SVG and PNG) and index.html, which shows all of them.");
-  command.whole("--samples", options->samples, "Random balls of each outline and radius (20000; with --quick 2000)",
+  command.whole("--samples", options->samples, "Random balls for each outline and radius (20000; with --quick 2000)",
                 100);
-  command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps where the storage is tried");
+  command.flag("--quick", options->quick, "A tenth of the samples, and coarser steps between places of the storage");
   command.seed(options->seed);
   command.threads(options->threads);
   command.output(options->output, "Folder for all files");

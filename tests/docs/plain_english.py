@@ -41,11 +41,17 @@ BANNED = [
 ]
 
 NOT_YET = [  # the files that still have to be rewritten
-    "check",
-    "reproduce",
     "experiments/FORMATS.md",
-    "experiments/*.cpp",
-    "experiments/*.h",
+    "experiments/cases/*.[ch]*",
+    "experiments/harness/*.[ch]*",
+    "experiments/judge/*.[ch]*",
+    "experiments/methods/*.[ch]*",
+    "experiments/statistics/*.[ch]*",
+    "experiments/workloads/*.[ch]*",
+    "experiments/cell/kinematics/rehearsal.cpp",  # these write their texts into data files, which stay
+    "experiments/cell/simulation/process.cpp",
+    "experiments/thesis/captions.cpp",
+    "experiments/thesis/*_entries.cpp",
     "geometry/*.cpp",
     "geometry/*.h",
     "robust/*.cpp",

@@ -43,7 +43,7 @@ Json part_json(const ModelPart& part) {
           {"outline", std::move(outline)}};
 }
 
-/// Where a face looks, in the frame of the material.
+/// Returns the direction of a face, in the frame of the material.
 std::string side_of(const Polygon& face) {
   double area = 0, up = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

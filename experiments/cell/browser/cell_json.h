@@ -9,10 +9,10 @@ namespace touchstone::cell::browser {
 
 using Json = nlohmann::ordered_json;
 
-/// A pose as the twelve numbers of its upper rows, [R t], row by row. Coordinates that are drawn are nearest floats.
+/// Returns a pose as the twelve numbers of its upper rows, [R t], row by row. Drawn coordinates are the nearest floats.
 [[nodiscard]] Json json_of(const Pose& pose);
 
-/// What the page shows of a cell, whatever the run:
+/// Returns the part of a cell that the page shows independently of the run:
 ///   name, unit, clearance; sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn;
 ///   setting: as read_setting takes it; labels: {path: "T", "S", "D" or "C"} of it;
 ///   bounds: {longest, most_degrees, least_step, most_step}; slots: [{name, place}];
@@ -21,8 +21,8 @@ using Json = nlohmann::ordered_json;
 ///   parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in Drawing, in flat arrays.
 [[nodiscard]] Json cell_json(const Simulator& simulator);
 
-/// What the page shows of a run:
-///   setting, labels; failure: text, empty where it came out; balls: asked of the obstacles;
+/// Returns the part of a run that the page shows:
+///   setting, labels; failure: text, empty if it completed; balls: the number of obstacle queries;
 ///   stations: {storage, machine}: poses; materials: {storage, machine}: poses; stand: the part `storage/stand`, or
 ///   null; moves: [{phase, joint, until, degrees, exact, contact: null or {low, high, kind}}]; stops: [{move,
 ///   commanded, links, sphere, material, place, target, nearest, distance, touched}]: the number of the move; poses;

@@ -10,8 +10,8 @@
 
 namespace touchstone::cell::browser {
 
-/// The connections of a server, of which there are at most so many: a new one takes the place of the one that has
-/// waited for its client longest, so that idle clients shut nobody out. Safe from several threads.
+/// The connections of a server, limited in number. A new connection replaces the one that has waited longest for its
+/// client, so that idle clients cannot block others. Thread-safe.
 class ConnectionSlots {
  public:
   using Number = std::uint64_t;
@@ -19,11 +19,11 @@ class ConnectionSlots {
   explicit ConnectionSlots(std::size_t most) : most_(most) {}
 
   /// Takes a slot for a connection that waits for its client. `close` is called, from any thread, when another
-  /// connection takes the slot; the number then means nothing. None where no slot is free and no connection waits.
+  /// connection takes the slot; the number is then invalid. Returns nothing if no slot is free and no connection waits.
   [[nodiscard]] std::optional<Number> open(std::function<void()> close);
-  /// The connection has its client's request and is answering. False where another connection has taken its slot.
+  /// Marks the connection as answering its client's request. Returns false if another connection has taken its slot.
   [[nodiscard]] bool begin_work(Number number);
-  /// The connection waits for its client, from now on.
+  /// Marks the connection as waiting for its client.
   void begin_waiting(Number number);
   /// Frees the slot, if the connection still has it.
   void close(Number number);

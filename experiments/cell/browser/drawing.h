@@ -11,12 +11,12 @@
 
 namespace touchstone::cell::browser {
 
-/// The faces of a solid as they are drawn. Pictures are made of it, never answers.
+/// The faces of a solid as they are drawn. Used for pictures only, never for answers.
 struct Drawing {
-  std::vector<Eigen::Vector3d> points;  ///< different ones
+  std::vector<Eigen::Vector3d> points;  ///< without duplicates
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::size_t> face_ends;  ///< of each face, one past the last of its triangles
-  /// The edges that faces meet in at more than 20 degrees, or that have not two faces.
+  std::vector<std::size_t> face_ends;  ///< for each face, one past the last of its triangles
+  /// The edges at which faces meet at more than 20 degrees, and the edges that do not have exactly two faces.
   std::vector<std::array<std::uint32_t, 2>> outline;
 };
 

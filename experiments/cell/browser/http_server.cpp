@@ -20,7 +20,7 @@
 
 namespace touchstone::cell::browser {
 
-/// What the sessions of a server have in common.
+/// The state that the sessions of a server share.
 struct SharedBySessions {
   HttpServer::Handler handler;
   HttpServer::Limits limits;
@@ -44,7 +44,7 @@ constexpr std::size_t kMostDrained = std::size_t{16} * 1024 * 1024;
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
-/// What to answer to something that could not be read; none where nobody waits for an answer.
+/// Returns the reply to a request that could not be read; none if no client waits for a reply.
 std::optional<HttpReply> reply_to(const error_code& error, const HttpServer::Limits& limits) {
   if (error == http::error::body_limit)
     return refusal(413, fmt::format("a request's body may have {} bytes", limits.most_body));

@@ -13,8 +13,8 @@ namespace touchstone::cell::browser {
 
 struct HttpRequest {
   std::string method;  ///< `GET`, `POST`, ...
-  std::string path;    ///< without what begins at a question mark
-  std::string host;    ///< the header, with the port if it has one; empty if HTTP/1.0 has none
+  std::string path;    ///< without the query, which begins at a question mark
+  std::string host;    ///< the header, with the port if given; empty if an HTTP/1.0 request has none
   std::string content_type;
   std::string body;
 };
@@ -22,19 +22,20 @@ struct HttpRequest {
 struct HttpReply {
   unsigned status = 200;
   std::string content_type, body;
-  std::string allow;  ///< methods, of 405
+  std::string allow;  ///< the allowed methods, for status 405
 };
 
-/// A reply whose body is a JSON object: its `error` is the reason; U+FFFD stands for what is not UTF-8 of it.
+/// Returns a reply whose body is a JSON object with the reason as its `error`. U+FFFD replaces bytes of the reason that
+/// are not UTF-8.
 [[nodiscard]] HttpReply refusal(unsigned status, const std::string& reason, std::string allow = "");
 
-/// Answers requests of HTTP/1.1, by Boost.Beast.
+/// A server for HTTP/1.1, built on Boost.Beast.
 ///
-/// What is no HTTP is answered by 400, as is HTTP/1.1 without one Host, a head of more than 8 kB by 431, a body of more
-/// than `most_body` bytes by 413, chunked or not, and what the handler throws by 500, each with a JSON object whose
-/// `error` says why. A reply to HEAD has no body, whatever the handler gives. Who takes longer than `patience` to send
-/// a request or to take the reply is cut off; of more than `most_connections`, the one that has been idle longest is.
-/// Then it goes on serving.
+/// Replies with status 400 to input that is not HTTP and to HTTP/1.1 without exactly one Host, with 431 to a head of
+/// more than 8 kB, with 413 to a body of more than `most_body` bytes, chunked or not, and with 500 if the handler
+/// throws. Each of these replies is a JSON object whose `error` gives the reason. A reply to HEAD has no body, whatever
+/// the handler returns. Cuts off a client that takes longer than `patience` to send a request or to receive the reply
+/// and, if there are more than `most_connections`, the connection that has been idle longest. Then continues to serve.
 class HttpServer {
  public:
   using Handler = std::function<HttpReply(const HttpRequest&)>;
@@ -44,20 +45,20 @@ class HttpServer {
     std::size_t most_connections = 64;
   };
 
-  /// Listens; port 0 stands for a free one. The handler is called by several threads at once. Throws
-  /// std::runtime_error, which names the address, where that cannot be listened at.
+  /// Starts to listen; port 0 chooses a free one. Several threads call the handler concurrently. Throws
+  /// std::runtime_error, which names the address, if the server cannot listen there.
   HttpServer(const std::string& host, std::uint16_t port, Handler handler, const Limits& limits);
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
   ~HttpServer();
 
   [[nodiscard]] std::uint16_t port() const;
-  /// Of the page, for a browser of this machine.
+  /// Returns the URL of the page, for a browser on this machine.
   [[nodiscard]] std::string url() const;
-  /// Only this machine can reach it.
+  /// Returns whether only this machine can reach the server.
   [[nodiscard]] bool loopback() const;
 
-  /// Serves until `stop` is set; that is seen within a tenth of a second, but requests at work are answered first.
+  /// Serves until `stop` is set. Notices that within a tenth of a second, but finishes requests in progress first.
   void run(const std::atomic<bool>& stop);
 
  private:

@@ -16,7 +16,7 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
-/// What stands before the port; none where what follows the last colon is no port.
+/// Returns the part before the port; none if the text after the last colon is not a port.
 std::optional<std::string_view> without_port(std::string_view host) {
   const std::size_t colon = host.rfind(':');
   if (colon == std::string_view::npos || host.ends_with(']')) return host;
@@ -26,7 +26,7 @@ std::optional<std::string_view> without_port(std::string_view host) {
   return host.substr(0, colon);
 }
 
-/// Of `127.0.0.1` and `[::1]`; none of a name.
+/// Returns the address of `127.0.0.1` or `[::1]`; none for a name.
 std::optional<boost::asio::ip::address> literal_address(std::string_view host) {
   boost::system::error_code no_address;
   boost::asio::ip::address address;

@@ -7,11 +7,12 @@
 
 namespace touchstone::cell::browser {
 
-/// The page as one text of HTML that refers to no other file. Its sources are in page/, and part of the program.
+/// Returns the page as one HTML text that refers to no other file. Its sources are in page/ and are part of the
+/// program.
 ///
-/// It asks the server that it came from.
+/// This page queries the server that it came from.
 [[nodiscard]] std::string live_page();
-/// It plays this run, and asks nobody: it says so to the browser, which then allows no connection.
+/// This page plays back the given run only. It forbids the browser every connection.
 [[nodiscard]] std::string recorded_page(const Json& cell, const Json& run);
 
 }  // namespace touchstone::cell::browser

@@ -17,32 +17,32 @@
 
 namespace touchstone::cell::browser {
 
-/// How the cell looks at a stop, and the answer there.
+/// The state of the cell at a stop, and the answer there.
 struct Look {
   std::vector<Pose> links;     ///< as in Robot::links, in the cell
   Pose material;               ///< in the cell
-  std::optional<Place> place;  ///< where the material is; none: the gripper has it
-  /// Of the sphere's centre and the target, where there is one: the nearest face, exactly.
+  std::optional<Place> place;  ///< where the material is; none while the gripper holds it
+  /// The exact nearest face of the target, if there is one, to the sphere's centre.
   std::optional<scene::NearestFace> nearest;
 };
 
 /// A run of the process, ready to be drawn.
 struct Recording {
-  Cell cell;                     ///< as it was set
-  std::vector<ModelPart> parts;  ///< of it
+  Cell cell;                     ///< with the setting applied
+  std::vector<ModelPart> parts;  ///< of the cell
   std::vector<Pose> places;      ///< of the material in its slot, in the cell, by Place
   Process process;
-  std::vector<Look> looks;  ///< one a stop
+  std::vector<Look> looks;  ///< one for each stop
   Contest contest;
 };
 
-/// How runs are made, whatever the setting.
+/// The options of runs that do not depend on the setting.
 struct Manner {
   double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
-  std::vector<const cases::Method*> methods;  ///< asked of every face beside the exact answer
+  std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
 };
 
-/// A cell that can be set anew and run. Running is safe from several threads.
+/// A cell that can be run with changed settings. Running is thread-safe.
 class Simulator {
  public:
   /// Throws what build_model throws. Cost: that of build_model and cover_arm.
@@ -51,8 +51,8 @@ class Simulator {
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const std::vector<ModelPart>& parts() const { return parts_; }
 
-  /// Throws BadCell where the cell cannot be, as `changed` and Workcell do. A process that does not come out is a
-  /// recording all the same; its `failure` says why.
+  /// Runs the process with a setting. Throws BadCell for an impossible cell, as `changed` and Workcell do. A process
+  /// that does not complete is recorded too; its `failure` says why.
   [[nodiscard]] Recording run(const Setting& setting) const;
 
  private:

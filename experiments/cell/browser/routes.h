@@ -9,18 +9,18 @@
 
 namespace touchstone::cell::browser {
 
-/// What is answered to whom:
+/// The routes of the server:
 ///   GET /          the page
 ///   GET /api/cell  cell_json
 ///   POST /api/run  a setting, as read_setting takes it: run_json; Content-Type must be application/json
-/// HEAD is answered as GET. Otherwise {"error": reason}: 400 for what is no setting, 404, 405, 415 for another type,
-/// 422 for a cell that cannot be, and 421 for a Host that is not known, whatever is asked.
+/// HEAD is answered as GET. All other requests get {"error": reason} with status 400 for an invalid setting, 404, 405,
+/// 415 for another type, 422 for an impossible cell, and 421 for every request with an unknown Host.
 class Routes {
  public:
   /// Requires that the simulator outlives it.
   Routes(const Simulator& simulator, KnownHosts hosts);
 
-  /// Safe from several threads.
+  /// Answers a request. Thread-safe.
   [[nodiscard]] HttpReply answer(const HttpRequest& request) const;
 
  private:

@@ -15,24 +15,24 @@
 
 namespace touchstone::cell {
 
-/// Where the storage may stand: the whole process is run for every place of a grid.
+/// The feasible places of the storage, found by running the whole process for every place of a grid.
 struct Grid {
   std::vector<double> angles, radii, heights;
   [[nodiscard]] std::size_t size() const { return angles.size() * radii.size() * heights.size(); }
 };
 
-/// What became of the process with the storage there.
+/// The outcome of the process with the storage at one place.
 struct Tried {
   double angle, radius, height;
-  std::optional<Cause> cause;  ///< none: it was completed
-  std::string reason;          ///< empty then
+  std::optional<Cause> cause;  ///< none if the process completed
+  std::string reason;          ///< empty if the process completed
 };
 
-/// Tries every place; heights run fastest, then radii.
+/// Tries every place; heights vary fastest, then radii.
 ///
-/// A place out of reach by check_reach is OutOfReach, with its sentence. `covered` is the arm's, which the storage does
-/// not change. The same for any number of threads; `progress` is told of places. Nothing where `stop` became true.
-/// Throws what perform throws. Cost: some 50 ms a place.
+/// A place that check_reach refuses is OutOfReach, with its message as the reason. `covered` is that of the arm, which
+/// does not depend on the storage. The result does not depend on the number of threads; `progress` counts places.
+/// Returns nothing if `stop` became true. Throws what perform throws. Cost: about 50 ms per place.
 [[nodiscard]] std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                                            const std::shared_ptr<const std::vector<Covered>>& covered,
                                                            const Grid& grid, unsigned threads,

@@ -5,12 +5,12 @@
 
 namespace touchstone::kinematics {
 
-/// The way of a point that one joint turns: the angles from 0 to `degrees` about a line.
+/// The path of a point that one joint turns: the angles from 0 to `degrees` about a line.
 ///
 /// All numbers are exact. With v = start - point, |axis| = the exact length of the axis, which need not be 1, and phi
 /// an angle, the point of the arc is
 ///   point + (v.axis) axis / |axis|^2 + cos(phi) (v - (v.axis) axis / |axis|^2) + sin(phi) (axis x v) / |axis|:
-/// right-handed about the axis. An arc of no radius is a point that rests.
+/// right-handed about the axis. An arc of radius 0 is a point at rest.
 struct Arc {
   Eigen::Vector3d start;  ///< the moving point at angle 0
   Eigen::Vector3d point;  ///< any point of the line
@@ -18,12 +18,13 @@ struct Arc {
   double degrees;         ///< the whole move, 0 to 360
 };
 
-/// Throws std::invalid_argument, which says what is wrong: a number that is not finite, an axis of length 0, a move
-/// beyond [0, 360].
+/// Throws std::invalid_argument, which names the fault, for a number that is not finite, an axis of length 0, or a move
+/// outside [0, 360].
 void require_valid(const Arc& arc);
 
-/// The point at an angle in degrees, in doubles: off by a few units in the last place of the largest coordinate of
-/// start and point. The start itself at angle 0. The same bits on every machine. Cost: some microseconds.
+/// Returns the point at an angle in degrees, in doubles: off by a few units in the last place of the largest coordinate
+/// of start and point. At angle 0 it is the start itself. The bits are the same on every machine. Cost: some
+/// microseconds.
 [[nodiscard]] Eigen::Vector3d point_at(const Arc& arc, double degrees);
 
 }  // namespace touchstone::kinematics

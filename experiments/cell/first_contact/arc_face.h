@@ -12,7 +12,7 @@
 
 namespace touchstone::kinematics {
 
-/// A ball's centre along an arc and one face, exactly: the roots at which it touches.
+/// A ball whose centre moves along an arc, and one face: computes exactly the roots at which the ball touches.
 class ArcFace {
  public:
   ArcFace(const Arc& arc, double radius, const Polygon& polygon);
@@ -22,8 +22,8 @@ class ArcFace {
     Feature feature;
     bool grazing;
   };
-  /// The first contact after the start with a feature near the arc, on the whole turn of 360 degrees or at most up to
-  /// `latest`, whose angle is only looked at to save time.
+  /// Returns the first contact after the start with a feature near the arc, on the whole turn of 360 degrees or at most
+  /// up to `latest`, which only saves time.
   [[nodiscard]] std::optional<Contact> first(const ArcPieces& pieces, double latest);
   [[nodiscard]] const Charts& charts() const { return charts_; }
 

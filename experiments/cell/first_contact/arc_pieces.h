@@ -10,19 +10,20 @@
 
 namespace touchstone::kinematics {
 
-/// An arc in pieces of a few degrees, each within a known distance of its chord: what keeps further than that and the
-/// radius from every chord the ball never touches on the move. Doubles, with margins for their rounding. Requires a
-/// valid arc, round to nearest.
+/// An arc in pieces of a few degrees, each within a known distance of its chord. The ball never touches an object whose
+/// distance from every chord exceeds that distance plus the radius. Computed in doubles, with margins for rounding.
+/// Requires a valid arc and rounding to nearest.
 class ArcPieces {
  public:
   ArcPieces(const Arc& arc, double radius);
 
-  /// Angles, in degrees.
+  /// An interval of angles, in degrees.
   struct Range {
     double begin, end;
   };
-  /// Where the ball may touch what lies in a box; in a segment; in the convex hull of points that are about in a plane
-  /// with that normal, which may be off or 0. `lift` is the most by which those points may be moved.
+  /// Return where the ball may touch an object inside a box; inside a segment; inside the convex hull of points that
+  /// lie roughly in a plane with the given normal, which may be inaccurate or 0. `lift` is the largest distance by
+  /// which those points may be moved.
   [[nodiscard]] std::optional<Range> near(const Box& box) const;
   [[nodiscard]] std::optional<Range> near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double lift) const;
   [[nodiscard]] std::optional<Range> near(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& normal,
@@ -31,7 +32,7 @@ class ArcPieces {
  private:
   struct Piece {
     Eigen::Vector3d begin, end;
-    Box box;  ///< of what the ball sweeps
+    Box box;  ///< of the volume that the ball sweeps
   };
   template <class Test>
   [[nodiscard]] std::optional<Range> range(const Test& may_touch) const;

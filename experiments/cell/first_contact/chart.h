@@ -29,13 +29,13 @@ class Charts {
   };
   [[nodiscard]] Chart chart(int number) const;
 
-  /// Where a chart begins (and the one before it ends), in degrees, but for rounding.
+  /// Returns where a chart begins (and the one before it ends), in degrees, up to rounding.
   [[nodiscard]] double begin(int number) const;
 
   enum class Towards { Low, High };
-  /// The angle in degrees, a double at that side of it and next to it, or nearly so. Cost: some 10 us.
+  /// Returns the angle in degrees as a double on the given side of it, adjacent to it or nearly so. Cost: about 10 us.
   [[nodiscard]] double degrees(int chart, const Dyadic& w, Towards side) const;
-  /// Is the angle greater, as far as so many bits tell?
+  /// Returns whether the angle is greater, as far as a precision of `bits` bits can tell.
   [[nodiscard]] bool degrees_exceed(int chart, const Dyadic& w, double degrees, long bits) const;
 
  private:
@@ -53,7 +53,7 @@ struct Moment {
   Root root;
 };
 
-/// Which angle is smaller: -1, 0, 1; 0 also for angles that 2^-120 of a turn's parameter cannot tell apart.
+/// Compares two angles: returns -1, 0 or 1; 0 also for angles whose parameters differ by less than 2^-120.
 [[nodiscard]] int compare(Moment& a, Moment& b);
 
 }  // namespace touchstone::kinematics

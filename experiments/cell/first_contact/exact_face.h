@@ -10,9 +10,9 @@
 
 namespace touchstone::kinematics {
 
-/// The exponent of the lowest bit that is set in any of these numbers, 0 not counted; `none` where all are 0.
+/// Returns the exponent of the lowest bit that is set in any of these numbers; `none` if all are 0.
 [[nodiscard]] int lowest_bit(const Eigen::Vector3d& v, int none);
-/// v / 2^unit. Requires that this is a vector of integers.
+/// Returns v / 2^unit. Requires that this is a vector of integers.
 [[nodiscard]] IntegerVector in_units(const Eigen::Vector3d& v, int unit);
 
 /// A polygon, lifted exactly onto its supporting plane: a vertex is vertices[i] times 2^unit / scale.
@@ -25,7 +25,7 @@ struct ExactFace {
   mpz_class scale;                ///< positive; 1 for polygons that are exactly planar
   IntegerVector normal;           ///< up to a positive factor
   std::size_t dropped_axis;
-  double off_plane;  ///< in the unit of the polygon: no vertex is lifted further
+  double off_plane;  ///< in the unit of the polygon: the largest distance by which a vertex is lifted
 };
 
 }  // namespace touchstone::kinematics

@@ -17,7 +17,7 @@ namespace {
 
 constexpr unsigned kBits = 64;  // of the parameter: about 1e-17 degrees
 
-/// Is it, as far as 200 bits tell, after so many degrees?
+/// Returns whether the moment is after the given angle in degrees, as far as 200 bits can tell.
 bool beyond(const Charts& charts, Moment& moment, double degrees) {
   moment.root.refine(200);
   return charts.degrees_exceed(moment.chart, moment.root.low(), degrees, 256);

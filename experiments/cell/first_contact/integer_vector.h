@@ -31,7 +31,7 @@ inline PolynomialVector operator+(const PolynomialVector& a, const PolynomialVec
 inline PolynomialVector operator-(const PolynomialVector& a, const PolynomialVector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-/// The polynomial p in the direction a.
+/// Returns the polynomial p times the direction a.
 inline PolynomialVector operator*(const Polynomial& p, const IntegerVector& a) {
   return {a[0] * p, a[1] * p, a[2] * p};
 }

@@ -61,11 +61,12 @@ int run_missed(const Options& options) {
 
 harness::Command missed_command() {
   auto options = std::make_shared<Options>();
-  harness::Command command("missed", "Contacts that stepping passes over, and the certified search finds");
+  harness::Command command("missed", "Contacts that stepping misses and the certified search finds");
   command.keep_line(options->line);
   command.footer(
-      "Random moves of one joint of the arm through thin sheets: how often a joint that moves by steps, and looks for\n"
-      "contact after each, passes over the first contact, for spheres and steps of several sizes.");
+      "Moves one joint of the arm through thin sheets at random. Counts how often stepping, which tests for contact "
+      "only\n"
+      "after each step, misses the first contact, for spheres and steps of several sizes.");
   command.whole("--samples", options->samples, "Moves", 1);
   command.seed(options->seed);
   command.threads(options->threads);

@@ -111,7 +111,8 @@ void write_missed(const std::filesystem::path& folder, const MissedStudy& study)
 }
 
 std::string missed_table(const MissedStudy& study) {
-  std::string text = "certified contacts with a thin sheet that steps pass over, % (95 %: at most so many)\nradius";
+  std::string text =
+      "certified contacts with a thin sheet that stepping misses, % (in brackets: 95 % upper limit)\nradius";
   for (const double step : kSteps) text += fmt::format("{:>17}", fmt::format("every {}°", step));
   text += '\n';
   std::uint64_t early = 0;

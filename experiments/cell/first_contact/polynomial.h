@@ -15,7 +15,8 @@ struct Dyadic {
   unsigned shift = 0;
 };
 
-/// coefficients[i] belongs to x^i; the last is not 0. No coefficient: the polynomial 0.
+/// A polynomial with integer coefficients: coefficients[i] belongs to x^i; the last is not 0. The polynomial 0 has
+/// none.
 class Polynomial {
  public:
   Polynomial() = default;
@@ -23,9 +24,9 @@ class Polynomial {
 
   [[nodiscard]] const std::vector<mpz_class>& coefficients() const { return coefficients_; }
   [[nodiscard]] bool zero() const { return coefficients_.empty(); }
-  /// -1 for the polynomial 0.
+  /// Returns the degree; -1 for the polynomial 0.
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
-  /// The value times 2^(degree x.shift). Requires a polynomial other than 0.
+  /// Returns the value times 2^(degree x.shift). Requires a polynomial other than 0.
   [[nodiscard]] mpz_class scaled_value_at(const Dyadic& x) const;
   [[nodiscard]] int sign_at(const Dyadic& x) const { return zero() ? 0 : sgn(scaled_value_at(x)); }
 
@@ -38,14 +39,14 @@ class Polynomial {
   std::vector<mpz_class> coefficients_;
 };
 
-/// The greatest common divisor, up to a factor. Requires that one of them is not 0.
+/// Returns the greatest common divisor, up to a factor. Requires that one of the polynomials is not 0.
 [[nodiscard]] Polynomial common_divisor(const Polynomial& a, const Polynomial& b);
 
 /// Counts the roots of a polynomial without multiple roots, by Sturm's theorem.
 class Sturm {
  public:
   explicit Sturm(const Polynomial& square_free);
-  /// The number of roots in (low, high].
+  /// Returns the number of roots in (low, high].
   [[nodiscard]] int roots(const Dyadic& low, const Dyadic& high) const { return changes(low) - changes(high); }
 
  private:
@@ -53,16 +54,16 @@ class Sturm {
   std::vector<Polynomial> chain_;
 };
 
-/// A real root, in (low, high], or equal to both; the only one there of a polynomial without multiple roots.
+/// A real root, in (low, high], or equal to both; the only root of a square-free polynomial there.
 class Root {
  public:
   [[nodiscard]] const Dyadic& low() const { return low_; }
   [[nodiscard]] const Dyadic& high() const { return high_; }
-  [[nodiscard]] bool multiple() const { return multiple_; }  ///< of the polynomial that was asked about
+  [[nodiscard]] bool multiple() const { return multiple_; }  ///< in the polynomial given to real_roots
 
-  /// Halves what holds the root until it is at most 2^-bits wide.
+  /// Halves the interval of the root until it is at most 2^-bits wide.
   void refine(unsigned bits);
-  /// The sign of a polynomial at the root: exact. Refines the root as far as it takes.
+  /// Returns the exact sign of a polynomial at the root. Refines the root as far as needed.
   [[nodiscard]] int sign_of(const Polynomial& polynomial);
 
  private:
@@ -73,11 +74,11 @@ class Root {
   bool multiple_ = false;
 };
 
-/// The different roots in (0, end], ascending, each once. None of the polynomial 0. Requires end > 0.
+/// Returns the distinct roots in (0, end], ascending. The polynomial 0 has none. Requires end > 0.
 ///
-/// Where Descartes's rule of signs in the Bernstein basis isolates them after some halvings, that is all; multiple
-/// roots, and those at ends of intervals, are isolated by Sturm's theorem. Cost: some microseconds for degree 4 and
-/// coefficients of 1000 bits, some hundreds by Sturm's theorem. Source: [basu2006, ch. 10].
+/// Isolates roots by Descartes's rule of signs in the Bernstein basis and a few halvings. Where that fails, for
+/// multiple roots and roots at ends of intervals, uses Sturm's theorem. Cost: some microseconds for degree 4 and
+/// coefficients of 1000 bits, some hundreds with Sturm's theorem. Source: [basu2006, ch. 10].
 [[nodiscard]] std::vector<Root> real_roots(const Polynomial& polynomial, const Dyadic& end);
 
 }  // namespace touchstone::kinematics

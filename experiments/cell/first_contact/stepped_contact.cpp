@@ -14,7 +14,7 @@ std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, dou
   require_valid(arc);
   if (const auto fault = find_fault({arc.start, radius})) throw Rejected(*fault);
   if (!(step > 0 && std::isfinite(step)))
-    throw std::invalid_argument(fmt::format("a step of {} degrees leads nowhere", step));
+    throw std::invalid_argument(fmt::format("the step must be finite and positive, is {} degrees", step));
   scene::Scene scene;
   scene.add("faces", faces);
   for (std::uint64_t stop = 0; static_cast<double>(stop) * step <= arc.degrees; ++stop) {

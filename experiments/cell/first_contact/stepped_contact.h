@@ -17,9 +17,9 @@ struct SteppedContact {
   std::size_t face;  ///< the lowest, numbered as in FirstContact
 };
 
-/// As the thesis does: the ball is looked at after every step of so many degrees, not between. At each stop the centre
-/// is the rounded one of point_at; whether that ball touches is exact (`filtered`). Stops beyond the end of the move
-/// are none. Throws as first_contact does, and std::invalid_argument for a step that is not finite and positive.
+/// Finds contact as the thesis does: tests the ball after every `step` degrees, not between. At each stop the centre is
+/// rounded as by point_at; the contact test of that ball is exact (`filtered`). There are no stops beyond the end of
+/// the move. Throws as first_contact does, and std::invalid_argument for a step that is not finite and positive.
 [[nodiscard]] std::optional<SteppedContact> stepped_contact(const Arc& arc, double radius, double step,
                                                             const scene::Faces& faces);
 

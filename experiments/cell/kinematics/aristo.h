@@ -12,12 +12,12 @@
 
 /// The MTAB Aristo, in millimetres and degrees; z up, the origin on the axis of the base.
 ///
-/// Where all commands are 0 the upper arm is upright, the forearm along x and the hand straight down. That and the
-/// lengths are those of a public Denavit-Hartenberg table [ghaayathri]. Joint limits and the coupling are chosen: no
-/// public source gives them.
+/// If all commands are 0, the upper arm is upright, the forearm points along x and the hand straight down. This pose
+/// and the lengths are those of a public Denavit-Hartenberg table [ghaayathri]. Joint limits and the coupling are
+/// chosen, because no public source gives them.
 namespace touchstone::kinematics {
 
-/// What the forearm does while the shoulder turns.
+/// The motion of the forearm while the shoulder turns.
 enum class Coupling {
   KeepsElevation,  ///< it is shifted, as by parallel bars
   Serial,          ///< it turns with the upper arm
@@ -34,17 +34,17 @@ inline constexpr double kShoulderHeight = 322, kUpperArm = 300, kForearm = 375, 
 
 [[nodiscard]] Chain aristo(Coupling coupling);
 
-/// The commands for an upper arm and a forearm that point so, the hand raised from straight down by `hand` degrees
-/// where the forearm is horizontal, and turned along with it.
+/// Returns the commands for the given directions of upper arm and forearm. The hand is raised from straight down by
+/// `hand` degrees if the forearm is horizontal, and turns along with the forearm.
 [[nodiscard]] Angles aristo_pose(Coupling coupling, double base, const LinkAngles& arm, double hand = 0);
 
-/// The wrist point, where the axes of the last three joints meet.
+/// Returns the wrist point, where the axes of the last three joints meet.
 [[nodiscard]] Eigen::Vector3d wrist(const Chain& aristo, const Angles& commanded);
 
-/// The commands that bring the wrist point there with the base facing it, hand as above with 0: none where it is out of
-/// reach, else the one with the elbow above the line from shoulder to wrist, then the one with it below; one where the
-/// arm is straight. In doubles. Joint limits are not looked at. On the axis of the base, where any base angle would
-/// do, that is 0.
+/// Returns the commands that bring the wrist point to the given place with the base facing it, and the hand as above
+/// with 0. Returns none if the place is out of reach; otherwise the command with the elbow above the line from shoulder
+/// to wrist, then the one with the elbow below; only one if the arm is straight. Computed in doubles. Ignores joint
+/// limits. On the axis of the base, where any base angle would do, the base angle is 0.
 [[nodiscard]] std::vector<Angles> inverse(Coupling coupling, const Eigen::Vector3d& wrist);
 
 }  // namespace touchstone::kinematics

@@ -52,7 +52,7 @@ Chain::Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> 
     require(joint.lowest <= joint.highest, joint, "its lowest angle is above its highest");
   }
   if (!driver_) return;
-  if (*driver_ >= joints_.size()) throw std::invalid_argument("the driver is no joint");
+  if (*driver_ >= joints_.size()) throw std::invalid_argument("the driver is not a joint");
   const Joint& first = joints_[*driver_];
   require(*driver_ + 1 < joints_.size(), first, "no joint comes behind it to make up for its turning");
   const Joint& next = joints_[*driver_ + 1];

@@ -12,18 +12,19 @@
 
 namespace touchstone::kinematics {
 
-/// Where a station stands: `radius` from the axis of the base in the direction of `azimuth`, degrees counter-clockwise
-/// as seen from above from where the arm points at home. Its frame has x away from that axis, z up.
+/// The place of a station: at `radius` from the axis of the base in the direction `azimuth`, in degrees
+/// counter-clockwise as seen from above, counted from the arm's direction at home. The x axis of its frame points away
+/// from the base's axis, z points up.
 struct Station {
   double azimuth, radius;
   double height;  ///< of the material's underside
 };
 
-/// The cell that the case studies of the thesis's chapter 6 are reproduced in. Millimetres and degrees. Every value is
-/// chosen: what the captions and the arm's table give stands below and in aristo.h.
+/// The cell in which the case studies of the thesis's chapter 6 are reproduced. In millimetres and degrees. Every value
+/// here is chosen; the values that the captions and the arm's table give are below and in aristo.h.
 struct Layout {
   Coupling coupling;
-  LinkAngles home;         ///< where upper arm and forearm point at home; the hand points straight down there
+  LinkAngles home;         ///< directions of upper arm and forearm at home; the hand then points straight down
   double sphere_distance;  ///< of the virtual sphere's centre from the flange, along the hand's axis
   double sphere_radius;
   double side;                           ///< of the material, a cube
@@ -31,14 +32,14 @@ struct Layout {
   std::array<double, 2> storage_radius;  ///< in the two cases
   std::array<double, 2> storage_height;
   double machine_radius, machine_height;
-  double clearance;  ///< by which the sphere is lifted, at least, once it has gripped from above
+  double clearance;  ///< the least distance by which the sphere is lifted after gripping from above
 
-  /// The storage at an angle of its own, in one of the two cases' places.
+  /// Returns the storage at the given angle, in the place of one of the two cases.
   [[nodiscard]] Station storage(std::size_t place, double angle) const;
   [[nodiscard]] Station machine() const;
 };
 
-/// Which way round the base the storage stands at its angle 0, and the machine: what the captions leave no choice in.
+/// The directions of the storage at its angle 0 and of the machine, as seen from the base. The captions determine both:
 /// 150 - 1 = 149 and 150 + 33 = 183; 149 - 66 = 183 - 100 = 83. [arshad2008, captions of Figs 6.6, 6.13, 6.22, 6.27]
 inline constexpr double kStorageHome = -150, kMachineAzimuth = -83;
 
@@ -46,7 +47,7 @@ inline constexpr double kStorageHome = -150, kMachineAzimuth = -83;
 struct Captions {
   double storage_angle;
   int elbow, base, shoulder;  ///< to the storage
-  int lift;                   ///< of the shoulder: not captioned, but net 28 in both cases asks for it, 25 - 11 + 14
+  int lift;  ///< of the shoulder: not captioned, but required by the net 28 in both cases, 25 - 11 + 14
   int elbow_to_machine, base_to_machine, shoulder_to_machine;
 };
 inline constexpr std::array<Captions, 2> kCases{
@@ -62,9 +63,9 @@ class SphereArm {
   struct Commands {
     double shoulder, elbow;
   };
-  /// Out from the axis of the base, and up from the floor.
+  /// Returns the distance from the axis of the base, and the height above the floor.
   [[nodiscard]] Reach reach(const Commands& commands) const;
-  /// The commands that bring the centre there, nearest to home; none where it is out of reach.
+  /// Returns the commands, nearest to home, that bring the centre to the given place; none if it is out of reach.
   [[nodiscard]] std::optional<Commands> inverse(const Reach& center) const;
 
  private:
@@ -73,11 +74,12 @@ class SphereArm {
   TwoLinks links_;
 };
 
-/// The chain, what it is commanded, and the sphere's centre in the flange's frame.
+/// Return the commands of the home pose, and the sphere's centre in the flange's frame.
 [[nodiscard]] Angles home_pose(const Layout& layout);
 [[nodiscard]] Eigen::Vector3d sphere_center(const Layout& layout);
 
-/// The faces of the material in storage and at the machine: outward quadrilaterals, each vertex rounded to doubles.
+/// Return the faces of the material in storage and at the machine: outward quadrilaterals, each vertex rounded to
+/// doubles.
 [[nodiscard]] std::vector<Polygon> material_in_storage(const Layout& layout, const Station& storage);
 [[nodiscard]] std::vector<Polygon> material_at_machine(const Layout& layout);
 

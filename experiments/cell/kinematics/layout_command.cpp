@@ -55,11 +55,12 @@ int run_layout(const Options& options) {
 
 harness::Command layout_command() {
   auto options = std::make_shared<Options>();
-  harness::Command command("layout", "Home pose and places in which the thesis's captioned angles come out");
+  harness::Command command("layout", "Find the home pose and places that reproduce the thesis's captioned angles");
   command.keep_line(options->line);
   command.footer(
-      "Solves for home pose, storage and machine so that both case studies' angles come out to the degree, shows the\n"
-      "family of solutions and the one that is chosen, and what it predicts for other angles and heights.");
+      "Solves for the home pose, storage and machine that reproduce both case studies' angles to the degree. Shows "
+      "the\n"
+      "family of solutions, the chosen one, and its predictions for other angles and heights.");
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 6> kJoints{"base", "shoulder", "elbow", "wrist roll", "wrist pitch", "hand roll"};
 
-/// What the captions of a case call a move, in the order of the moves.
+/// Returns the names of moves in the captions of a case, in the order of the moves.
 std::vector<std::string> captions_of(std::size_t number) {
   if (number == 0)
     return {"elbow down 3", "base 149 CW; contact", "elbow up 38", "base 66", "shoulder down 28; contact"};
@@ -122,7 +122,7 @@ std::string poses_text(const LayoutStudy& study) {
   return text;
 }
 
-/// How many predictions keep to what the captions imply for every angle.
+/// Returns the number of predictions that satisfy what the captions imply for every angle.
 std::size_t kept(const std::vector<Prediction>& predictions) {
   return static_cast<std::size_t>(std::ranges::count_if(predictions, [](const Prediction& p) {
     const Rehearsal& r = p.rehearsal;

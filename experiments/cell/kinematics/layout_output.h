@@ -8,17 +8,18 @@
 
 namespace touchstone::kinematics {
 
-/// Writes, each with a heading line; throws std::runtime_error, which names the file, where one cannot be written:
-/// family.csv      a home pose a line: the layout that it asks for, and whether the captions come out
+/// Writes these files, each with a heading line; throws std::runtime_error, which names the file, if one cannot be
+/// written:
+/// family.csv      one line per home pose: the layout that it requires, and whether it reproduces the captions
 /// one_height.csv  the same for the homes with one height of the storage in both cases
-/// choice.csv      the chosen values, labelled C, and how far each may be changed before a caption flips
-/// moves.csv       the moves of both cases: the caption, what came out, the certified angle, the margin
-/// angles.csv      what comes out for the storage at every whole angle from -60 to 60
-/// heights.csv     and at other heights
-/// poses.csv       where the arm's joints stand in the plane of the arm, at the moments of the cases
+/// choice.csv      the chosen values, labelled C, and how far each may change before a caption does
+/// moves.csv       the moves of both cases: the caption, our result, the certified angle, the margin
+/// angles.csv      the results for the storage at every whole angle from -60 to 60
+/// heights.csv     the results at other heights
+/// poses.csv       the positions of the arm's joints in the plane of the arm, at the moments of the cases
 void write_layout(const std::filesystem::path& folder, const LayoutStudy& study);
 
-/// The moves of both cases and a line on the predictions, for the terminal.
+/// Returns the moves of both cases and a line on the predictions, for the terminal.
 [[nodiscard]] std::string layout_table(const LayoutStudy& study);
 
 }  // namespace touchstone::kinematics

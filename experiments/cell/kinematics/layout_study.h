@@ -11,25 +11,25 @@
 #include "experiments/cell/kinematics/rehearsal.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 
-/// What `touchstone cell layout` computes: the layouts in which the captioned angles come out, the one that is chosen,
-/// and what that one predicts.
+/// The computations of `touchstone cell layout`: the layouts that reproduce the captioned angles, the chosen layout,
+/// and its predictions.
 namespace touchstone::kinematics {
 
 /// A home pose of the family and its layout.
 struct Member {
   Coupling coupling;
   LinkAngles home;
-  std::optional<Layout> layout;  ///< none where there is no solution
-  std::string failure;           ///< why the captions do not come out; empty where they do
+  std::optional<Layout> layout;  ///< none if there is no solution
+  std::string failure;           ///< why the captions are not reproduced; empty if they are
 };
 
-/// A chosen value, and how far it may be changed, all others kept, while the captions of both cases come out.
+/// A chosen value, and the range in which it may vary alone while the captions of both cases are reproduced.
 struct Choice {
   std::string name, unit;
   double value, lowest, highest;
 };
 
-/// A storage somewhere, and what comes out there.
+/// A place of the storage, and the result there.
 struct Prediction {
   std::size_t place;  ///< whose radius it has: 0 or 1, as in Layout
   double angle, height;
@@ -42,15 +42,15 @@ struct LayoutStudy {
   Layout chosen;
   std::vector<Rehearsal> cases;  ///< in the chosen layout
   std::vector<Choice> choices;
-  std::vector<Prediction> angles;   ///< every whole angle from -60 to 60, both places
+  std::vector<Prediction> angles;   ///< for every whole angle from -60 to 60, both places
   std::vector<Prediction> heights;  ///< both cases' storage raised and lowered by 10 mm and more
 };
 
-/// Told how much of `layout_work` is done.
+/// Receives how much of `layout_work` is done.
 using LayoutProgress = std::function<void(std::uint64_t done)>;
 [[nodiscard]] std::uint64_t layout_work();
 
-/// Nothing where it was stopped. Cost: some 10 s.
+/// Runs the study. Returns nothing if it was stopped. Cost: about 10 s.
 [[nodiscard]] std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const LayoutProgress& progress);
 
 }  // namespace touchstone::kinematics

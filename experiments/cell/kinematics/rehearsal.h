@@ -10,56 +10,57 @@
 
 namespace touchstone::kinematics {
 
-/// How far a joint is moved.
+/// The rule for how far a joint moves.
 enum class Until {
-  Planned,  ///< by the whole number of degrees nearest to what inverse kinematics gives
+  Planned,  ///< by the whole number of degrees nearest to the result of inverse kinematics
   Facing,   ///< until the base faces a station, which takes a whole number of degrees here
-  Contact,  ///< by steps of 1 degree until the sphere touches the material it comes for
+  Contact,  ///< by steps of 1 degree until the sphere touches the material that it approaches
   Cleared,  ///< by steps of 1 degree until the sphere has risen by the clearance
 };
 [[nodiscard]] std::string_view word(Until until);
 
-/// One move of one joint, as it came out.
+/// One completed move of one joint.
 struct Move {
   AristoJoint joint;
   Until until;
   int degrees;                          ///< moved, relative to where the joint was
-  double exact;                         ///< what was not rounded to whole degrees
-  std::optional<FirstContact> contact;  ///< of Until::Contact and of a base that comes upon the material, certified
-  double margin;  ///< degrees that `exact` may change by before `degrees` does; 1 where nothing is rounded
+  double exact;                         ///< the angle before rounding to whole degrees
+  std::optional<FirstContact> contact;  ///< certified; for Until::Contact and for a base that meets the material
+  double margin;  ///< degrees by which `exact` may change before `degrees` does; 1 if nothing is rounded
 };
 
-/// What a way came to nothing by.
+/// The reason why an approach failed.
 enum class Hindrance {
-  OutOfReach,  ///< the material, of the arm
+  OutOfReach,  ///< the arm cannot reach the material
   JointLimit,
-  InTheWay,   ///< the sphere touches what it should not
-  NoContact,  ///< the sphere touches nothing where it should, or steps pass over it, or nothing lifts it clear
+  InTheWay,   ///< the sphere touches an obstacle
+  NoContact,  ///< the sphere misses what it should touch, steps skip the contact, or no lift clears the material
 };
 
-/// From home to the storage, to the machine: what the thesis's case studies show.
+/// The way from home to the storage and to the machine, as in the thesis's case studies.
 struct Rehearsal {
   std::vector<Move> moves;
-  std::string failure;                 ///< why neither way came out, naming the moves; then there are no moves
-  std::optional<Hindrance> hindrance;  ///< then: of the last way that was tried
+  std::string failure;                 ///< why no approach succeeded, naming the moves; then there are no moves
+  std::optional<Hindrance> hindrance;  ///< set in that case: the reason of the last approach
 
   [[nodiscard]] bool complete() const { return !hindrance; }
-  /// What a joint was moved by until the sphere first touched the material; and by all moves; in sum.
+  /// Return the sum of a joint's moves until the sphere first touched the material, and the sum of all its moves.
   [[nodiscard]] int to_storage(AristoJoint joint) const;
   [[nodiscard]] int net(AristoJoint joint) const;
 };
 
-/// One rule for every angle, radius and height of the storage: from the side where the shoulder can stay as it is, else
-/// from above, else from the side; the first of these that comes out.
+/// Simulates the way for any angle, radius and height of the storage by one rule: takes the first of these approaches
+/// that succeeds: from the side without moving the shoulder, from above, from the side.
 ///
-/// From above: the elbow goes where inverse kinematics has it for the sphere on the upper face, in whole degrees, the
-/// base turns to face the storage, the shoulder goes down until the sphere touches, then up until it is clear. From the
-/// side: shoulder and elbow go where inverse kinematics has them for half the height of the material, and the base
-/// turns towards facing the storage until the sphere touches the side. Then from above at the machine, with what was
-/// gripped carried along. No other contact may happen: the whole arc of every move is asked about, by first_contact.
+/// From above: the elbow moves to the angle that inverse kinematics gives for the sphere on the upper face, in whole
+/// degrees, the base turns to face the storage, the shoulder moves down until the sphere touches, then up until it is
+/// clear. From the side: shoulder and elbow move to the angles that inverse kinematics gives for half the height of the
+/// material, and the base turns towards the storage until the sphere touches the side. The machine is then approached
+/// from above, carrying the gripped material. No other contact may happen: first_contact checks the whole arc of every
+/// move.
 [[nodiscard]] Rehearsal rehearse(const Layout& layout, const Station& storage);
 
-/// What the captions of a case say otherwise than a rehearsal; empty where they agree to the degree.
+/// Returns how the captions of a case differ from a rehearsal; empty if they agree to the degree.
 [[nodiscard]] std::string difference(const Rehearsal& rehearsal, const Captions& captions);
 
 }  // namespace touchstone::kinematics

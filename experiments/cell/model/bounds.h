@@ -7,8 +7,8 @@
 
 namespace touchstone::cell {
 
-/// A box of coordinates around the solid: around the first part of a difference or an intersection, around all of a
-/// union. Rounding errors apart. Reads the mesh of a MeshFile, and throws BrokenMesh.
+/// Returns an axis-parallel box around the solid: around the first part of a difference or an intersection, around all
+/// parts of a union; up to rounding errors. Reads the mesh of a MeshFile, and throws BrokenMesh.
 [[nodiscard]] Eigen::AlignedBox3d bounds_of(const Solid& solid);
 
 }  // namespace touchstone::cell

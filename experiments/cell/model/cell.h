@@ -14,15 +14,15 @@
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
 
-/// The virtual manufacturing cell: what a cell file says, checked, in plain structures.
+/// The virtual manufacturing cell: the checked contents of a cell file, in plain structures.
 ///
-/// One unit of length for all (`Cell::unit`), angles in degrees. The cell's frame: z up, the floor at z = 0, the origin
-/// on the axis of the robot's first joint, x the direction in which the arm points at home. Angles in the plan are
-/// counted counter-clockwise as seen from above. Parts of the robot are given in the frame of their link.
+/// All lengths have one unit (`Cell::unit`), angles are in degrees. In the cell's frame z points up, the floor is z =
+/// 0, the origin lies on the axis of the robot's first joint, and the arm points along x at home. Angles in the plan
+/// are counter-clockwise as seen from above. Parts of the robot are given in the frame of their link.
 namespace touchstone::cell {
 
-/// Where a value comes from: the thesis's text, another public source, arithmetic on these, or chosen, because no
-/// public source gives it.
+/// The origin of a value: the thesis's text, another public source, arithmetic on these, or chosen, because no public
+/// source gives it.
 enum class Label { Text = 'T', Source = 'S', Derived = 'D', Chosen = 'C' };
 
 /// A joint, and the link that it carries, whose frame is the joint's.
@@ -31,14 +31,15 @@ struct Joint {
 
   std::string name;
   Kind kind;
-  Pose origin;           ///< of its frame in the frame of the link before, at angle 0
-  Eigen::Vector3d axis;  ///< in its own frame, of length 1 but for rounding; turns are right-handed
-  double lower, upper;   ///< of the angle about the axis, in degrees; 0 of a fixed joint
-  double home;           ///< the commanded angle at home, in degrees; 0 of a fixed joint
+  Pose origin;           ///< of its frame in the frame of the previous link, at angle 0
+  Eigen::Vector3d axis;  ///< in its own frame, of length 1 up to rounding; turns are right-handed
+  double lower, upper;   ///< of the angle about the axis, in degrees; 0 for a fixed joint
+  double home;           ///< the commanded angle at home, in degrees; 0 for a fixed joint
 };
 
-/// The angle of `joint` about its axis is what is commanded plus `factor` times what is commanded of `leader`: where
-/// the two axes are opposite, with 1 what the joint carries is not turned by the leader. Limits are those of the angle.
+/// A coupling of two joints: the angle of `joint` about its axis is its command plus `factor` times the command of
+/// `leader`. If the two axes are opposite and the factor is 1, the leader does not turn the links that the joint
+/// carries. Limits apply to the angle.
 struct Coupling {
   std::size_t joint, leader;  ///< places in Robot::joints
   double factor;
@@ -49,7 +50,7 @@ struct Link {
   std::vector<Part> parts;
 };
 
-/// A serial arm. links[0] stands still; joints[i] carries links[i + 1], on links[i].
+/// A serial arm. links[0] is fixed; joints[i] carries links[i + 1] and is mounted on links[i].
 struct Robot {
   std::string name;
   std::filesystem::path urdf;
@@ -61,7 +62,7 @@ struct Robot {
   [[nodiscard]] const Link& flange() const { return links.back(); }
 };
 
-/// What the flange carries, in its frame.
+/// The gripper, in the frame of the flange that carries it.
 struct Gripper {
   std::vector<Part> parts;
   Ball sphere;  ///< the virtual sphere that is tested for contact
@@ -70,14 +71,14 @@ struct Gripper {
 /// A place for a piece of material.
 struct Slot {
   std::string name;
-  Eigen::Vector3d place;  ///< in the frame of its station: where the middle of the material's underside goes
-  Eigen::Vector2d aim;    ///< there, in plan: what the arm faces, and brings its sphere down upon
+  Eigen::Vector3d place;  ///< in the frame of its station: the place of the middle of the material's underside
+  Eigen::Vector2d aim;    ///< in that frame, in plan: the point that the arm faces, and onto which it lowers its sphere
 };
 
 /// The storage or the machine. Its frame has z up, x away from the robot's axis, and its origin at `radius` from that
 /// axis, in the direction `home + angle`, `height` above the floor.
 struct Station {
-  double home;    ///< where the angle is counted from: degrees counter-clockwise from the cell's x
+  double home;    ///< the zero of the angle: degrees counter-clockwise from the cell's x
   double angle;   ///< degrees counter-clockwise
   double radius;  ///< > 0
   double height;  ///< >= 0
@@ -93,14 +94,15 @@ struct Station {
   [[nodiscard]] double azimuth() const { return home + angle; }
 };
 
-/// The stand as a part, in its frame. Requires that there is one.
+/// Returns the stand as a part, in the frame of the station. Requires a station with a stand.
 [[nodiscard]] Solid stand_of(const Station& station);
 
-/// The piece that is moved: its frame's origin, the middle of its underside, goes to the place of a slot; z is up.
+/// The piece that is moved. The origin of its frame is the middle of its underside and is put at the place of a slot; z
+/// is up.
 struct Material {
   Solid solid;
-  std::size_t slot;          ///< of the storage, where it lies at first
-  std::size_t machine_slot;  ///< of the machine, where it is taken to
+  std::size_t slot;          ///< of the storage, where it lies initially
+  std::size_t machine_slot;  ///< of the machine, its destination
 };
 
 struct Cell {
@@ -112,12 +114,12 @@ struct Cell {
   Station storage, machine;
   Material material;
   double step;       ///< of every joint, in degrees; > 0
-  double clearance;  ///< by which the sphere rises, at least, once it has gripped from above or let go; > 0
-  /// By path in the file, such as `storage.radius`. A label holds for all that lies below its path and has no nearer
-  /// one.
+  double clearance;  ///< the least rise of the sphere after gripping from above or letting go; > 0
+  /// Labels by path in the file, such as `storage.radius`. A label applies to all values below its path that have no
+  /// nearer one.
   std::map<std::string, Label> labels;
 
-  /// The label of the value at a path. Throws std::out_of_range where there is none.
+  /// Returns the label of the value at a path. Throws std::out_of_range if it has none.
   [[nodiscard]] Label label(const std::string& path) const;
 };
 

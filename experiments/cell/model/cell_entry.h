@@ -17,21 +17,22 @@
 
 namespace touchstone::cell {
 
-/// A cell that cannot be; the message begins with the file and the key, as in `cell.json: machine.height: ...`, and is
-/// legible, whatever stands in the file.
+/// Thrown for an invalid cell. The message begins with the file and the key, as in `cell.json: machine.height: ...`,
+/// and is legible, whatever the file contains.
 class BadCell : public std::runtime_error {
  public:
   explicit BadCell(const std::string& message) : std::runtime_error(io::all_legible(message)) {}
 };
 
-/// Of a cell file, and of a URDF file.
+/// The largest size of a cell file and of a URDF file.
 inline constexpr std::size_t kMostCellMib = 16;
 
-/// Letters, digits, '-' and '_', at least one: what may name a part, and the file that it is written to.
+/// Returns whether a word can name a part and the file that it is written to: letters, digits, '-' and '_', at least
+/// one.
 [[nodiscard]] bool is_name(std::string_view word);
 
-/// A value of a cell file with the path of keys that leads there, such as `storage.slots[2].place`. What is taken from
-/// it is checked; what is wrong is thrown as BadCell.
+/// A value of a cell file with its path of keys, such as `storage.slots[2].place`. Accessors check the value and throw
+/// BadCell if it is wrong.
 class CellEntry {
  public:
   /// Requires that `value` outlives the entry.
@@ -41,11 +42,11 @@ class CellEntry {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[noreturn]] void bad(const std::string& reason) const;
 
-  /// Bad unless it is an object of these keys only.
+  /// Throws BadCell unless it is an object of these keys only.
   void has_only(std::initializer_list<std::string_view> keys) const;
   [[nodiscard]] CellEntry at(const std::string& key) const;
   [[nodiscard]] std::optional<CellEntry> find(const std::string& key) const;
-  /// Of an object, by key in alphabetic order; of an array, in order.
+  /// Returns the members of an object in alphabetic order of keys, or the elements of an array in order.
   [[nodiscard]] std::vector<std::pair<std::string, CellEntry>> members() const;
   [[nodiscard]] std::vector<CellEntry> items() const;
 
@@ -59,7 +60,7 @@ class CellEntry {
   [[nodiscard]] double positive() const;      ///< > 0
   [[nodiscard]] double not_negative() const;  ///< >= 0
   [[nodiscard]] int whole(int least, int most) const;
-  /// An array of so many finite numbers.
+  /// Returns an array of `count` finite numbers.
   [[nodiscard]] Eigen::Vector3d point() const;
   [[nodiscard]] Eigen::Vector2d point2() const;
 

@@ -20,7 +20,7 @@ using Key = std::variant<std::string, std::size_t>;
 
 /// The keys of `storage.slots[1].place`.
 std::vector<Key> keys_of(const std::string& path) {
-  const auto bad = [&]() -> void { throw BadCell(fmt::format("{}: is no path of keys", path)); };
+  const auto bad = [&]() -> void { throw BadCell(fmt::format("{}: is not a path of keys", path)); };
   std::vector<Key> keys;
   std::size_t at = 0;
   while (at < path.size()) {
@@ -48,7 +48,7 @@ std::vector<Key> keys_of(const std::string& path) {
 nlohmann::json value_of(const std::string& path, const std::string& text) {
   try {
     harness::StrictJson json = harness::read_strict_json(text);
-    if (json.duplicate_key) throw BadCell(fmt::format("{}: the key \"{}\" is there twice", path, *json.duplicate_key));
+    if (json.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", path, *json.duplicate_key));
     if (json.too_deep) throw BadCell(path + ": is nested too deep");
     return std::move(json.value);
   } catch (const harness::NotJson&) {
@@ -56,7 +56,7 @@ nlohmann::json value_of(const std::string& path, const std::string& text) {
   }
 }
 
-/// Is it the path, or below it?
+/// Returns whether it is the path, or below it.
 bool below(const std::string& label, const std::string& path) {
   return label.compare(0, path.size(), path) == 0 &&
          (label.size() == path.size() || label[path.size()] == '.' || label[path.size()] == '[');

@@ -11,7 +11,7 @@
 namespace touchstone::cell {
 namespace {
 
-/// What expat tells of one text. Exceptions do not pass through it: the first fault stops it.
+/// The handlers of expat for one text. Exceptions cannot pass through expat, so the first fault stops the parser.
 class XmlCheck {
  public:
   XmlCheck() : parser_(XML_ParserCreate("UTF-8"), XML_ParserFree) {

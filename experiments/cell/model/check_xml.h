@@ -10,14 +10,14 @@
 
 namespace touchstone::cell {
 
-/// A text that is not XML, or XML that is not for us; the message begins with the line.
+/// Thrown for text that is not XML, or XML that exceeds our limits; the message begins with the line.
 class BadXml : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The lines of the elements that have a `name` and stand in the root element, or are it, by kind and name: the first
-/// of several that are called alike.
+/// The lines of the root element and of its direct children, if they have a `name`, by kind and name; the first of
+/// several with the same name.
 using XmlLines = std::map<std::pair<std::string, std::string>, std::size_t, std::less<>>;
 
 /// Limits of XML that is read: the parser of urdfdom recurses from level to level, in time quadratic in their number,

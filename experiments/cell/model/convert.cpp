@@ -191,7 +191,7 @@ std::vector<std::array<double, 3>> points_of(const LinkModel& model) {
   return points;
 }
 
-/// How many polygons there are of so many corners.
+/// Returns the number of polygons by number of corners.
 std::map<std::size_t, std::size_t> corners_of(const LinkModel& model) {
   std::map<std::size_t, std::size_t> count;
   for (const LinkPart& part : model.parts)
@@ -218,7 +218,7 @@ std::string model_text(const LinkModel& model, const std::filesystem::path& file
   if (extension == ".off") return off_text(model);
   if (extension == ".ply") return ply_text(model);
   if (extension == ".stl") return stl_text(model);
-  throw BadConversion(file.string() + ": the extension '" + extension + "' is none of .txt, .obj, .off, .stl and .ply");
+  throw BadConversion(file.string() + ": the extension '" + extension + "' must be .txt, .obj, .off, .stl or .ply");
 }
 
 LinkModel prepared(const LinkModel& model, Preparation preparation, const std::filesystem::path& file) {

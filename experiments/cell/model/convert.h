@@ -12,19 +12,19 @@
 
 namespace touchstone::cell {
 
-/// A model that cannot be converted; the message names the file and the face.
+/// Thrown for a model that cannot be converted; the message names the file and the face.
 class BadConversion : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a model file (`.txt`), or a mesh of any format that read_mesh knows as a model of one part; both are named as
-/// the file is. Throws BrokenMesh.
+/// Reads a model file (`.txt`), or a mesh of any format that read_mesh knows as a model of one part. Model and part
+/// have the file's name. Throws BrokenMesh.
 [[nodiscard]] LinkModel read_model(const std::filesystem::path& file);
 
-/// The text of a file of the format that the extension tells: .txt, .obj, .off, .stl or .ply. Numbers are the shortest
-/// that are read as the same doubles. Parts are kept by .txt, and named by .obj. Requires what `prepared` makes of a
-/// model. Throws BadConversion for another extension.
+/// Returns the text of a file in the format of the extension: .txt, .obj, .off, .stl or .ply. Numbers are the shortest
+/// that are read as the same doubles. .txt keeps parts, .obj keeps their names. Requires a model that `prepared` has
+/// returned. Throws BadConversion for another extension.
 [[nodiscard]] std::string model_text(const LinkModel& model, const std::filesystem::path& file);
 
 enum class Preparation {
@@ -33,22 +33,22 @@ enum class Preparation {
   Merge,  ///< and coplanar faces become polygons with holes (mesh::merge_faces)
 };
 
-/// The model as a file of this extension can hold it: polygons with holes are cut into triangles, all faces for .stl.
-/// The preparation comes first, and drops vertices of no face. Throws BadConversion, which names the part and the face,
-/// where a face that is to be cut or merged is one that the contract rejects.
+/// Returns the model as a file of this extension can hold it: cuts polygons with holes into triangles, for .stl all
+/// faces. Applies the preparation first and drops vertices without a face. Throws BadConversion, which names the part
+/// and the face, if the contract rejects a face that must be cut or merged.
 [[nodiscard]] LinkModel prepared(const LinkModel& model, Preparation preparation, const std::filesystem::path& file);
 
-/// What conversions compare.
+/// The counts and bounds by which conversions are compared.
 struct ModelCounts {
   std::size_t parts = 0, vertices = 0, polygons = 0, triangles = 0, holes = 0;
-  std::size_t points = 0;      ///< different ones among the corners of polygons
-  Eigen::AlignedBox3d bounds;  ///< of these
+  std::size_t points = 0;      ///< distinct corners of polygons
+  Eigen::AlignedBox3d bounds;  ///< of these points
 };
 
 [[nodiscard]] ModelCounts counts_of(const LinkModel& model);
 
-/// What the second lacks or has other than the first, a sentence each: numbers of polygons and their corners, points,
-/// bounds, all exactly. Vertices and parts are not compared, since formats differ in them.
+/// Returns a sentence for each difference between the two models: numbers of polygons and of their corners, points,
+/// bounds, all compared exactly. Vertices and parts are not compared, since formats differ in them.
 [[nodiscard]] std::vector<std::string> differences(const LinkModel& written, const LinkModel& read);
 
 }  // namespace touchstone::cell

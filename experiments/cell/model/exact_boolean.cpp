@@ -112,7 +112,7 @@ struct Evaluate {
   }
 
   Nef operator()(const MeshFile& mesh) const {
-    throw std::invalid_argument(mesh.file.string() + ": a mesh is no part of a Boolean operation");
+    throw std::invalid_argument(mesh.file.string() + ": a mesh cannot be part of a Boolean operation");
   }
 
   Nef operator()(const Boolean& boolean) const {

@@ -10,10 +10,10 @@
 
 namespace touchstone::cell {
 
-/// The boundary of a solid, exact but for what is said of its loops.
+/// The boundary of a solid, exact except for the rounding of its loops.
 struct Boundary {
   /// A face's loops, the outer one first and counter-clockwise seen from outside, the holes clockwise; every vertex
-  /// rounded to the nearest double in each coordinate. Two loops that shared a vertex still do.
+  /// rounded to the nearest double in each coordinate. Loops that share a vertex before rounding share it afterwards.
   using Loops = std::vector<Loop>;
   std::vector<Loops> faces;  ///< in an order that depends on these coordinates alone
   mpq_class volume;          ///< before rounding

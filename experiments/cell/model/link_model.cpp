@@ -44,7 +44,7 @@ class Reader {
       }
       model.parts.push_back(std::move(part));
     }
-    if (lines_.next_line()) lines_.broken("the file goes on after what the counts promise");
+    if (lines_.next_line()) lines_.broken("the file continues after the announced counts");
     return model;
   }
 

@@ -38,26 +38,26 @@ struct LinkPart {
   friend bool operator==(const LinkPart&, const LinkPart&) = default;
 };
 
-/// What a model file holds. Nothing is said of whether its loops bound a region.
+/// The contents of a model file. Its loops need not bound a region.
 struct LinkModel {
   std::string name;
   std::vector<LinkPart> parts;
   friend bool operator==(const LinkModel&, const LinkModel&) = default;
 };
 
-/// Throws BrokenMesh, which names the file and the line, for a file that is not there or has more than 256 MiB, a word,
-/// name or number that is not what the layout asks for, a number beyond the finite doubles, a loop of fewer than three
-/// vertices, a vertex that there is not, and a count that does not fit. Numbers are read as the nearest doubles.
+/// Reads a model file. Throws BrokenMesh, which names the file and the line, for a file that is missing or has more
+/// than 256 MiB, a word, name or number that does not fit the layout, a number beyond the finite doubles, a loop of
+/// fewer than three vertices, an unknown vertex, and a wrong count. Numbers are read as the nearest doubles.
 [[nodiscard]] LinkModel read_link_model(const std::filesystem::path& file);
 
-/// The text of a model file: read again it is the same model, bit by bit. Throws std::invalid_argument for a name that
-/// a model file cannot have.
+/// Returns the text of a model file. Reading it returns the same model, bit by bit. Throws std::invalid_argument for a
+/// name that a model file cannot have.
 [[nodiscard]] std::string link_model_text(const LinkModel& model);
 
-/// The faces of a solid, equal points as one vertex, in the order in which they come.
+/// Returns the faces of a solid as a part, with equal points as one vertex, in order of first use.
 [[nodiscard]] LinkPart link_part(std::string name, const SolidFaces& solid);
 
-/// A mesh as one part.
+/// Returns a mesh as one part.
 [[nodiscard]] LinkPart link_part(std::string name, const Mesh& mesh);
 
 }  // namespace touchstone::cell

@@ -12,7 +12,7 @@
 
 namespace touchstone::cell {
 
-/// What a part of the model moves with, in whose frame its faces are.
+/// The carrier of a part: the part moves with it, and its faces are in the carrier's frame.
 enum class Carrier { Link, Gripper, Storage, Machine, Material };
 
 /// `link`, `gripper`, ...
@@ -20,20 +20,21 @@ enum class Carrier { Link, Gripper, Storage, Machine, Material };
 
 struct ModelPart {
   Carrier carrier;
-  std::size_t link;  ///< place in Robot::links; that of the flange for the gripper, 0 of what is no part of the robot
+  std::size_t
+      link;  ///< index in Robot::links; the flange's for the gripper, 0 for parts that do not belong to the robot
   std::string name;  ///< `Axis1/body`, `gripper/jaws`, `storage/deck`, `storage/stand`, `machine/bed`, `material`
   SolidFaces faces;
 };
 
 /// Evaluates every part of a cell: links in order from the base, gripper, storage, machine, material.
 ///
-/// Calls `done` after each part, if there is one, with how many of how many. Throws what faces_of throws; messages
-/// begin with the name of the part. Cost: that of faces_of.
+/// Calls `done`, if given, after each part with the number of finished parts and of all. Throws what faces_of throws;
+/// messages begin with the name of the part. Cost: that of faces_of.
 [[nodiscard]] std::vector<ModelPart> build_model(const Cell& cell,
                                                  const std::function<void(std::size_t, std::size_t)>& done = {});
 
-/// The faces as a scene takes them: those of one loop of three vertices as triangles, the others as polygons; each in
-/// order. `numbers` is where each of them stands in SolidFaces::faces.
+/// The faces as a scene takes them: faces of one loop with three vertices as triangles, the others as polygons, each
+/// group in order. `numbers` holds their indices in SolidFaces::faces.
 struct ModelFaces {
   scene::Faces faces;
   std::vector<std::size_t> numbers;

@@ -5,7 +5,8 @@
 
 namespace touchstone::cell {
 
-/// The turn by so many quarters, counter-clockwise, about an axis of coordinates (0, 1 or 2): entries are 0, 1 and -1.
+/// Returns the matrix of a counter-clockwise turn by `quarters` quarter turns about a coordinate axis (0, 1 or 2): its
+/// entries are 0, 1 and -1.
 [[nodiscard]] inline Eigen::Matrix3d quarter_turns(int axis, int quarters) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), quarter = Eigen::Matrix3d::Zero();

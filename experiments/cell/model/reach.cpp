@@ -24,7 +24,7 @@ struct Span {
   double least, most;
 };
 
-/// How far from the robot's axis the arm can hold its sphere, so high above the second joint.
+/// Returns how far from the robot's axis the arm can hold its sphere at a height above the second joint.
 std::optional<Span> plan_distances(const Reach& reach, double up) {
   if (std::abs(up) > reach.outer) return std::nullopt;
   const double far = std::sqrt(reach.outer * reach.outer - up * up),

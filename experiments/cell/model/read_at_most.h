@@ -10,8 +10,8 @@
 
 namespace touchstone::cell {
 
-/// All bytes of a file. Throws an `Error`, made of a sentence that names the file, where it cannot be read or has more
-/// than `most_mib` MiB: of a device that never ends, no more is read.
+/// Returns all bytes of a file. Throws an `Error`, whose message names the file, if the file cannot be read or has more
+/// than `most_mib` MiB. Reads no more than that, even from a device that never ends.
 template <class Error>
 [[nodiscard]] std::string read_at_most(const std::filesystem::path& file, std::size_t most_mib) {
   std::ifstream stream(file, std::ios::binary);

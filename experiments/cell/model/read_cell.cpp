@@ -23,8 +23,7 @@ harness::StrictJson load(const std::filesystem::path& file) {
   const std::string text = read_at_most<BadCell>(file, kMostCellMib);
   try {
     harness::StrictJson json = harness::read_strict_json(text);
-    if (json.duplicate_key)
-      throw BadCell(fmt::format("{}: the key \"{}\" is there twice", file.string(), *json.duplicate_key));
+    if (json.duplicate_key) throw BadCell(fmt::format("{}: duplicate key \"{}\"", file.string(), *json.duplicate_key));
     if (json.too_deep)
       throw BadCell(fmt::format("{}: is nested deeper than {} levels", file.string(), harness::kMostLevels));
     return json;
@@ -106,10 +105,10 @@ void check_names(const Cell& cell, const CellEntry& whole) {
   std::set<std::string> names{"gripper", "storage", "machine", "material"};
   for (const Link& link : cell.robot.links)
     if (!names.insert(link.name).second)
-      whole.at("robot").at("urdf").bad(fmt::format("\"{}\" is no name for a link", link.name));
+      whole.at("robot").at("urdf").bad(fmt::format("\"{}\" is not a valid name for a link", link.name));
   const auto parts = whole.at("gripper").at("parts").items();
   for (const CellEntry& part : parts)
-    if (names.count(part.at("name").name()) > 0) part.at("name").bad("a link, or another thing, has this name");
+    if (names.count(part.at("name").name()) > 0) part.at("name").bad("a link, or something else, has this name");
 }
 
 Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {

@@ -12,36 +12,37 @@
 
 namespace touchstone::cell {
 
-/// Reads a cell file: one JSON object of these keys, none other and none twice. Lengths are in the file's unit, angles
-/// in degrees, solids and parts as `read_solid` has them, files relative to the folder of the cell file.
+/// Reads a cell file: one JSON object of these keys, without unknown or duplicate ones. Lengths are in the file's unit,
+/// angles in degrees, solids and parts are in the form of `read_solid`, files are relative to the folder of the cell
+/// file.
 ///
 ///   name      text
 ///   unit      "mm", "cm", "m", "inch", ...: of all lengths of the file
 ///   step      degrees by which a joint moves, > 0 and at most 90; no joint may take more than 100,000 steps from limit
 ///             to limit (stops.h)
-///   clearance by which the sphere rises once it has gripped from above, or let go; > 0
-///   meshes    the folder that mesh files are named in; of choice: that of the cell file
+///   clearance by which the sphere rises after gripping from above or letting go; > 0
+///   meshes    the folder of mesh files; optional: that of the cell file by default
 ///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns;
-///             sides: of the URDF's cylinders; of choice: coupling: [{joint, follows, factor}], links: {link: parts} in
-///             place of what the URDF says that a link consists of
+///             sides: of the URDF's cylinders; optional: coupling: [{joint, follows, factor}], links: {link: parts} to
+///             replace the parts that the URDF gives a link
 ///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link
-///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], of
-///             choice aim: [x, y] in place of those of place; parts; of choice: stand: {from: [x, y], to: [x, y], top:
-///             z}
+///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], with
+///             an optional aim: [x, y] instead of those of place; parts; optional: stand: {from: [x, y], to: [x, y],
+///             top: z}
 ///   material  solid; slot: of the storage; machine_slot: of the machine
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
-/// `meshes` stands in for the folder of the key; `changes` are made first, in order (change_cell.h). Throws BadCell,
-/// whose message begins with the file and the key, for a file that is not there, has more than kMostCellMib or is no
-/// JSON, a key that is missing, unknown or given twice, a value of another type or out of range, a name that is none
-/// (is_name) or taken, a file that is missing, a first joint that does not turn about z, home angles beyond a joint's
-/// limits, a slot that there is not, a place that is out of the arm's reach (reach.h), a label of what is not there,
-/// and a number without one.
+/// `meshes` overrides the folder of the key; `changes` are applied first, in order (change_cell.h). Throws BadCell,
+/// whose message begins with the file and the key, for a cell file that is missing, has more than kMostCellMib or is
+/// not JSON, a key that is missing, unknown or duplicate, a value of another type or out of range, an invalid (is_name)
+/// or duplicate name, a missing mesh or URDF file, a first joint that does not turn about z, home angles beyond a
+/// joint's limits, an unknown slot, a place that is out of the arm's reach (reach.h), a label of a missing value, and a
+/// number without a label.
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});
 
-/// The index of the slot that an entry names. Throws BadCell where the station has none of that name.
+/// Returns the index of the slot that an entry names. Throws BadCell if the station has no slot of that name.
 [[nodiscard]] std::size_t slot_named(const Station& station, const CellEntry& entry);
 
 }  // namespace touchstone::cell

@@ -55,7 +55,7 @@ Boolean read_boolean(Operation operation, const CellEntry& entry, const SolidCon
   Boolean result{operation, {}};
   for (const CellEntry& item : entry.items()) {
     result.parts.push_back(read_solid(item, context));
-    if (std::holds_alternative<MeshFile>(result.parts.back().shape)) item.bad("a mesh is no part of a Boolean");
+    if (std::holds_alternative<MeshFile>(result.parts.back().shape)) item.bad("a mesh cannot be part of a Boolean");
   }
   if (result.parts.size() < 2) entry.bad("needs at least two solids");
   return result;

@@ -22,7 +22,7 @@
 namespace touchstone::cell {
 namespace {
 
-/// What urdfdom says of the file that it reads, while this lives.
+/// Collects the messages of urdfdom during its lifetime.
 class Sentences : public console_bridge::OutputHandler {
  public:
   Sentences() { console_bridge::useOutputHandler(this); }
@@ -210,7 +210,7 @@ Robot read_urdf(const std::filesystem::path& file, int sides, const SolidContext
     model = urdf::parseURDF(text);
     said = sentences.text();
   }
-  if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is no URDF file" : said));
+  if (!model || !said.empty()) throw BadCell(file.string() + ": " + (said.empty() ? "is not a URDF file" : said));
   return UrdfReader(file.string(), lines, sides, context).robot(*model);
 }
 

@@ -18,9 +18,9 @@ struct Box {
   Eigen::Vector3d lower, upper;
 };
 
-/// The closed prism, along an axis of coordinates, over a convex polygon inscribed in a circle: a cylinder of so many
-/// sides. Its corners are exact rational points of the circle, the first on the positive side of the next axis
-/// (cyclically), the others at most 2^-20 of a turn from where equal sides would put them.
+/// A cylinder with `sides` sides: the closed prism, along a coordinate axis, over a convex polygon inscribed in a
+/// circle. Its corners are exact rational points of the circle. The first lies on the positive side of the next axis
+/// (cyclically), the others at most 2^-20 of a turn from the corners of a regular polygon.
 ///
 /// Requires ends that differ in the coordinate `axis` alone, a positive radius and 3 to 1000 sides.
 struct Cylinder {
@@ -30,7 +30,7 @@ struct Cylinder {
   int sides;
 };
 
-/// The surface that a mesh file holds, its coplanar triangles merged into polygons.
+/// The surface in a mesh file, with its coplanar triangles merged into polygons.
 struct MeshFile {
   std::filesystem::path file;
   workloads::Unit unit;       ///< of the file's numbers
@@ -39,20 +39,20 @@ struct MeshFile {
 
 struct Solid;
 
-/// The regularised union, the first part without the others, or the intersection. Meshes cannot be parts.
+/// A regularised union, the first part without the others, or an intersection. Meshes cannot be parts.
 struct Boolean {
   enum class Operation { Union, Difference, Intersection };
   Operation operation;
   std::vector<Solid> parts;  ///< at least one
 };
 
-/// A shape under a pose: an exact affine map, whatever its matrix.
+/// A shape under a pose, which is an exact affine map for any matrix.
 struct Solid {
   std::variant<Box, Cylinder, MeshFile, Boolean> shape;
   Pose pose = {};
 };
 
-/// A named solid; links and machines are made of some.
+/// A named solid; links and machines consist of these.
 struct Part {
   std::string name;
   Solid solid;

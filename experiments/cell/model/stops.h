@@ -5,11 +5,11 @@
 
 namespace touchstone::cell {
 
-/// Of any joint, from its lower to its upper limit: some ten seconds of a process.
+/// The most stops of a joint from its lower to its upper limit: about ten seconds of a process.
 inline constexpr double kMostStops = 100'000;
 
-/// Throws BadCell naming `step` where a joint would take more stops than kMostStops from limit to limit. To be called
-/// again where a cell is changed after it was read.
+/// Throws BadCell naming `step` if a joint would take more than kMostStops stops from limit to limit. Must be called
+/// again if a cell is changed after it was read.
 void check_stops(const Cell& cell);
 
 }  // namespace touchstone::cell

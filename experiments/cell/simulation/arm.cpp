@@ -17,7 +17,7 @@ namespace {
   throw BadCell(fmt::format("{}: {}: {}", cell.file.string(), key, reason));
 }
 
-/// Where a frame stands that is at `pose` in a frame that is at `outer`.
+/// Returns the pose of a frame that is at `pose` in a frame at `outer`.
 Pose within(const Pose& outer, const Pose& pose) {
   return {outer.rotation * pose.rotation, outer.rotation * pose.translation + outer.translation};
 }

@@ -13,7 +13,7 @@
 
 namespace touchstone::cell {
 
-/// The joints that the process moves: the first three that turn. The others stay as they are at home.
+/// The joints that the process moves: the first three that turn. The others keep their angles at home.
 enum Moved : std::size_t { kBase, kShoulder, kElbow };
 
 /// A robot as a chain in the cell's frame.
@@ -22,7 +22,7 @@ struct Arm {
   kinematics::Angles home;
   Ball sphere;  ///< the virtual sphere, in the flange's frame
 
-  /// Which frame of the chain a link moves with, and where its own stands in that; none: it stands still, there.
+  /// The frame of the chain with which a link moves, and the link's frame in that; none if the link is fixed.
   struct Carried {
     std::optional<std::size_t> frame;
     Pose pose;
@@ -30,28 +30,28 @@ struct Arm {
   std::vector<Carried> links;  ///< as in Robot::links; the last one carries the gripper
 
   [[nodiscard]] Ball sphere_at(const kinematics::Angles& commanded) const;
-  /// Of every link, in the cell.
+  /// Returns the pose of every link in the cell.
   [[nodiscard]] std::vector<Pose> link_poses(const kinematics::Angles& commanded) const;
 };
 
-/// Throws BadCell naming `robot.coupling` for couplings other than one, of a joint with the next, parallel one, that
-/// makes up for its turning: what it carries would not move on arcs.
+/// Returns the arm of a cell. Throws BadCell naming `robot.coupling` for any coupling except one between a joint and
+/// the next, parallel one, which compensates it: with others, points would not move on arcs.
 [[nodiscard]] Arm arm_of(const Cell& cell);
 
 /// The motion of the sphere's centre in the vertical plane that the base turns.
 class PlanarArm {
  public:
-  /// Throws BadCell naming `robot.urdf` where the base does not turn about z, shoulder and elbow not about y, or the
-  /// sphere's centre at home is not in the plane y = 0, on the side of x > 0 (within 1e-9 of the arm's length).
+  /// Throws BadCell naming `robot.urdf` unless the base turns about z, shoulder and elbow turn about y, and the
+  /// sphere's centre at home is in the plane y = 0 with x > 0 (within 1e-9 of the arm's length).
   PlanarArm(const Cell& cell, const Arm& arm);
 
   struct Commands {
     double shoulder, elbow;  ///< degrees
   };
-  /// The commands, nearest to home, that bring the centre so far from the base's axis and so high above the floor;
-  /// none where it is out of reach. Joint limits are not looked at.
+  /// Returns the commands, nearest to home, that bring the centre to the given distance from the base's axis and height
+  /// above the floor; none if that is out of reach. Ignores joint limits.
   [[nodiscard]] std::optional<Commands> inverse(const kinematics::Reach& center) const;
-  /// The base's command that faces a direction of the plan, in degrees counter-clockwise.
+  /// Returns the base's command that faces a direction of the plan, in degrees counter-clockwise.
   [[nodiscard]] double base(double azimuth) const { return home_base_ + base_sense_ * azimuth; }
 
  private:

@@ -12,23 +12,24 @@
 
 namespace touchstone::cell {
 
-/// Balls that together hold every point of some faces, in a hierarchy: what is held by a ball is held by its children.
+/// A hierarchy of balls that together contain every point of some faces: the children of a ball contain all points of
+/// the faces that it contains.
 ///
 /// Guarantees
-///  (1) every point of a face is in a ball of `smallest()`: the balls are those around boxes, halved again and again,
-///      that tile the box of the faces, and a box is left out only where no face touches its ball, exactly
-///      (Scene::touches);
-///  (2) no point of those balls is further than `overhang()` from the faces, which is at most what was asked for.
-/// What lies within a closed surface without meeting it is not covered.
+///  (1) every point of a face is in a ball of `smallest()`: the balls circumscribe repeatedly halved boxes that tile
+///      the box of the faces, and a box is left out only if, exactly, no face touches its ball (Scene::touches);
+///  (2) no point of those balls is further than `overhang()` from the faces, which is at most the requested value.
+/// Points inside a closed surface that are not on it need not be covered.
 class BallCover {
  public:
-  /// Requires overhang > 0. Throws std::length_error where that takes more than about a million balls. Cost: some
-  /// microseconds a ball, of which there are about 3 area / overhang^2.
+  /// Requires overhang > 0. Throws std::length_error if that takes more than about a million balls. Cost: some
+  /// microseconds per ball; there are about 3 area / overhang^2 balls.
   BallCover(const scene::Faces& faces, double overhang);
 
-  /// May a point of the faces, posed, be where the test is true? Asks the test of the largest ball first, posed, and of
-  /// smaller ones where it is true of the larger; true where it is of one of the smallest. Where this is false no point
-  /// of the faces is there, if the test is false of every point of a ball of which it is false.
+  /// Returns whether a point of the posed faces may satisfy the test. Applies the test to the largest posed ball first,
+  /// and to smaller balls if it is true for the larger one; returns true if it is true for one of the smallest. If the
+  /// test is monotone, that is, false for every point of a ball for which it is false, a result of false proves that no
+  /// point of the faces satisfies it.
   [[nodiscard]] bool any(const Pose& pose, const std::function<bool(const Ball&)>& test) const;
 
   [[nodiscard]] std::vector<Ball> smallest() const;
@@ -44,8 +45,8 @@ class BallCover {
   double overhang_ = 0;
 };
 
-/// A ball under a pose, enlarged by more than posing its centre in doubles and the rotation's own rounding can be off:
-/// it holds whatever point of the ball, exactly posed.
+/// Returns a ball under a pose, enlarged by more than the rounding error of posing its centre in doubles and of the
+/// rotation itself: it contains every exactly posed point of the ball.
 [[nodiscard]] Ball posed_generously(const Pose& pose, const Ball& ball);
 
 }  // namespace touchstone::cell

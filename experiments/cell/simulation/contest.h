@@ -11,39 +11,40 @@
 
 namespace touchstone::cell {
 
-/// What one method said along a run, beside the exact answers. Does the sphere touch this face, at this stop?
+/// The answers of one method along a run, compared with the exact ones, to the question whether the sphere touches a
+/// face at a stop.
 struct Score {
   const cases::Method* method;
   std::uint64_t asked = 0;
-  std::uint64_t wrong_hits = 0;    ///< it said yes where the answer is no
-  std::uint64_t wrong_misses = 0;  ///< it said no where the answer is yes
-  std::uint64_t unsure = 0;        ///< it did not say
-  std::uint64_t stops = 0;         ///< stops with a wrong answer among theirs
+  std::uint64_t wrong_hits = 0;    ///< it answered yes, but the answer is no
+  std::uint64_t wrong_misses = 0;  ///< it answered no, but the answer is yes
+  std::uint64_t unsure = 0;        ///< it did not decide
+  std::uint64_t stops = 0;         ///< stops with at least one wrong answer
 };
 
-/// A face and a stop of which some methods said something else than the exact answer.
+/// A face and a stop for which the answers of some methods differ from the exact one.
 struct Disagreement {
   std::size_t stop;
   std::string owner;  ///< a part, `material`
   std::size_t face;   ///< of all obstacles, or of the material: triangles first
   Ball sphere;
   Polygon polygon;
-  std::vector<std::string> methods;  ///< the names of those
+  std::vector<std::string> methods;  ///< the names of these methods
 };
 
 struct Contest {
   std::vector<Score> scores;                ///< in the order of the methods
-  std::uint64_t pairs = 0;                  ///< of a stop and a face that is there
+  std::uint64_t pairs = 0;                  ///< pairs of a stop and a face that is present at it
   std::uint64_t met = 0;                    ///< of these: the boxes of sphere and face meet, so they can touch
   std::vector<Disagreement> disagreements;  ///< by stop, then by face
 };
 
-/// Asks every method at every stop of a run about the sphere and each face of the obstacles and of the material, where
-/// it is, and of its virtual copy where the sphere comes for it.
+/// Asks every method at every stop of a run about the sphere and each face of the obstacles, of the material at its
+/// current place, and of its virtual copy when the sphere approaches that.
 ///
-/// The exact answer is `exact`'s where the box of the ball and that of the lifted face meet, and no where they do not.
-/// Methods are asked where they meet; with `every_face` about all faces, as one would without boxes: then what a box
-/// hides of a wrong method is counted too. Cost: 20 us a pair that meets, for `exact`; that of each method.
+/// The exact answer is that of `exact` if the boxes of the ball and of the lifted face meet, otherwise no. Methods are
+/// asked only about pairs that meet; with `every_face` about all faces, as one would without boxes, so that errors that
+/// a box would hide count, too. Cost: 20 us per pair that meets, for `exact`, plus that of each method.
 [[nodiscard]] Contest hold_contest(const Workcell& workcell, const Process& process,
                                    const std::vector<const cases::Method*>& methods, bool every_face);
 

@@ -19,7 +19,7 @@ const std::string& joint_name(const Workcell& workcell, Moved joint) {
   return workcell.arm().chain.joints()[joint].name;
 }
 
-/// Where the material is at a stop: a place, or `gripper`.
+/// Returns where the material is at a stop: a place, or `gripper`.
 std::string_view holder(const Process& process, std::size_t stop) {
   std::optional<Place> place;
   for (const Custody& custody : process.custody)

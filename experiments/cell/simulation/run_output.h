@@ -9,16 +9,17 @@
 
 namespace touchstone::cell {
 
-/// What `touchstone cell run` prints: the moves, what was tested and what was skipped, the methods, how it ended.
+/// Returns the output of `touchstone cell run`: the moves, the numbers of tests made and skipped, the methods, and how
+/// it ended.
 [[nodiscard]] std::string summary(const Workcell& workcell, const Process& process, const Contest& contest);
 
-/// Writes what a run gave:
-///  - moves.csv: a line a move, with what was certified of its contact;
-///  - trajectory.csv and trajectory.json: every stop: phase, joint that moves, all joints' angles, the sphere, what it
-///    touches, where the material is;
-///  - methods.csv: a line a method;
-///  - disagreements.jsonl: cases that `touchstone judge` reads, expected answers from `exact`; `most` at most.
-/// Throws std::runtime_error where one cannot be written.
+/// Writes the results of a run:
+///  - moves.csv: one line per move, with its certified contact;
+///  - trajectory.csv and trajectory.json: every stop: phase, joint that moves, all joints' angles, the sphere, the face
+///    that it touches, the place of the material;
+///  - methods.csv: one line per method;
+///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
+/// Throws std::runtime_error if a file cannot be written.
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                const Contest& contest, std::size_t most = 1000);
 

@@ -18,27 +18,29 @@
 
 namespace touchstone::cell {
 
-/// Where a piece of material can be: in its slot of the storage, or in that of the machine. Where it is not, an
-/// invisible copy of it is what the sphere is brought down upon: the virtual material.
+/// The places of a piece of material: its slot of the storage and that of the machine. At the empty place the sphere is
+/// lowered onto an invisible copy of the material, the virtual material.
 enum class Place { Storage, Machine };
 [[nodiscard]] std::string_view word(Place place);
 
 /// One of the two places, in the cell.
 struct Workplace {
-  double azimuth, out;  ///< of the point that the arm faces: degrees counter-clockwise, from the base's axis
-  double bottom, top;   ///< of the material there, above the floor
-  double left, right;   ///< of it, from the plane of the arm that faces it: counter-clockwise is left; left >= right
-  Pose pose;            ///< of the material
-  scene::Faces faces;   ///< of the material
+  double azimuth,
+      out;  ///< of the point that the arm faces: degrees counter-clockwise, and distance from the base's axis
+  double bottom, top;  ///< of the material there, above the floor
+  double left,
+      right;  ///< of the material, from the plane of the arm that faces it: counter-clockwise is left; left >= right
+  Pose pose;  ///< of the material
+  scene::Faces faces;  ///< of the material
 };
 
-/// What does not move, in the cell's frame.
+/// The fixed obstacles, in the cell's frame.
 struct Obstacles {
   scene::Faces faces;
-  std::vector<std::string> owners;  ///< of each face: the part, as in ModelPart::name
+  std::vector<std::string> owners;  ///< for each face, the part, as in ModelPart::name
 };
 
-/// A part of the arm, or the gripper, and the balls that hold it.
+/// A part of the arm, or the gripper, and the balls that cover it.
 struct Covered {
   std::string name;  ///< as in ModelPart
   std::size_t link;
@@ -48,13 +50,13 @@ struct Covered {
 /// BallCover.
 [[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
 
-/// A cell, its faces where they stand, and what is known of the arm. Everything is in the cell's unit and frame.
+/// A cell with its posed faces and its arm. Everything is in the cell's unit and frame.
 class Workcell {
  public:
-  /// Throws BadCell as arm_of and PlanarArm do, Rejected for a face that the contract rejects once it is turned.
-  /// Requires a cover of these parts' arm. Cost: some us a face.
+  /// Throws BadCell as arm_of and PlanarArm do, Rejected for a face that the contract rejects after posing. Requires a
+  /// cover of these parts' arm. Cost: some us per face.
   Workcell(const Cell& cell, const std::vector<ModelPart>& parts, std::shared_ptr<const std::vector<Covered>> arm);
-  /// With a cover of its own.
+  /// Computes the cover itself.
   Workcell(const Cell& cell, const std::vector<ModelPart>& parts, double overhang)
       : Workcell(cell, parts, std::make_shared<const std::vector<Covered>>(cover_arm(parts, overhang))) {}
 
@@ -66,14 +68,14 @@ class Workcell {
 
   [[nodiscard]] const std::vector<Covered>& covered() const { return *covered_; }
 
-  /// Which material is an obstacle.
+  /// The place of the material that is an obstacle, if any.
   using Material = std::optional<Place>;
 
-  /// Of a stop: what the sphere touches besides what it comes for, or a part of the arm may touch; empty for nothing.
-  /// `balls` grows by how many were asked about.
+  /// Names the obstacle that the sphere touches at a stop, besides its target, or that a part of the arm may touch;
+  /// empty if nothing is touched. Adds the number of tested balls to `balls`.
   [[nodiscard]] std::string hindrance(const kinematics::Angles& commanded, Material material,
                                       std::uint64_t& balls) const;
-  /// The lowest face of the material there that a ball touches.
+  /// Returns the lowest face of the material at a place that a ball touches.
   [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, Place place) const;
 
  private:
@@ -88,7 +90,7 @@ class Workcell {
   std::vector<std::uint32_t> material_;  // by place
 };
 
-/// Where a station's frame stands in the cell.
+/// Returns the pose of a station's frame in the cell.
 [[nodiscard]] Pose pose_of(const Station& station);
 
 }  // namespace touchstone::cell

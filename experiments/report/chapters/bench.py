@@ -41,8 +41,8 @@ def chapter(study):
     rows += [line(f"polygons of {count(vertices)} vertices", contestants) for vertices, contestants in polygons(every).items()]
     queries = every["random-triangles", ""]["filtered"]
     head = ["questions", "fast, ns", "filtered, ns", "filtered / fast", "goal", *(f"{other} / filtered" for other in OTHERS), "fast is wrong"]
-    return f"""<p>Contact, yes or no, asked of {code('fast')}, {code('filtered')} and two of CGAL's kernels in turns, in one run on one
-core: {count(queries['asked'])} distinct questions of a kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
+    return f"""<p>{code('fast')}, {code('filtered')} and two of CGAL's kernels answer contact, yes or no, in turns, in one run on one
+core: {count(queries['asked'])} distinct questions of each kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
 are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
 asked about triangles where their questions are the same.</p>""" + table(
-        "Nanoseconds a question, and ratios within the same run: median, and quartiles below it.", head, rows, range(1, len(head)))
+        "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows, range(1, len(head)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chapter of `touchstone regress`: engines of others on the same cases."""
+"""The chapter of `touchstone regress`: third-party engines on the same cases."""
 import re
 
 from engine_tables import OVERALL, by_family, overall
@@ -35,14 +35,14 @@ def chapter(study):
     text = f"""<p>{count(cases)} times: does a ball touch a random polygon of {counted(len(head) - 1, 'families', 'family')}?
 The radii are at relative offsets of 2⁻⁸ to 2⁻⁵² from contact, or 0: the double
 nearest to the distance. Most engines take triangles, and
-polygons come to them as those. The cases are the same as those of the baseline in <code>tests/experiments/judge/regress</code>, which every
+receive polygons triangulated. The cases are the same as those of the baseline in <code>tests/experiments/judge/regress</code>, which every
 <code>./check</code> compares with.</p>"""
     text += table("Wrong answers of engines. The largest relative offset of a wrong answer says how far from contact it still "
                   "errs.",
                   OVERALL[:1] + ["what it is"] + OVERALL[2:],
                   [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows, polygons_of(study, rows))], (2, 3, 4))
     if absent:
-        text += (f"<p>Not in this build, since their libraries were not there: {words(map(code, absent))}. "
+        text += (f"<p>Not in this build, because their libraries were missing: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")
     return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset "
                         "of one (at 0: only where the radius is the double nearest to the distance).", head,

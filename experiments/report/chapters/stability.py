@@ -22,7 +22,7 @@ def finding(study):
                 if data.first_failure(axis, "close", "fast")]
     if not failures:
         return f"<b>Under stress</b>, with the radius 2⁻³⁰ of the distance off, {code('fast')} was not seen to fail."
-    return (f"<b>Under stress</b> errors are no longer near contact. With the radius 2⁻³⁰ of the distance off, {code('fast')} "
+    return (f"<b>Under stress</b> errors also occur far from contact. With the radius 2⁻³⁰ of the distance off, {code('fast')} "
             f"was first seen to fail with {words(failures)}.")
 
 
@@ -123,9 +123,9 @@ def contraction_table(data):
 
 def chapter(study):
     data = Data(study)
-    text = f"""<p>Polygons are made worse, one property at a time: slivers, near-duplicate vertices, distance from the
+    text = f"""<p>Polygons get worse in one property each: slivers, near-duplicate vertices, distance from the
 origin, tiny and huge numbers, vertices off the plane, long chains of rotations, other rounding modes;
-{counted(study.run['samples_asked'], 'polygons')} a level, fewer at slow levels. Each is asked about balls at three distances
+{counted(study.run['samples_asked'], 'polygons')} per level, fewer at slow levels. Each is tested with balls at three distances
 from contact. A polygon counts as failed if one of its final answers is wrong.</p>"""
     text += failures_picture(study, data, "close") + first_table(data, "close") + failures_picture(study, data, "ample")
     return text + onset_picture(study, data) + contraction_table(data) + tightness_picture(study, data)

@@ -26,7 +26,7 @@ class Data:
 
 
 def any_or_none(text):
-    """NaN stands for what there is none of."""
+    """Accepts any number; NaN stands for a missing one."""
     float(text)
     return text
 
@@ -44,7 +44,7 @@ def differing(data):
 def finding(study):
     data = Data(study)
     return (f"<b>The thesis, reproduced.</b> Of {len(data.entries)} figures, tables and known errors, "
-            f"{len(data.stated) - len(data.differing)} of the {len(data.stated)} numbers that are stated somewhere come out"
+            f"{len(data.stated) - len(data.differing)} of the {len(data.stated)} stated numbers are reproduced"
             + (f" (not: {differing(data)})." if data.differing else "."))
 
 
@@ -53,7 +53,7 @@ def shown_picture(study, data, entry):
     if path is None:
         return ""
     return picture(path, entry["shows"], f"{escaped(name_of(entry))}, {escaped(entry['caption'])}: {escaped(entry['shows'])} "
-                   f"{escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}; numbers stated and met: "
+                   f"{escaped(entry['text'])} <b>Status:</b> {escaped(entry['status'])}; stated numbers reproduced: "
                    f"{agreement(data, entry)}.")
 
 

@@ -65,21 +65,21 @@ def front_picture(study, data, measure):
     for placement in data.placements:
         on = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "on"]
         perhaps = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "within-noise"]
-        parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'none for certain'}"
-                     + (f", perhaps {len(perhaps)} others, which the noise of times leaves open" if perhaps else ""))
+        parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'no method for certain'}"
+                     + (f", {len(perhaps)} more within timing noise" if perhaps else ""))
     about, axis = MEASURES[measure]
-    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds a question, a "
+    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds per question, a "
                          "point for each of "
-                   f"{len({row['method'] for row in rows})} methods; those that no other beats in both are ringed.",
-                   f"{about}; a colour for each kind of method, a marker for each of its kind. Lower is more often right, "
-                   f"further left is faster; a method is on the front if whoever is no less right is slower. <b>What "
-                   f"follows:</b> {'; '.join(parts)}.")
+                   f"{len({row['method'] for row in rows})} methods; methods on the Pareto front are ringed.",
+                   f"{about}; a colour for each kind of method, a marker for each method of a kind. Lower is more often right, "
+                   f"further left is faster; a method is on the front if every method at least as accurate is slower. <b>"
+                   f"Result:</b> {'; '.join(parts)}.")
 
 
 def chapter(study):
     data = Data(study)
     text = f"""<p>All {len(data.methods)} methods are asked the same questions in one run,
 {counted(study.run['samples_asked'], 'polygons')} of each family and threshold for the errors, and take turns on the same
-lists of distinct questions for the times. Times on a machine that does other things beside are noise: their quartiles are
-drawn, and the front says whom they may keep from it.</p>"""
+lists of distinct questions for the times. Times on a shared machine are noisy: their quartiles are
+drawn, and the front names the methods that noise may keep from it.</p>"""
     return text + front_picture(study, data, "not-right") + rates_table(data) + front_picture(study, data, "distance")

@@ -96,7 +96,7 @@ def family(folder, choice):
         image = family_map(axes[0, i], grid, line, coupling, choice)
         radii(axes[1, i], line, coupling, choice)
     figure.colorbar(image, ax=axes[0, :], label="storage height, case 2 less case 1 (mm)", extend="both")
-    figure.suptitle("Home poses with which the captioned angles of both cases come out (grey: with none of these layouts)\n"
+    figure.suptitle("Home poses that reproduce the captioned angles of both cases (grey: no such layout)\n"
                     "home pose, coupling, storage and machine are chosen: no public source gives them", fontsize=10)
     save(figure, folder, "cell-layout-family")
 
@@ -215,6 +215,6 @@ def main(folder):
     left, right = bars.subplots(1, 2)
     flips(left, read(folder / "moves.csv"))
     tolerances(right, choices)
-    figure.suptitle("The chosen layout: both case studies come out as captioned. Lengths of the arm: a public table; "
-                    "all else here is chosen", fontsize=10)
+    figure.suptitle("The chosen layout reproduces both case studies as captioned. Lengths of the arm: a public table; "
+                    "everything else is chosen", fontsize=10)
     save(figure, folder, "cell-layout")

@@ -30,9 +30,9 @@ def main(folder):
     figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
     draw_missed(axes, rows)
     axes.set_xlabel("step of the joint (degrees)")
-    axes.set_ylabel("first contacts passed over (%)")
+    axes.set_ylabel("missed first contacts (%)")
     axes.set_ylim(-2, 100)
     axes.legend(title="radius of the sphere")
-    axes.set_title("A sphere carried through a thin sheet: first contacts, certified,\n"
-                   "that a joint moving by steps passes over (bars: 95 %)")
+    axes.set_title("A sphere carried through a thin sheet: certified first contacts\n"
+                   "that stepping a joint misses (bars: 95 %)")
     save(figure, folder, "cell-missed")

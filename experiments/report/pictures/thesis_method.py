@@ -384,7 +384,7 @@ def missed(rows):
     figure, axes = plt.subplots(figsize=(6.8, 4.2))
     draw_missed(axes, rows)
     axes.set_xlabel("step of the joint (degrees); the thesis's is 1")
-    axes.set_ylabel("first contacts passed over (%; bars: 95 %)")
+    axes.set_ylabel("missed first contacts (%; bars: 95 %)")
     axes.set_ylim(-2, 102)
     axes.legend(title="radius of the sphere", fontsize=8, loc="lower right")
     figure.tight_layout()

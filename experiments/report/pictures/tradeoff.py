@@ -179,7 +179,7 @@ def crosses(begin, end, boxes):
 
 
 def name_spots(axes, spots, named, looks, size):
-    """A name in letters of so many points beside each of some of the spots: on a side, and as far up or down, where it covers
+    """Draws a name, in letters of `size` points, beside each of the `named` spots: on a side, and as far up or down, where it covers
     nothing; the line to the spot crosses no earlier name if that can be. Returns those that have no room for theirs. The figure
     has been drawn."""
     scale, frame, taken, without_room = axes.figure.dpi / 72, axes.get_window_extent().padded(-3), obstacles(axes, spots), []
@@ -229,14 +229,14 @@ def symbols(measure, rows):
 
 
 def explanation(measure, rows, whiskers):
-    front = ("Ringed: on the front: whoever is no less right is slower, quartiles apart. Ring in pieces: nobody no less right is faster, quartiles "
-             "apart, but some are not slower either.\nGrey: the front by medians, and between those by lower and by upper quartiles; where no "
-             "wrong answer was seen it leaves the picture. Pale: the others.")
+    front = ("Ringed: on the front: every method at least as accurate is slower, quartiles apart. Broken ring: no method at least as accurate is "
+             "faster, quartiles apart, but some are within timing noise.\nGrey: the front by medians, and between those by lower and by upper quartiles; where no "
+             "wrong answer was seen it leaves the picture. Pale: all others.")
     if measure == "not-right":
         limits = ", with 95 % limits (Hoeffding)" if whiskers else ""
         text = f"Filled: share of answers that are wrong, or \"don't know\"{limits}."
         if any(float(row["not_finite"]) > 0 for row in rows):
-            text += " Overflow: so many of all answers are wrong where the method's distance or point is not finite."
+            text += " Overflow: share of all answers that are wrong because the method's distance or point is not finite."
     else:
         worst = ", the line ends at the worst" if whiskers else ""
         text = (f"Filled: 99 % of the errors are at most this{worst}; 0.5: correctly rounded. Not here: methods that give no such number, or "

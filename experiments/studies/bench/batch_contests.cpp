@@ -38,7 +38,7 @@ timing::Contestant fills(std::string name, std::size_t queries, const std::share
   return {std::move(name), queries, ask, count_wrong, {}, std::move(comparison)};
 }
 
-/// What `fill` says of the first `count` queries.
+/// Returns the answers of `fill` to the first `count` queries.
 std::shared_ptr<const std::vector<bool>> truths(std::size_t count, const Fill& fill) {
   const std::unique_ptr<bool[]> touches(new bool[count]());
   fill({touches.get(), count});

@@ -162,7 +162,7 @@ int count(const Options& options) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
     throw harness::UsageError(
-        "--count", "\"" + options.count + "\" is no contestant of " + families[0]->name + "; there are " + names);
+        "--count", "\"" + options.count + "\" is not a contestant of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
              options.repetitions, sum);
@@ -178,18 +178,18 @@ A missed goal does not change the exit status. For instructions a query: experim
 
 harness::Command bench_command() {
   constexpr std::uint64_t kMostSamples = 10'000'000;  // all are held, at 100 bytes each and more
-  harness::Command command("bench", "Time filtered against fast, and both against others, on equal queries");
+  harness::Command command("bench", "Compare the times of filtered, fast and other methods on the same queries");
   command.footer(kFooter);
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.names("--family", options->families, "Families of queries, separated by commas, or all");
   command.whole("--samples", options->settings.samples,
-                "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart", 1, kMostSamples);
-  command.whole("--repetitions", options->repetitions, "How often each contestant takes its turn", 1, 100'000);
-  command.seed(options->settings.seed, "Any number; the same gives the same queries");
-  command.text("--json", options->json, "The file for all numbers; run.json beside it says how they were made");
+                "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
+  command.whole("--repetitions", options->repetitions, "The number of turns of each contestant", 1, 100'000);
+  command.seed(options->settings.seed, "Any number; the same seed gives the same queries");
+  command.text("--json", options->json, "The file for all numbers; run.json beside it records how they were made");
   command.text("--count", options->count,
-               "Time nothing: have this contestant of one family asked all queries, for a profiler");
+               "Do not time: run this contestant of one family on all queries, for a profiler");
   command.force(options->force);
   command.runs([options] {
     return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });

@@ -9,15 +9,15 @@
 // CGAL's kernels on the same question, each in its own file: they take long to compile. Source: [cgal2022].
 namespace touchstone::bench::cgal {
 
-/// squared_distance(centre, triangle) <= r^2 in doubles.
+/// Computes squared_distance(centre, triangle) <= r^2 in doubles.
 [[nodiscard]] bool cartesian_contact(const Ball& ball, const Triangle& triangle);
-/// By exact predicates: a vertex inside the sphere or do_intersect(sphere, triangle). Not exact for a given radius: the
-/// kernel's sphere keeps r^2, rounded.
+/// Uses exact predicates: a vertex inside the sphere or do_intersect(sphere, triangle). Not exact for a given radius,
+/// because the kernel's sphere stores a rounded r^2.
 [[nodiscard]] bool epick_contact(const Ball& ball, const Triangle& triangle);
-/// squared_distance(centre, triangle) <= r^2 in exact numbers, made from the doubles within.
+/// Computes squared_distance(centre, triangle) <= r^2 in exact numbers, converted from the doubles in each call.
 [[nodiscard]] bool epeck_contact(const Ball& ball, const Triangle& triangle);
 
-/// The same with the kernel's objects made before.
+/// Computes the same from kernel objects that were made before.
 class EpeckQueries {
  public:
   EpeckQueries();
@@ -25,7 +25,7 @@ class EpeckQueries {
   EpeckQueries& operator=(EpeckQueries&&) noexcept;
   ~EpeckQueries();
 
-  /// Makes them anew: exact numbers remember what was once found of them.
+  /// Makes the objects again, since exact numbers cache earlier results.
   void make(std::span<const workloads::TriangleQuery> queries);
   [[nodiscard]] bool contact(std::size_t i) const;
 

@@ -9,21 +9,21 @@
 
 namespace touchstone::bench {
 
-/// What a contest is drawn from.
+/// The settings from which a contest is drawn.
 struct Settings {
   std::uint64_t samples = 100'000;
   std::uint64_t seed = 1;
   bool checks = true;  ///< compare answers with `exact`
 };
 
-/// What is measured under one name. Contests are drawn one after the other: their queries are large.
+/// The contests measured under one name. They are drawn one after the other, because their queries are large.
 struct Family {
   std::string name;
   std::string summary;
   std::vector<std::function<timing::Contest(const Settings&)>> contests;
 };
 
-/// All of them, in the order of the table.
+/// Returns all families, in the order of the table.
 [[nodiscard]] const std::vector<Family>& all_families();
 
 // The parts of that list, each beside what it is drawn from.

@@ -60,13 +60,13 @@ std::vector<Polygon> move_off_plane(const std::vector<Polygon>& planar, const Of
   return moved;
 }
 
-/// So many that exact takes about a second.
+/// Returns the number of queries for which exact takes about a second.
 std::size_t checked(const Settings& settings, std::size_t vertices) {
   if (!settings.checks) return 0;
   return std::min<std::size_t>(settings.samples, std::clamp<std::size_t>(200'000 / vertices, 8, 5000));
 }
 
-/// What `exact` answers to the first `count` of the queries.
+/// Returns the answers of `exact` to the first `count` queries.
 template <class Question>
 auto truths(const Question& question, const std::vector<Polygon>& polygons, const Queries& queries, std::size_t count) {
   using Truth = decltype(question(queries->front().ball, exact::PreparedPolygon(polygons.front())));
@@ -176,7 +176,7 @@ timing::Contest off_plane(std::size_t vertices, const Settings& settings) {
   return contest;
 }
 
-/// What fast and exact agree on but for rounding, in a form that can be compared and summed up.
+/// The part of an answer on which fast and exact agree up to rounding, in a form that can be compared and summed.
 struct Decisions {
   Answer answer;
 

@@ -11,8 +11,8 @@
 
 namespace touchstone::bench {
 
-/// How far vertices are off the plane in which their outline was drawn, each to a random side along the axis that is
-/// dropped.
+/// The distance of vertices from the plane in which their outline was drawn, each to a random side along the dropped
+/// axis.
 struct OffPlane {
   std::string name;  ///< such as `2^20 ulps`: units in the last place of the polygon's size
   double share;      ///< of the size; 0 is exactly planar
@@ -20,15 +20,17 @@ struct OffPlane {
 
 [[nodiscard]] const std::vector<OffPlane>& all_off_plane();
 
-/// Outlines that can have so many vertices: star, comb, spiral, and up to 1,024 vertices random-simple, beyond koch.
+/// Returns the outlines that can have `vertices` vertices: star, comb, spiral, and random-simple up to 1,024 vertices,
+/// koch beyond.
 [[nodiscard]] std::vector<workloads::Family> outlines_of(std::size_t vertices);
 
-/// Polygon number `index` of these, exactly planar: on an integer lattice in an integer frame. A function of its
-/// arguments alone, as is what follows; `exact::validate` accepts it. Throws std::invalid_argument where none was
+/// Draws polygon number `index` of these, exactly planar: on an integer lattice in an integer frame. A function of its
+/// arguments alone, as are the functions below; `exact::validate` accepts it. Throws std::invalid_argument if none was
 /// found.
 [[nodiscard]] Polygon draw_polygon(workloads::Family outline, std::size_t vertices, std::uint64_t seed,
                                    std::uint64_t index);
-/// The same polygon with its vertices off the plane; accepted too. Requires one without holes.
+/// Returns the same polygon with its vertices off the plane; also accepted by `exact::validate`. Requires a polygon
+/// without holes.
 [[nodiscard]] Polygon move_off_plane(const Polygon& polygon, const OffPlane& off_plane, std::uint64_t seed,
                                      std::uint64_t index);
 
@@ -37,9 +39,9 @@ struct PolygonQuery {
   std::uint32_t polygon;
 };
 
-/// Small balls about each of the polygons in turn. Ball number `index`: its foot uniform in the bounding box of the
-/// vertices (as seen along the dropped axis), its radius (0.05 to 0.15) x size / sqrt(n), its height at most the
-/// radius; so it always meets the plane.
+/// Draws small balls near each of the polygons in turn. The foot of ball number `index` is uniform in the bounding box
+/// of the vertices (as seen along the dropped axis), its radius is (0.05 to 0.15) x size / sqrt(n), and its height is
+/// at most the radius, so that it always meets the plane.
 [[nodiscard]] std::vector<PolygonQuery> draw_balls(const std::vector<Polygon>& polygons, std::uint64_t seed,
                                                    std::uint64_t count);
 

@@ -17,7 +17,7 @@ namespace {
 
 using TriangleQueries = std::vector<workloads::TriangleQuery>;
 
-/// What filtered should cost in times of fast.
+/// The goals for the cost of filtered relative to fast.
 std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
   switch (family) {
     case workloads::TriangleFamily::Random: return timing::Goal{1};
@@ -27,7 +27,7 @@ std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
   }
 }
 
-/// What EPECK should cost, at least, in times of filtered; asked where it is a contestant.
+/// The least cost of EPECK relative to filtered; checked if it takes part.
 std::optional<timing::Goal> goal_of_epeck(workloads::TriangleFamily family) {
   if (family == workloads::TriangleFamily::Random) return timing::Goal{100, false};
   if (family == workloads::TriangleFamily::HalfNear) return timing::Goal{50, false};

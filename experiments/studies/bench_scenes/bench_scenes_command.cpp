@@ -112,8 +112,7 @@ int measure_scenes(const SceneOptions& options) {
 
   const std::string exact = libraries.front().name;
   print(growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact));
-  for (const std::string& absent : absent_libraries())
-    fmt::print("Built without {}: it is no contestant here.\n", absent);
+  for (const std::string& absent : absent_libraries()) fmt::print("Built without {}: it does not take part.\n", absent);
   fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.settings.repetitions, options.settings.seed, seconds, options.output);
   harness::flush_standard_output();
@@ -126,12 +125,13 @@ int measure_scenes(const SceneOptions& options) {
 harness::Command bench_scenes_command() {
   constexpr std::size_t kFewest = 1000, kMost = 10'000'000;
   constexpr std::uint64_t kMostSamples = 10'000'000;
-  harness::Command command("bench-scenes", "Time scenes of 1000 and more triangles beside other libraries");
+  harness::Command command("bench-scenes",
+                           "Compare the times of scenes of 1000 and more triangles with other libraries");
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.whole("--samples", options->settings.samples, "Distinct balls, up to 10000000", 1, kMostSamples);
-  command.whole("--repetitions", options->settings.repetitions, "How often each library takes its turn", 1, 100'000);
-  command.seed(options->settings.seed, "Any number; the same gives the same balls");
+  command.whole("--repetitions", options->settings.repetitions, "The number of turns of each library", 1, 100'000);
+  command.seed(options->settings.seed, "Any number; the same seed gives the same balls");
   command.whole("--max-faces", options->most_triangles,
                 "Triangles of the largest scene, up to 10000000 (which takes 12 GiB)", kFewest, kMost);
   command.text("--meshes", options->meshes, "A folder of meshes, also measured, once and replicated");

@@ -11,14 +11,14 @@
 // What checks the exact scene: `exact`, triangle by triangle, and no hierarchy.
 namespace touchstone::bench_scenes {
 
-/// The triangles that the ball touches, ascending. All are asked, where there are at most 2,000; else those whose box
-/// is not half a radius farther than the ball reaches.
+/// Returns the triangles that the ball touches, ascending. Tests all triangles if there are at most 2,000; otherwise
+/// those whose box is less than half a radius beyond the ball's surface.
 [[nodiscard]] std::vector<std::uint32_t> touched_by_brute_force(std::span<const Triangle> triangles, const Ball& ball);
 
-/// The least distance of a triangle from the point, rounded correctly. Requires a triangle.
+/// Returns the least distance of a triangle from the point, correctly rounded. Requires at least one triangle.
 [[nodiscard]] double least_distance_by_brute_force(std::span<const Triangle> triangles, const Eigen::Vector3d& center);
 
-/// The distance of one, rounded correctly.
+/// Returns the distance of one triangle, correctly rounded.
 [[nodiscard]] double exact_distance(const Triangle& triangle, const Eigen::Vector3d& center);
 
 }  // namespace touchstone::bench_scenes

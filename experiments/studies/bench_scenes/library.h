@@ -15,7 +15,7 @@
 
 namespace touchstone::bench_scenes {
 
-/// What a library made of one scene, to be asked by one thread.
+/// One scene as built by a library, for queries by one thread.
 class BuiltScene {
  public:
   BuiltScene() = default;
@@ -23,23 +23,23 @@ class BuiltScene {
   BuiltScene& operator=(const BuiltScene&) = delete;
   virtual ~BuiltScene() = default;
 
-  /// Does the ball touch any triangle?
+  /// Returns whether the ball touches any triangle.
   virtual bool any(const Ball& ball) = 0;
-  /// The triangles that it touches, by number, in any order.
+  /// Returns the indices of the triangles that the ball touches, in any order.
   virtual void all(const Ball& ball, std::vector<std::uint32_t>& triangles) = 0;
-  /// The triangle that is nearest to the centre, or one of these. Throws std::logic_error where the library does not
-  /// know this question.
+  /// Returns the triangle that is nearest to the centre, or one of several. Throws std::logic_error if the library does
+  /// not support this query.
   virtual std::uint32_t nearest(const Eigen::Vector3d& center);
-  /// The memory that it holds, in bytes, where it knows that better than `malloc`.
+  /// Returns the memory that it holds, in bytes, if the library knows that better than `malloc`.
   [[nodiscard]] virtual std::optional<std::size_t> bytes() const { return std::nullopt; }
 };
 
-/// A way to ask about scenes.
+/// A library that answers queries about scenes.
 struct Library {
   std::string name;
-  /// The triangles stay where they are while what is built is asked.
+  /// Builds a scene. The triangles must outlive it.
   std::function<std::unique_ptr<BuiltScene>(std::span<const Triangle>)> build;
-  bool exact = false;  ///< its answers are the truth, which brute force checks
+  bool exact = false;  ///< whether its answers are the truth, which brute force checks
   bool knows_nearest = true;
 };
 
@@ -51,12 +51,12 @@ struct Library {
 [[nodiscard]] Library fcl_library();     ///< with libfcl-dev
 [[nodiscard]] Library bullet_library();  ///< with libbullet-dev
 
-/// By this name the goals know whom to hold the exact scene against.
+/// The name of the library with which the goals compare the exact scene.
 inline constexpr const char* kEmbree = "Embree 3";
 
-/// All that this program was built with, the exact one first.
+/// Returns the libraries that this program was built with, the exact one first.
 [[nodiscard]] std::vector<Library> all_libraries();
-/// Those that it was built without, and the Debian package that each takes.
+/// Returns the libraries that it was built without, and the Debian package that each needs.
 [[nodiscard]] std::vector<std::string> absent_libraries();
 
 }  // namespace touchstone::bench_scenes

@@ -10,18 +10,18 @@
 
 namespace touchstone::bench_scenes {
 
-/// Build times and memory of one scene.
+/// Returns the build times and memory of one scene.
 [[nodiscard]] std::string builds_table(const SceneResult& result);
-/// How the exact library's time grew.
+/// Returns how the exact library's time grew.
 [[nodiscard]] std::string growth_table(const std::vector<Growth>& growths, const std::string& library);
-/// Every goal: ratios, builds, memory, growth; how many were met, and which were not.
+/// Returns every goal: ratios, builds, memory, growth; how many were met, and which were not.
 [[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
-/// What is compared, and what the columns mean.
+/// Returns the legend: the comparisons, and the meaning of the columns.
 [[nodiscard]] std::string scene_legend();
 
 [[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
 
-/// queries.csv, builds.csv and growth.csv. Throws std::runtime_error where they cannot be written.
+/// Writes queries.csv, builds.csv and growth.csv. Throws std::runtime_error if they cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
 
 }  // namespace touchstone::bench_scenes

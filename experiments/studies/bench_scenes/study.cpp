@@ -50,7 +50,7 @@ Built build(const Library& library, const std::vector<Triangle>& triangles, Buil
   return built;
 }
 
-/// What is right about the first balls, said by the exact library.
+/// The correct answers for the first balls, from the exact library.
 struct Truth {
   std::vector<Numbers> touched;   ///< where the question is any or all
   std::vector<double> distances;  ///< where it is nearest
@@ -149,7 +149,7 @@ std::string name_of(BallPlace place, SceneQuestion question) {
   return fmt::format("{}, {}", word(place), word(question));
 }
 
-/// What is asked of the exact library is asked of a million triangles; balls that just touch take what they take.
+/// The goals for the exact library apply to a million triangles; there is no goal for balls that just touch.
 std::optional<timing::Goal> goal_of(std::size_t triangles, BallPlace place, SceneQuestion question) {
   const auto millions = static_cast<double>(triangles) / 1e6;
   if (std::lround(millions) != 1 || place == BallPlace::Touching || question == SceneQuestion::Nearest)

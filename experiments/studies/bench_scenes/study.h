@@ -12,7 +12,7 @@
 #include "experiments/studies/bench_scenes/library.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 
-/// Time of a query against the number of triangles: `touchstone bench-scenes`.
+/// The study of query time against the number of triangles: `touchstone bench-scenes`.
 namespace touchstone::bench_scenes {
 
 enum class SceneQuestion { Any, All, Nearest };
@@ -25,11 +25,11 @@ struct NamedScene {
   std::vector<Triangle> triangles;
 };
 
-/// What it took one library to build a scene.
+/// The cost of building a scene with one library.
 struct Build {
   std::string library;
-  std::vector<double> seconds;  ///< of each time it was built
-  double bytes = 0;             ///< that it holds, a triangle, beside the triangles it was given
+  std::vector<double> seconds;  ///< for each build
+  double bytes = 0;             ///< of memory per triangle, besides the given triangles
 };
 
 /// One contest of a scene.
@@ -44,39 +44,39 @@ struct SceneResult {
   std::size_t triangles;
   std::vector<Build> builds;
   std::vector<SceneContest> contests;
-  std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: none
+  std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
 };
 
 struct SceneSettings {
-  std::uint64_t samples = 100'000;  ///< balls, but at most 20,000 of those that touch
+  std::uint64_t samples = 100'000;  ///< the number of balls, but at most 20,000 touching ones
   std::uint64_t seed = 1;
   unsigned repetitions = 11;
   double seconds_of_repetition = timing::kSecondsOfRepetition;
 };
 
-/// How much a million triangles may take: build seconds, and bytes each.
+/// The goals for a million triangles: build seconds, and bytes per triangle.
 inline constexpr timing::Goal kBuildGoal{1}, kMemoryGoal{100};
 
-/// Builds the scene with every library, all of which are kept, and asks them in turn, contest by contest; each is
-/// handed to `keep`. Which answers are wrong: those of a library that differ from the exact one's; those of the exact
-/// one that differ from brute force, of the first balls. Throws std::invalid_argument where none of the libraries is
-/// exact.
+/// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
+/// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
+/// the first balls, if it differs from brute force. Throws std::invalid_argument unless one of the libraries is exact.
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,
                                         const std::function<void(const SceneResult&)>& built,
                                         const std::function<void(const SceneContest&)>& keep);
 
-/// How a library's time of a query grew between two scenes of a kind, in times of how log(triangles) did.
+/// The growth of a library's query time between two scenes of a kind, compared with that of log(triangles).
 struct Growth {
   std::string kind, library;
   BallPlace place;
   SceneQuestion question;
   std::size_t from, to;  ///< triangles
-  double times;          ///< by which the time grew
-  double log_times;      ///< by which the logarithm grew
+  double times;          ///< the factor by which the time grew
+  double log_times;      ///< the factor by which the logarithm grew
 };
 
-/// From the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its kind.
+/// Returns the growth from the smallest scene of at least 10,000 triangles (less a hundredth) to each larger one of its
+/// kind.
 [[nodiscard]] std::vector<Growth> growths(const std::vector<SceneResult>& results);
 
 }  // namespace touchstone::bench_scenes

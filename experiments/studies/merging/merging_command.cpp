@@ -36,7 +36,7 @@ struct MergeOptions {
 
 constexpr std::size_t kShown = 3;  // sentences a mesh
 
-/// What is wrong in the file, and so was not read.
+/// Reports the faulty parts of the file, which were not read.
 void tell_left_out(const std::string& file, const ReadMesh& mesh) {
   for (const std::string& sentence : mesh.left_out) fmt::print(stderr, "touchstone: left out: {}\n", sentence);
   if (mesh.parts_left_out > mesh.left_out.size())
@@ -114,20 +114,22 @@ int run(const MergeOptions& options) {
 }  // namespace
 
 harness::Command merging_command() {
-  harness::Command command(
-      "merging", "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of either");
+  harness::Command command("merging",
+                           "Merge coplanar faces of meshes (OBJ, OFF, STL, PLY) into polygons; compare scenes of both");
   auto options = std::make_shared<MergeOptions>();
   command.keep_line(options->line);
   Settings& settings = options->settings;
   command.meshes(options->files, "Mesh files");
-  command.real("--tolerance", settings.tolerance,
-               "How far a vertex may be off the plane of its polygon, in the meshes' own unit; 0: exactly coplanar", 0,
-               1e300);
-  command.whole("--compare", settings.balls, "Balls a mesh that scenes are asked about; 0: no scenes", 0, 10'000'000);
-  command.whole("--least", settings.least, "Faces that a polygon of the mixed scene stands for, at least", 2);
-  command.whole("--repetitions", settings.repetitions, "Of every timing", 1, 1000);
-  command.seed(settings.seed, "Any number; the same gives the same bytes, times apart");
-  command.flag("--skip-bad", options->skip_bad, "Leave out what is wrong in a file, say what, and succeed");
+  command.real(
+      "--tolerance", settings.tolerance,
+      "The largest distance of a vertex from the plane of its polygon, in the meshes' own unit; 0: exactly coplanar", 0,
+      1e300);
+  command.whole("--compare", settings.balls, "The number of balls per mesh for comparing scenes; 0: no scenes", 0,
+                10'000'000);
+  command.whole("--least", settings.least, "The least number of faces that a polygon of the mixed scene replaces", 2);
+  command.whole("--repetitions", settings.repetitions, "The number of repetitions of every timing", 1, 1000);
+  command.seed(settings.seed, "Any number; the same seed gives the same bytes, except for times");
+  command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");
   command.output(options->output, "The folder for the tables");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -49,7 +49,7 @@ Counts count(const Mesh& mesh, const mesh::MergedMesh& merged) {
   return counts;
 }
 
-/// What a scene says, in a form that all kinds share.
+/// The answer of a scene, in a form that all kinds share.
 struct Answers {
   bool any;
   std::vector<std::uint32_t> all;  ///< merged faces

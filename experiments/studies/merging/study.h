@@ -19,13 +19,13 @@ namespace touchstone::merging {
 
 struct Settings {
   double tolerance = 0;        ///< in the meshes' own unit
-  std::uint64_t balls = 1000;  ///< a mesh that scenes are asked about; 0: scenes are not compared
-  std::size_t least = 8;       ///< faces that a polygon of the mixed scene stands for, at least
-  unsigned repetitions = 7;    ///< of every timing
+  std::uint64_t balls = 1000;  ///< queries of each scene, per mesh; 0: scenes are not compared
+  std::size_t least = 8;       ///< the least number of faces that a polygon of the mixed scene replaces
+  unsigned repetitions = 7;    ///< for every timing
   std::uint64_t seed = 1;
 };
 
-/// The scenes that are compared, all of the same faces.
+/// The compared scenes, all of the same faces.
 enum class Kind {
   Faces,   ///< as the mesh has them
   Merged,  ///< every merged face as one polygon
@@ -33,18 +33,18 @@ enum class Kind {
 };
 inline constexpr std::array kKinds{Kind::Faces, Kind::Merged, Kind::Mixed};
 
-/// The questions that scenes are asked.
+/// The queries that scenes answer.
 enum class Question { Any, All, Nearest };
 inline constexpr std::array kQuestions{Question::Any, Question::All, Question::Nearest};
 
 [[nodiscard]] std::string_view word(Kind kind);
 [[nodiscard]] std::string_view word(Question question);
 
-/// What merging made of a mesh: a function of the mesh and the tolerance.
+/// The result of merging a mesh: a function of the mesh and the tolerance.
 struct Counts {
   std::size_t faces = 0, rejected = 0;  ///< of the mesh
   std::size_t polygons = 0;             ///< merged faces
-  std::size_t single = 0;               ///< of these, of one face
+  std::size_t single = 0;               ///< of these, those of one face
   std::size_t holes = 0, vertices = 0;  ///< of all merged faces
   std::size_t largest = 0;              ///< vertices of the largest
   std::size_t splits = 0;
@@ -69,9 +69,9 @@ struct Measured {
   std::array<double, kQuestions.size()> nanoseconds{};  ///< a ball, median of the repetitions
 };
 
-/// Answers that are not those of the scene of faces.
+/// Answers that differ from those of the scene of faces.
 struct Differences {
-  std::array<std::uint64_t, kQuestions.size()> asked{}, differ{};  ///< of both other scenes together
+  std::array<std::uint64_t, kQuestions.size()> asked{}, differ{};  ///< in both other scenes together
   double distance = 0;                                             ///< the largest difference of nearest distances
 };
 
@@ -81,17 +81,17 @@ struct MeshResult {
   std::vector<PolygonCounts> polygons;  ///< by their lowest face of the mesh
   std::vector<mesh::RejectedFace> rejected;
   double merge_seconds = 0;
-  std::array<Measured, kKinds.size()> measured{};  ///< zeros where scenes are not compared
+  std::array<Measured, kKinds.size()> measured{};  ///< zeros if scenes are not compared
   Differences differences;
 };
 
-/// A ball near the surface: a point of a random face, moved by 2^-11 to 2^-1 of the mesh's size; the radius is between
-/// half and one and a half times that. Always finite: what would overflow becomes the largest double. A function of the
-/// arguments. Requires a face that is not rejected.
+/// Draws a ball near the surface: its centre is a point of a random face, moved by 2^-11 to 2^-1 of the mesh's size;
+/// its radius is between half and one and a half times that distance. Always finite: values that would overflow become
+/// the largest double. A function of the arguments. Requires a face that is not rejected.
 [[nodiscard]] Ball draw_ball(const Mesh& mesh, const mesh::MergedMesh& merged, std::uint64_t seed, std::uint64_t index);
 
-/// Merges, and asks the scenes. `nearest` is asked about every tenth ball. Nothing but times and memory differs between
-/// two runs. Nothing where `stop` was set before it was done: it is looked at for each face, polygon and ball.
+/// Merges, and queries the scenes; asks `nearest` about every tenth ball. Only times and memory differ between two
+/// runs. Returns nothing if `stop` was set before it finished; checks `stop` for each face, polygon and ball.
 [[nodiscard]] std::optional<MeshResult> study(const Settings& settings, std::string name, const Mesh& mesh,
                                               const std::atomic<bool>& stop);
 

@@ -10,10 +10,10 @@
 #include "geometry/shapes/polygon.h"
 #include "robust/exact/exact.h"
 
-/// The study of wrong answers on the faces of meshes that others made: `touchstone meshes`.
+/// The study of wrong answers on the faces of third-party meshes: `touchstone meshes`.
 namespace touchstone::meshes {
 
-/// What a ball is near to.
+/// The object to which a ball is near.
 enum class Place {
   Face,    ///< the radius is near the distance to the polygon, whose nearest feature is the face
   Edge,    ///< the same, a drawn edge
@@ -24,11 +24,11 @@ inline constexpr std::array kPlaces{Place::Face, Place::Edge, Place::Vertex, Pla
 
 [[nodiscard]] std::string_view word(Place place);
 
-/// How far balls are moved, in doubles.
+/// The distances by which balls are moved, in doubles.
 inline constexpr std::array kSteps{-2, -1, 0, 1, 2};
 
-/// Place Foot: `steps` moves the centre along one axis. Else it moves the radius, from the double nearest to the
-/// exact distance.
+/// A ball near a place. For Foot, `steps` moves the centre along one axis; otherwise it moves the radius, from the
+/// double nearest to the exact distance.
 struct MeshBall {
   Place place;
   int steps;
@@ -36,14 +36,14 @@ struct MeshBall {
 };
 
 struct MeshBalls {
-  std::vector<MeshBall> balls;  ///< one a step for each place that is not missing, in order
+  std::vector<MeshBall> balls;  ///< one per step for each place that is not missing, in order
   std::vector<Place>
-      missing;  ///< places for which no ball was found, as for needles thinner than the doubles near them
+      missing;  ///< places for which no ball was found, such as needles thinner than the spacing of doubles near them
 };
 
-/// Balls near one face of a mesh: a function of the arguments alone. Distances are log-uniform, from a hundredth of the
-/// face's size to four times it; smaller only where such balls miss the feature. Every nearest feature is verified by
-/// `exact`, which must be given as prepared from the same polygon.
+/// Draws balls near one face of a mesh; a function of the arguments alone. Distances are log-uniform, from a hundredth
+/// of the face's size to four times it, and smaller only if such balls miss the feature. Every nearest feature is
+/// verified by `exact`, which must be prepared from the same polygon.
 [[nodiscard]] MeshBalls draw_mesh_balls(const Polygon& polygon, const exact::PreparedPolygon& exact, std::uint64_t seed,
                                         std::string_view mesh, std::uint64_t face);
 

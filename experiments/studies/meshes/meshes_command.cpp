@@ -86,7 +86,7 @@ int run(Options& options) {
   }
   if (!meshes.all_read) return kBadInput;
   if (!result.rejected.empty() && !options.skip_bad) {
-    fmt::print(stderr, "touchstone: {} faces were rejected; with --skip-bad that is no error\n",
+    fmt::print(stderr, "touchstone: {} faces were rejected; with --skip-bad this is not an error\n",
                result.rejected.size());
     return kBadInput;
   }
@@ -102,10 +102,11 @@ harness::Command meshes_command() {
   command.meshes(options->files, "Mesh files");
   command.methods(options->methods);
   command.seed(options->settings.seed);
-  command.whole("--faces", options->settings.faces, "The first so many faces of each mesh (default: all)", 1);
+  command.whole("--faces", options->settings.faces,
+                "The number of faces of each mesh to test, from the first on (default: all)", 1);
   command.threads(options->settings.threads);
   command.flag("--skip-bad", options->skip_bad,
-               "Leave out what is wrong in a file, and say what; rejected faces are no error then");
+               "Leave out faulty parts of a file, and report them; rejected faces are then not an error");
   command.output(options->output, "The folder for the tables and the failing cases");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -53,7 +53,7 @@ void keep_worst(std::vector<Failure>& failures) {
   });
 }
 
-/// What one thread has found.
+/// The results of one thread.
 class Tally {
  public:
   Tally(const Settings& settings, const std::vector<NamedMesh>& meshes, const std::vector<bool>& knows_boundary)

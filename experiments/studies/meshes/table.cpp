@@ -178,7 +178,7 @@ distance, moved by -2 to 2 doubles. 5 with an ample radius and the foot at an ed
 plane: intersects or not (which side is not compared: the thesis's normal, from three vertices, may point either way).
 foot: inside, boundary or outside; where the exact answer is boundary, a method without that word (thesis) is right
 whether it says inside or outside. edges: the whole list. contact: the final answer; missed: a contact denied; false:
-one reported where there is none. Touching is contact: the thesis, which says otherwise, is wrong there by definition.
+one reported wrongly. Touching is contact: the thesis, which says otherwise, is wrong there by definition.
 faces: those with a wrong final answer, and the Clopper-Pearson limits of their share, as if drawn at random.
 exact is the truth that all answers, its own included, are compared with. Percentages are those of the answers given:
 interval may answer that it does not know.

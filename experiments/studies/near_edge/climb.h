@@ -8,17 +8,17 @@ namespace touchstone::near_edge {
 
 inline constexpr int kClimbSteps = 64;
 
-/// A case and how far from its threshold the method is wrong about it.
+/// A case and the distance from its threshold at which the method is wrong about it.
 struct Climbed {
   AtThreshold at;
   WrongReach reach;
 };
 
-/// Moves one coordinate at a time of a vertex or the centre, by some doubles or by one of its lower 32 bits, and keeps
-/// what is wrong at least as far from the threshold, kClimbSteps times. What is no polygon any more, or has another
-/// kind of nearest feature, is not kept. Where the radius is moved, it is set to the new distance; where the foot is,
-/// the threshold is looked for anew along the same axis. At the origin shapes hardly change; 10^6 sizes away, where a
-/// double is 2^-33 of the size, they do.
+/// Takes kClimbSteps steps. Each step moves one coordinate of a vertex or the centre, by some doubles or by one of its
+/// lower 32 bits, and keeps the change if the method is wrong at least as far from the threshold. A change that yields
+/// an invalid polygon or another kind of nearest feature is discarded. If the threshold moves the radius, the radius is
+/// set to the new distance; if it moves the foot, the threshold is searched again along the same axis. At the origin
+/// shapes hardly change; 10^6 sizes away, where a double is 2^-33 of the size, they do.
 ///
 /// A function of its arguments. Cost: about 10 ms.
 [[nodiscard]] Climbed climb(AtThreshold start, const cases::Method& method, workloads::Random random);

@@ -24,29 +24,29 @@ struct Tally {
   friend bool operator==(const Tally&, const Tally&) = default;
 };
 
-/// What one test of one method did in some strata.
+/// The counts of one test of one method in some strata.
 ///
-/// Trials at different offsets of one sample are not independent; samples are, and trials at one offset are. So limits
-/// belong to `samples` and to single offsets, not to `all`.
+/// Samples are independent, and so are the trials at one offset; trials of one sample at different offsets are not. So
+/// confidence limits apply to `samples` and to single offsets, not to `all`.
 struct Summary {
-  Tally samples;                             ///< a sample fails if it does at any offset
+  Tally samples;                             ///< a sample fails if it fails at any offset
   Tally all;                                 ///< every offset of every sample
   std::optional<std::int64_t> below, above;  ///< the lowest and the highest offset at which a failure was seen
 };
 
-/// Failures and trials by stratum, test, method (by its place in the list) and offset.
+/// Failures and trials by stratum, test, method (index in the list) and offset.
 class Counts {
  public:
   Counts() = default;
   explicit Counts(std::size_t methods);
 
-  /// Adds one sample: `failed`, for each offset.
+  /// Adds one sample, with `failed` for each offset.
   void add(std::size_t stratum, Test test, std::size_t method, const std::vector<bool>& failed);
   auto members() { return std::tie(tallies_); }
 
   [[nodiscard]] std::size_t methods() const { return methods_; }
   [[nodiscard]] const Tally& at(std::size_t stratum, Test test, std::size_t method, std::size_t offset) const;
-  /// Over these strata together.
+  /// Returns the sum over these strata.
   [[nodiscard]] Summary summary(const std::vector<std::size_t>& strata, Test test, std::size_t method) const;
 
   friend bool operator==(const Counts&, const Counts&) = default;
@@ -55,7 +55,7 @@ class Counts {
   [[nodiscard]] std::size_t first(std::size_t stratum, Test test, std::size_t method) const;
 
   std::size_t methods_ = 0;
-  std::vector<Tally> tallies_;  ///< one an offset, then one of the samples
+  std::vector<Tally> tallies_;  ///< one per offset, then one for the samples
 };
 
 }  // namespace touchstone::near_edge

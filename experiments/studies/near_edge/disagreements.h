@@ -8,7 +8,7 @@
 
 namespace touchstone::near_edge {
 
-/// A ball about which the truth that a study used differs from `exact`: a defect of this program, not of a method.
+/// A ball for which the truth used by a study differs from `exact`: a defect of this program, not of a method.
 struct Disagreement {
   std::uint64_t n;  ///< of the sample
   std::uint64_t stratum;
@@ -18,17 +18,17 @@ struct Disagreement {
   friend bool operator==(const Disagreement&, const Disagreement&) = default;
 };
 
-/// All are counted, the first are kept; sums do not depend on their order.
+/// Counts all disagreements and keeps the first ones; sums do not depend on their order.
 class Disagreements {
  public:
   static constexpr std::size_t kMostKept = 1000;
 
-  /// All that were found about one sample, in their order.
+  /// Adds all disagreements of one sample, in their order.
   void add(std::vector<Disagreement> found);
   Disagreements& operator+=(const Disagreements& other);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// The first ones by n, then by stratum.
+  /// Returns the first ones by n, then by stratum.
   [[nodiscard]] const std::vector<Disagreement>& kept() const { return kept_; }
 
   auto members() { return std::tie(count_, kept_); }

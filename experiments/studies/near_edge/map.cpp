@@ -98,7 +98,7 @@ bool same_binade(double a, double b) {
   return std::ilogb(a) == std::ilogb(b) && inner(a) && inner(b);
 }
 
-/// What is mapped, prepared for all threads.
+/// The subject of a map, prepared for all threads.
 struct Scene {
   Scene(Polygon drawn, Ball ball, int flat, const std::vector<const cases::Method*>& methods)
       : polygon(std::move(drawn)),

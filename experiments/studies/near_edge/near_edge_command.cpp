@@ -181,11 +181,11 @@ class Run {
                  options_.truth, differing, worst_.wrong_truths, (folder_ / "disagreements.jsonl").string(),
                  options_.truth);
     if (settings_.truth->name() != "exact")
-      fmt::print("{} was held against exact about {} balls: {} differences.\n", options_.truth, result_.checked,
+      fmt::print("{} was compared with exact for {} balls: {} differences.\n", options_.truth, result_.checked,
                  result_.disagreements.count());
     harness::flush_standard_output();
     if (interrupt_.requested()) {
-      fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume goes on\n",
+      fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
                  options_.output, result_.samples, settings_.samples);
       return harness::kInterrupted;
     }
@@ -214,17 +214,18 @@ harness::Command near_edge_command() {
   command.families(options->families);
   command.whole("--samples", options->samples, "Samples of each family, placement and threshold", 1, kMostSamples);
   command.seed(options->seed);
-  command.threads(options->threads, "Of each process; they do not change the results");
-  command.whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as near as a family allows", 3,
+  command.threads(options->threads, "Threads of each process; they do not change the results");
+  command.whole("--vertices", options->shape.vertices, "Vertices of the outer loops, as nearly as a family allows", 3,
                 1U << 17);
   command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000);
-  command.real("--origin-distance", options->shape.origin_distance, "Of each polygon, in its sizes", 0.0, 0x1p30);
+  command.real("--origin-distance", options->shape.origin_distance,
+               "The distance of each polygon from the origin, in its sizes", 0.0, 0x1p30);
   command.choice("--truth", options->truth, {"exact", "filtered"},
-                 "What says who is right; filtered is quicker, and held against exact where a method errs and in "
-                 "a hundredth of the samples");
+                 "The oracle that decides which answers are right; filtered is faster, and is compared with exact "
+                 "where a method is wrong and in a hundredth of the samples");
   command.whole("--search", options->search,
-                "Search for the furthest wrong answers from so many samples of each family, threshold and "
-                "distance from the origin",
+                "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
+                "and distance from the origin",
                 0, kMostSamples);
   command.resume(options->resume);
   command.output(options->output, "The folder for tables and pictures");

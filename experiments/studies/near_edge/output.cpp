@@ -17,7 +17,7 @@ double rate(const Tally& tally) {
   return tally.trials == 0 ? 0 : static_cast<double>(tally.failures) / static_cast<double>(tally.trials);
 }
 
-/// What the tables give a line: one stratum, or those of all families.
+/// The subject of a line in the tables: one stratum, or those of all families.
 struct Group {
   std::string name;
   std::vector<std::size_t> strata;

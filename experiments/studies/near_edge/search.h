@@ -12,28 +12,28 @@
 
 namespace touchstone::near_edge {
 
-/// Where the search looks: rotated polygons of one family at one distance from the origin, at one threshold.
+/// A region of the search: rotated polygons of one family at one distance from the origin, at one threshold.
 struct Region {
   std::size_t stratum;
   double origin_distance;  ///< in sizes
 };
 
-/// Those of the families, at every distance of kSearchDistances.
+/// Returns the regions of the families, at every distance of kSearchDistances.
 [[nodiscard]] std::vector<Region> search_regions(const std::vector<workloads::Family>& families);
 inline constexpr double kSearchDistances[] = {0, 1e3, 1e6};
 
-/// A sample and how far from its threshold a method is wrong about it, as a share of its size.
+/// A sample and the distance from its threshold at which a method is wrong about it, as a share of its size.
 struct Find {
   double share = 0;
   std::uint64_t n = 0;
 
   auto members() { return std::tie(share, n); }
-  /// Further away first; of those equally far the first.
+  /// Orders larger distances first; for equal distances, the first sample.
   friend bool operator<(const Find& a, const Find& b) { return a.share != b.share ? a.share > b.share : a.n < b.n; }
   friend bool operator==(const Find&, const Find&) = default;
 };
 
-/// What random samples of one region showed of one method.
+/// The results of one method on random samples of one region.
 struct Onset {
   static constexpr std::size_t kMostKept = 2;
 
@@ -45,30 +45,30 @@ struct Onset {
   Onset& operator+=(const Onset& other);
 };
 
-/// Random samples of all regions and methods: sums do not depend on their order.
+/// The results of random samples for all regions and methods; sums do not depend on their order.
 struct Onsets {
   std::vector<Onset> all;     ///< [region][method]
-  std::uint64_t done = 0;     ///< samples of each region
-  std::uint64_t missing = 0;  ///< samples, of all, that were not found
+  std::uint64_t done = 0;     ///< samples per region
+  std::uint64_t missing = 0;  ///< samples, over all regions, that were not found
 
   auto members() { return std::tie(all, done, missing); }
 };
 
-/// A case about which a method is wrong far from the threshold, found by climbing.
+/// A case, found by climbing, about which a method is wrong far from the threshold.
 struct Worst {
-  double share = 0;          ///< how far from the threshold, of the size; 0 where none was found
-  std::uint64_t n = 0;       ///< of the sample that the climb began at
+  double share = 0;          ///< distance from the threshold, as a share of the size; 0 if none was found
+  std::uint64_t n = 0;       ///< of the sample from which the climb started
   std::int64_t doubles = 0;  ///< the same offset in doubles; negative: a smaller radius, or a smaller coordinate
-  std::string line;          ///< the case as JSON, with the one key expected that the method gets wrong
+  std::string line;          ///< the case as JSON; its `expected` has only the key that the method gets wrong
 
   auto members() { return std::tie(share, n, doubles, line); }
   friend bool operator==(const Worst&, const Worst&) = default;
 };
 
-/// The furthest of each region and method: sums do not depend on their order.
+/// The furthest case of each region and method; sums do not depend on their order.
 struct WorstCases {
   std::vector<Worst> all;          ///< [region][method]
-  std::uint64_t wrong_truths = 0;  ///< that `exact` did not confirm: a defect of this program
+  std::uint64_t wrong_truths = 0;  ///< truths that `exact` did not confirm: a defect of this program
 
   auto members() { return std::tie(all, wrong_truths); }
   WorstCases& operator+=(const WorstCases& other);
@@ -76,17 +76,17 @@ struct WorstCases {
 
 [[nodiscard]] inline std::uint64_t items_done(const Onsets& onsets) { return onsets.done; }
 
-/// What no sample has been added to yet.
+/// Returns empty onsets.
 [[nodiscard]] Onsets no_onsets(const Settings& settings);
 
-/// Measures how far from the threshold each method is wrong about those of `samples` samples of every region that the
-/// onsets do not hold yet, and adds them. Returns how many they then hold.
+/// Measures how far from the threshold each method is wrong, for those of `samples` samples of every region that the
+/// onsets do not contain yet, and adds them. Returns the number of samples that they then contain.
 std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::Course<Onsets>& course,
                          Onsets& onsets);
 
-/// Climbs from the furthest samples of each region and method. At the first process: a function of settings and onsets,
-/// whatever the processes and threads; each case is confirmed by `exact`. `onsets` is the first process's. Returns how
-/// many climbs were done, of climb_count(settings).
+/// Climbs from the furthest samples of each region and method. In the first process the result is a function of
+/// settings and onsets, independent of processes and threads; `exact` confirms each case. `onsets` is that of the first
+/// process. Returns the number of climbs done, of climb_count(settings).
 std::uint64_t run_climbs(const Settings& settings, const harness::Course<WorstCases>& course, const Onsets& onsets,
                          WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);

@@ -127,12 +127,11 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
   return text +
          "Offsets of the radius (foot-*: of a coordinate of the centre) from the threshold, as shares of the "
          "polygon's\n"
-         "size, asked about at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest of these that "
-         "was\n"
-         "wrong. Rotated polygons; the truth is filtered's, and exact's of what was climbed. Distance from the origin, "
-         "in "
-         "sizes. Furthest: of all samples; climbed: after moving their "
-         "coordinates.\n";
+         "size, tested at the powers of two from 2^-60 to 1, and at 64 steps beyond the furthest wrong one. Rotated "
+         "polygons;\n"
+         "the truth is filtered, and exact for climbed cases. Distance from the origin, in sizes. Furthest: over all "
+         "samples;\n"
+         "climbed: after moving their coordinates.\n";
 }
 
 }  // namespace touchstone::near_edge

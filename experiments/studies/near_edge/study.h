@@ -14,26 +14,26 @@ namespace touchstone::near_edge {
 struct Settings {
   std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
-  std::uint64_t samples = 1;  ///< of each stratum; at most kMostSamples
+  std::uint64_t samples = 1;  ///< per stratum; at most kMostSamples
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< of each process
   cases::Shape shape = {};
-  /// What says who is right. Unless it is `exact` itself, `exact` is asked too: about every ball of one sample in
-  /// kCheckedOneIn, and about every ball on which a method comes out wrong.
+  /// The oracle that decides which answers are right. Unless it is `exact` itself, `exact` is also asked: about every
+  /// ball of one sample in kCheckedOneIn, and about every ball for which a method seems wrong.
   const cases::Method* truth = methods::find_method("exact");
 };
 
-/// Indices of samples and of what they redraw stay apart below this.
+/// Below this number, indices of samples and of their redraws do not collide.
 inline constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t kCheckedOneIn = 100;
 
-/// Sums do not depend on their order.
+/// The results of the study; sums do not depend on their order.
 struct Result {
   Counts counts;
-  std::uint64_t samples = 0;    ///< of each stratum, all done: fewer than asked for where the run was stopped
-  std::uint64_t missing = 0;    ///< samples, of all, for which no polygon or ball was found
-  std::uint64_t checked = 0;    ///< balls, of all tests, about which `exact` was asked besides another truth
-  Disagreements disagreements;  ///< where it said otherwise
+  std::uint64_t samples = 0;    ///< complete samples per stratum: fewer than requested if the run was stopped
+  std::uint64_t missing = 0;    ///< samples, over all strata, for which no polygon or ball was found
+  std::uint64_t checked = 0;    ///< balls, over all tests, for which another truth was compared with `exact`
+  Disagreements disagreements;  ///< where they differed
 
   auto members() { return std::tie(counts, samples, missing, checked, disagreements); }
   friend bool operator==(const Result&, const Result&) = default;
@@ -41,14 +41,15 @@ struct Result {
 
 [[nodiscard]] inline std::uint64_t items_done(const Result& result) { return result.samples; }
 
-/// What no sample has been added to yet.
+/// Returns an empty result.
 [[nodiscard]] Result no_result(const Settings& settings);
 
-/// Asks every method about every ball of every crossing that the result does not hold yet, and adds them to it.
+/// Asks every method about every ball of every crossing that the result does not contain yet, and adds the answers to
+/// it.
 ///
-/// The first process's result is a function of settings and the number of samples done; threads, processes, stops and
-/// the other families and methods do not change the counts of one. A run stopped after m samples equals one of m
-/// samples. Returns that number, at every process.
+/// In the first process the result is a function of settings and the number of samples done. Threads, processes, stops
+/// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
+/// equals a run of m samples. Returns that number, in every process.
 std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result);
 
 }  // namespace touchstone::near_edge

@@ -37,7 +37,7 @@ Polygon face_of(const scene::Faces& faces, std::uint32_t number) {
   throw std::invalid_argument("the method " + std::string(method.name()) + " does not compute " + what);
 }
 
-/// What the faces of one block add to the answers to all balls.
+/// The contribution of the faces of one block to the answers to all balls.
 class BlockAnswers {
  public:
   BlockAnswers(const cases::Method& method, const Order& order, std::size_t balls)

@@ -44,7 +44,7 @@ NamedBall from_json(const std::string& text, std::string id) {
   if (!strict.value.is_object()) throw Fault{"the line is not an object"};
   for (const char* key : {"id", "ball"})
     if (strict.duplicate_key == key || strict.ambiguous.contains(key))
-      throw Fault{fmt::format("\"{}\" is, or has, a key that stands twice", key)};
+      throw Fault{fmt::format("\"{}\" is, or has, a duplicate key", key)};
   if (const auto given = strict.value.find("id"); given != strict.value.end()) {
     if (!given->is_string()) throw Fault{"id is not a string"};
     id = given->get<std::string>();

@@ -16,31 +16,30 @@ struct NamedBall {
   Ball ball;
 };
 
-/// Reads one ball a line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, as in a case of the contract, or four
-/// numbers, x y z r, between blanks, `#` before a comment. Other keys mean nothing, so that a file of cases or of
-/// answers serves. A ball without an id has the number of its line. Lines of white space are skipped; "-" is standard
-/// input.
+/// Reads one ball per line: `{"id":"a","ball":{"center":[x,y,z],"radius":r}}`, as in a case of the contract, or four
+/// numbers, x y z r, separated by blanks, with `#` before a comment. Ignores other keys, so that a file of cases or of
+/// answers can be read. The id of a ball without one is the number of its line. Skips lines of white space; "-" is
+/// standard input.
 ///
-/// Throws std::runtime_error, which names file and line, for what cannot be read and for a ball that the contract
-/// rejects.
+/// Throws std::runtime_error, which names file and line, for invalid input and for a ball that the contract rejects.
 [[nodiscard]] std::vector<NamedBall> read_balls(const std::string& file);
 
 /// Random balls for a scene: every other one near a point of a random face, with a radius of up to twice its distance
-/// from that point; the others anywhere in or near the box of all faces. All are finite: what would lie beyond the
-/// finite doubles becomes the largest of them.
+/// from that point; the others anywhere in or near the box of all faces. All are finite: values that would overflow
+/// become the largest double.
 class RandomBalls {
  public:
-  /// Requires one face at least.
+  /// Requires at least one face.
   explicit RandomBalls(const std::vector<scene::Faces>& objects);
 
-  /// A function of the faces, seed and index.
+  /// Draws a ball, a function of the faces, seed and index.
   [[nodiscard]] NamedBall draw(std::uint64_t seed, std::uint64_t index) const;
 
  private:
   [[nodiscard]] Ball near_a_face(std::uint64_t seed, std::uint64_t index) const;
   [[nodiscard]] Ball anywhere(std::uint64_t seed, std::uint64_t index) const;
 
-  std::vector<Triangle> corners_;  ///< of each face the first three vertices
+  std::vector<Triangle> corners_;  ///< the first three vertices of each face
   Box box_;
 };
 

@@ -14,12 +14,12 @@ namespace touchstone::scenes {
 struct Object {
   std::string name;
   scene::Faces faces;                  ///< triangles first
-  std::vector<std::uint32_t> numbers;  ///< of these faces in the mesh, from 0
-  std::vector<std::string> rejected;   ///< a sentence, which names the place in the file, for the first other faces
-  std::uint64_t faces_rejected = 0;    ///< all of them
+  std::vector<std::uint32_t> numbers;  ///< indices of these faces in the mesh, from 0
+  std::vector<std::string> rejected;   ///< a sentence for each of the first other faces, with its place in the file
+  std::uint64_t faces_rejected = 0;    ///< the number of all other faces
 };
 
-/// Takes every face of the mesh as it is. Cost: that of exact::validate for each.
+/// Takes every face of the mesh as it is. Cost: that of exact::validate per face.
 [[nodiscard]] Object object_of(workloads::NamedFile file);
 
 }  // namespace touchstone::scenes

@@ -29,10 +29,10 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
     return Row{std::string(word(outcome)), explained, counts.faces(outcome), counts.faces()};
   };
   std::vector<Row> rows{{"faces", "faces asked about", counts.faces(), counts.faces()},
-                        faces(CullOutcome::Box, "rejected by a box of the hierarchy, never come to"),
-                        faces(CullOutcome::Known, "passed over, the answer was known"),
+                        faces(CullOutcome::Box, "rejected by a box of the hierarchy, never reached"),
+                        faces(CullOutcome::Known, "skipped, the answer was known"),
                         faces(CullOutcome::Slab, "rejected by the slab: the plane is too far"),
-                        faces(CullOutcome::Foot, "rejected by the foot, no edge looked at"),
+                        faces(CullOutcome::Foot, "rejected by the foot, no edge tested"),
                         {"edges_missed", "rejected by the edges", counts.faces(CullOutcome::Edges), counts.faces()},
                         faces(CullOutcome::Touched, "touched"),
                         {"tested", "faces tested: slab, foot, edges or touched", counts.tested(), counts.faces()}};
@@ -43,7 +43,7 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
   }
   rows.push_back({"edges", "edges of the faces asked about", counts.edges(), counts.edges()});
   rows.push_back(
-      {"edges_never_looked_at", "edges never looked at", counts.edges() - counts.edges_looked_at(), counts.edges()});
+      {"edges_never_looked_at", "edges never tested", counts.edges() - counts.edges_looked_at(), counts.edges()});
   return rows;
 }
 

@@ -9,13 +9,13 @@
 
 namespace touchstone::scenes {
 
-/// A line of JSON: `id` and `ball` as in a case of the contract, then what was asked for: `touches`, `touched` (object
-/// and face) or `nearest` (object, face, feature, point and distance; null where there is no face). `counts` with
-/// the words of scene::CullOutcome and filtered::Stage, if asked for. Faces have the numbers of their mesh.
+/// Returns a line of JSON: `id` and `ball` as in a case of the contract, then the requested answer: `touches`,
+/// `touched` (object and face) or `nearest` (object, face, feature, point and distance; null if there are no faces). If
+/// requested, `counts` has the words of scene::CullOutcome and filtered::Stage. Faces have the numbers of their mesh.
 [[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
                                       const std::vector<Object>& objects, bool with_counts);
 
-/// What a method answered against the scene's answers.
+/// The differences between a method's answers and the scene's.
 struct Differences {
   std::uint64_t balls = 0;
   std::uint64_t answers = 0;    ///< balls with another answer: touched or not, other faces, or another nearest face
@@ -26,9 +26,9 @@ struct Differences {
   void add(const BallAnswer& given, const BallAnswer& truth, Question question);
 };
 
-/// The counts in sum, for the terminal: a line each, with its share and what it is for one ball.
+/// Returns the total counts for the terminal: one line each, with its share and its mean per ball.
 [[nodiscard]] std::string table(const scene::FaceCounts& counts, std::uint64_t balls);
-/// counts.csv: the same; `what,count`.
+/// Returns counts.csv: the same counts; `what,count`.
 [[nodiscard]] std::string counts_csv(const scene::FaceCounts& counts, std::uint64_t balls);
 
 }  // namespace touchstone::scenes

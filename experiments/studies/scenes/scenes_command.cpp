@@ -82,7 +82,7 @@ struct Loaded {
   std::uint64_t parts_left_out = 0;
 };
 
-/// Nothing if some file cannot be read as it is asked for, which is said on standard error.
+/// Returns nothing if a file cannot be read as requested, and reports that on standard error.
 std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   constexpr std::size_t kShown = 3;
   workloads::NamedFiles files =
@@ -166,7 +166,7 @@ Source source_of(const SceneOptions& options, const std::vector<Object>& objects
   return {options.random, [random, seed = options.seed](std::uint64_t i) { return random->draw(seed, i); }};
 }
 
-/// What was asked for so far.
+/// The sums of the answers so far.
 struct Sums {
   std::uint64_t balls = 0;
   scene::FaceCounts counts;
@@ -303,7 +303,8 @@ int run(const SceneOptions& options) {
 
 harness::Command scenes_command() {
   harness::Command command(
-      "scenes", "Which faces of meshes (OBJ, OFF, STL, PLY) do balls touch, or is the nearest? And what was skipped?");
+      "scenes",
+      "Find the faces of meshes (OBJ, OFF, STL, PLY) that balls touch, or the nearest; count what was skipped");
   auto options = std::make_shared<SceneOptions>();
   command.keep_line(options->line);
   command.meshes(options->files, "Mesh files; each is an object named by folder and file, as arm/link1");
@@ -313,29 +314,29 @@ harness::Command scenes_command() {
       "the numbers x y z r; # begins a comment; - is standard input");
   command.whole("--random", options->random, "The number of random balls, half of them near a face", 1);
   command.require_one_of({"--balls", "--random"});
-  command.seed(options->seed, "Of --random; the same gives the same bytes");
-  command.flag("--any", options->any, "Does the ball touch any face?");
-  command.flag("--all", options->all, "Which faces does it touch? (default)");
-  command.flag("--nearest", options->nearest, "Which face is nearest to its centre, and where?");
+  command.seed(options->seed, "The seed of --random; the same seed gives the same bytes");
+  command.flag("--any", options->any, "Answer whether the ball touches any face");
+  command.flag("--all", options->all, "Answer which faces it touches (default)");
+  command.flag("--nearest", options->nearest, "Answer which face is nearest to its centre, and where");
   command.allow_one_of({"--any", "--all", "--nearest"});
-  command.text("--method", options->method,
-               "filtered asks the scene's hierarchy; any other method is asked about every face, and held "
-               "against filtered");
+  command.text(
+      "--method", options->method,
+      "filtered uses the scene's hierarchy; any other method is asked about every face, and compared with filtered");
   command.texts("--objects", options->objects,
-                "Ask about these only: a name, or names separated by commas; may be given several times");
+                "Ask about these objects only: a name, or names separated by commas; may be repeated");
   command.names("--unit", options->units,
                 "The unit of the meshes' numbers, one for all or one each: um, mm, cm, m, inch, foot. Where all are "
                 "the same it changes no number; a mesh in another unit than the scene is scaled, each coordinate "
                 "rounded once to the nearest double");
   command.text("--scene-unit", options->scene_unit, "The unit of balls and answers (default: that of the first mesh)");
-  command.flag("--counts", options->counts, "Add to each answer what was skipped for it (by filtered)");
+  command.flag("--counts", options->counts, "Add to each answer the counts of skipped work (by filtered)");
   command.flag("--skip-bad", options->skip_bad,
-               "Leave out what is wrong in a file and faces that are no polygons, and say what");
+               "Leave out faulty parts of a file and faces that are not valid polygons, and report them");
   command.threads(options->threads);
   command.output(options->output,
                  "A folder for answers.jsonl, counts.csv, left-out.txt and run.json (default: answers go to "
                  "standard output, the table to standard error)");
-  command.footer("Exit status: 2 for input that is wrong, 130 when interrupted, else 0.");
+  command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

@@ -19,14 +19,14 @@ struct Settings {
   unsigned threads = 1;    ///< of each process
 };
 
-/// What a harness::Checkpoint of a tally asks for.
+/// The settings that a harness::Checkpoint of a tally depends on.
 [[nodiscard]] harness::ResultSettings checkpoint_settings(const Settings& settings);
 
-/// Asks about the cases from, from + 1, ... that the tally does not hold yet, and adds them to it in their order.
+/// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
-/// The first process's tally is a function of the contestant, seed, from and the number of cases that it holds;
-/// processes, threads, pauses and stops do not change it. There, `save` is told it every few seconds, `progress` the
-/// number of cases done. Returns the number of cases done, at all processes.
+/// In the first process the tally is a function of the contestant, seed, from and the number of cases that it contains;
+/// processes, threads, pauses and stops do not change it. There, `save` receives it every few seconds, and `progress`
+/// the number of cases done. Returns the number of cases done, in all processes.
 std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const harness::Processes& processes,
                            const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
                            const harness::Progress& progress, Tally& tally);

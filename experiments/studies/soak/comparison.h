@@ -8,12 +8,12 @@
 
 namespace touchstone::soak {
 
-/// Asks the contestant about case `index` and adds what came of it to the tally.
+/// Asks the contestant about case `index` and adds the result to the tally.
 ///
 /// Every case: contact with the polygon, prepared, with and without counts and vector instructions; with a triangle
 /// also unprepared, and in a batch of all orders of its vertices. One case in 16: every question and the whole answer,
-/// the closest point of a triangle, and a batch of balls of neighbouring radii. All against `exact`; an exception
-/// counts as a difference.
+/// the closest point of a triangle, and a batch of balls of neighbouring radii. Compares all answers with `exact`; an
+/// exception counts as a difference.
 void compare(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
 }  // namespace touchstone::soak

@@ -8,7 +8,8 @@
 
 namespace touchstone::soak {
 
-/// What is held against `exact`: the questions of `filtered`, each of which a test may answer wrongly instead.
+/// The functions that are compared with `exact`: the queries of `filtered`, each of which a test can replace by a wrong
+/// one.
 class Contestant {
  public:
   using Prepared = filtered::PreparedPolygon;
@@ -34,7 +35,7 @@ class Contestant {
   virtual void contact(std::span<const Ball> balls, const Prepared& polygon, std::span<bool> touches) const {
     filtered::contact(balls, polygon, touches);
   }
-  /// The same without vector instructions.
+  /// Answers the same without vector instructions.
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Triangle& triangle) const {
     filtered::NoCounts none;
     return filtered::baseline_kernels().plain.triangle_contact(filtered::view_of(ball, triangle), none);

@@ -65,7 +65,7 @@ std::string table(const Tally& tally) {
     for (const std::uint64_t count : outcomes.by_stage) text += fmt::format(" {:>13}", count);
     text += fmt::format(" {:>11}\n", outcomes.differences);
   });
-  return text + "Stages: the slowest that a case went to.\n" + verdict(tally);
+  return text + "Stages: the slowest that a case reached.\n" + verdict(tally);
 }
 
 }  // namespace touchstone::soak

@@ -11,12 +11,12 @@ namespace touchstone::soak {
 // Results only: byte for byte the same for the same seed, first case and number of cases, whatever the number of
 // threads and interruptions. Each throws std::runtime_error, which names the file, where it cannot be written.
 
-/// soak.csv: a line a family and way of asking: cases, by the slowest stage that they went to, and differences.
+/// soak.csv: one line per family and way of asking: cases, by the slowest stage that they reached, and differences.
 void write_counts(const std::filesystem::path& folder, const Tally& tally);
 /// differences.jsonl: the first cases that differed, for `touchstone judge --method filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
 
-/// The table for the terminal, with the verdict below it.
+/// Returns the table for the terminal, with the verdict below it.
 [[nodiscard]] std::string table(const Tally& tally);
 
 }  // namespace touchstone::soak

@@ -96,7 +96,7 @@ int run(const Options& options, const harness::Processes& processes) {
                "`touchstone soak --seed {} --from INDEX --cases 1` asks again\n",
                (folder / "differences.jsonl").string(), settings.seed);
   if (done < settings.cases) {
-    fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume goes on\n", done, settings.cases);
+    fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume continues\n", done, settings.cases);
     return harness::kInterrupted;
   }
   return tally.differing() > 0 ? 1 : 0;
@@ -122,18 +122,18 @@ int run_soak(const Options& options) {
 }  // namespace
 
 harness::Command soak_command() {
-  harness::Command command("soak", "Hold filtered against exact on hard random cases; exit status 1 if they differ");
+  harness::Command command("soak", "Compare filtered with exact on hard random cases; exit status 1 if they differ");
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   Settings& settings = options->settings;
-  command.whole("--cases", settings.cases, "How many cases", 1);
+  command.whole("--cases", settings.cases, "The number of cases", 1);
   command.seed(settings.seed, "Any number; case i depends on it and on i alone");
   command.whole("--from", settings.from, "The index of the first case", 0);
-  command.threads(settings.threads, "Of each process; they do not change the results");
+  command.threads(settings.threads, "Threads of each process; they do not change the results");
   command.output(options->output, "The folder for counts, differences and the checkpoint");
   command.resume(options->resume);
   command.force(options->force);
-  command.flag("--print", options->print, "Ask nothing: print the cases, as `judge` takes them").excludes("--resume");
+  command.flag("--print", options->print, "Only print the cases, as `judge` takes them").excludes("--resume");
   command.runs([options] { return run_soak(*options); });
   return command;
 }

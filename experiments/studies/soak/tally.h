@@ -13,7 +13,7 @@
 
 namespace touchstone::soak {
 
-/// The ways of asking that are counted apart.
+/// The ways of asking that are counted separately.
 enum class Way {
   Triangle,  ///< contact with a triangle, nothing prepared
   Prepared,  ///< contact with a prepared polygon
@@ -23,18 +23,18 @@ enum class Way {
 [[nodiscard]] std::string_view word(Way way);
 inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer};
 
-/// What became of the cases of one family asked in one way.
+/// The results of the cases of one family asked in one way.
 struct Outcomes {
   std::uint64_t cases = 0;
-  std::array<std::uint64_t, filtered::kStages> by_stage{};  ///< the slowest stage that a case went to
-  std::uint64_t differences = 0;                            ///< cases that came out otherwise than by `exact`
+  std::array<std::uint64_t, filtered::kStages> by_stage{};  ///< by the slowest stage that a case reached
+  std::uint64_t differences = 0;                            ///< cases with an answer other than that of `exact`
 
   auto members() { return std::tie(cases, by_stage, differences); }
   Outcomes& operator+=(const Outcomes& other);
   friend bool operator==(const Outcomes&, const Outcomes&) = default;
 };
 
-/// A case that came out otherwise than by `exact`.
+/// A case with an answer other than that of `exact`.
 struct Difference {
   std::uint64_t index;
   std::string line;  ///< one line of JSON: the case in the contract's form, tagged with what differed
@@ -43,7 +43,7 @@ struct Difference {
   friend bool operator==(const Difference&, const Difference&) = default;
 };
 
-/// Sums do not depend on their order, as long as the first differences by index suffice: only so many are kept.
+/// The results of all cases. Sums do not depend on their order. Only the first kMostKept differences by index are kept.
 class Tally {
  public:
   static constexpr std::size_t kMostKept = 1000;
@@ -51,14 +51,14 @@ class Tally {
   [[nodiscard]] Outcomes& at(adversarial::Family family, Way way) { return outcomes_[place(family, way)]; }
   [[nodiscard]] const Outcomes& at(adversarial::Family family, Way way) const { return outcomes_[place(family, way)]; }
 
-  /// A case was asked about; `differences` are the ways in which it differed, all of one case.
+  /// Adds a case; `differences` are the ways in which it differed, all of one case.
   void add_case(std::vector<Difference> differences);
   Tally& operator+=(const Tally& other);
 
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
-  /// Cases that differed in any way.
+  /// Returns the number of cases that differed in any way.
   [[nodiscard]] std::uint64_t differing() const { return differing_; }
-  /// The first ones, ascending.
+  /// Returns the first ones, ascending.
   [[nodiscard]] const std::vector<Difference>& kept() const { return kept_; }
 
   auto members() { return std::tie(outcomes_, cases_, differing_, kept_); }

@@ -9,16 +9,17 @@
 
 namespace touchstone::stability {
 
-/// What step (3) of the thesis's method adds up around a point: the angles, in degrees, at which the edges are seen.
+/// The angles, in degrees, at which the edges are seen from a point. Step (3) of the thesis's method sums their
+/// magnitudes.
 struct AngleSum {
-  std::vector<double> angles;  ///< of each edge, negative where it is seen turning clockwise
+  std::vector<double> angles;  ///< for each edge, negative if it is seen turning clockwise
   double unsigned_sum = 0, signed_sum = 0;
 };
-/// In doubles, by atan2: to some 1e-13. Requires a point in the plane z = 0.
+/// Computes the angles in doubles, by atan2, to about 1e-13. Requires a point in the plane z = 0.
 [[nodiscard]] AngleSum angle_sum(const Outline& outline, const Eigen::Vector3d& point);
 
-/// Of a U: a point between the end of its gap and its back, and one between that end and the gap's mouth, where the
-/// mouth is at the bottom. Requires two corners at which the outline turns clockwise.
+/// Returns two points of a U with the mouth of its gap at the bottom: one between the end of the gap and the U's back,
+/// one between that end and the mouth. Requires two corners at which the outline turns clockwise.
 struct GripperPoints {
   Eigen::Vector3d palm, gap;
 };
@@ -27,10 +28,10 @@ struct GripperPoints {
 /// A point of a map of the plane around an outline.
 struct MapPoint {
   double x, y, sum;     ///< unsigned, degrees
-  bool inside, called;  ///< exactly, and by the thesis's method
+  bool inside, called;  ///< inside exactly, and according to the thesis's method
 };
-/// Centres of so many squares along the longer side of the bounding box, enlarged on each side by half its extent; row
-/// by row from the bottom.
+/// Computes a map at the centres of squares that tile the bounding box, enlarged on each side by half its extent, with
+/// the given number of squares along the longer side; row by row from the bottom.
 struct AngleMap {
   Box box;
   std::size_t columns, rows;

@@ -13,45 +13,45 @@
 
 namespace touchstone::stability {
 
-/// Where a bound on a rounding error is used.
+/// The uses of bounds on rounding errors.
 enum class BoundStage {
   Maxima,        ///< signs.h in plain doubles, bounded through the largest components (triangle_filter.h)
   Permanent,     ///< signs.h in plain doubles, bounded through the products that were formed (permanent.h)
   DoubleDouble,  ///< signs.h in double-doubles
   Frame,         ///< heights and foot in the isometric frame of a prepared polygon (frame_query.h)
-  FastPlanarity  ///< what `fast` takes for rounding when it decides that a loop is planar: stated there, not proved
+  FastPlanarity  ///< the bound within which `fast` takes a loop for planar: stated there, not proved
 };
 
 [[nodiscard]] std::string_view word(BoundStage stage);
 
-/// A quantity that has a bound.
+/// A quantity with a bound.
 struct BoundedQuantity {
   BoundStage stage;
-  std::string_view name;  ///< of signs.h: vertex, along, ...; of the frame: height, along, across
-  /// The bound is `constant` x condition x |exact value|, but for underflow: the line of a picture.
+  std::string_view name;  ///< from signs.h: vertex, along, ...; from the frame: height, along, across
+  /// The bound is `constant` x condition x |exact value|, except for underflow: the line of a picture.
   double constant;
 };
 
 [[nodiscard]] const std::vector<BoundedQuantity>& bounded_quantities();
 
-/// One number as computed, held against the exact one.
+/// One computed number, compared with the exact one.
 struct Observation {
-  std::size_t quantity;   ///< its place in bounded_quantities()
+  std::size_t quantity;   ///< index in bounded_quantities()
   double tightness;       ///< |computed - exact| / bound
   bool holds;             ///< compared exactly: |computed - exact| <= bound
-  double condition;       ///< what the bound is a multiple of / |exact|; infinite where that is zero
-  double relative_error;  ///< |computed - exact| / |exact|; NaN where that is zero
+  double condition;       ///< the bound without its constant factor / |exact|; infinite if the exact value is zero
+  double relative_error;  ///< |computed - exact| / |exact|; NaN if the exact value is zero
 };
 
-/// A polygon with what its bounds are held against: the exact lifted loops, in rationals.
+/// A polygon with its exact lifted loops, in rationals, with which its bounds are compared.
 class BoundTrial {
  public:
-  /// Keeps a reference. Cost: linear, some 10 us a vertex.
+  /// Keeps a reference. Cost: linear, about 10 us per vertex.
   explicit BoundTrial(const Polygon& polygon);
 
-  /// All bounded quantities of a ball and an edge, each where the filter would use it: within its window. Maxima and
-  /// Frame are computed in the given mode, for which they are proved; the others in the usual one, as in the filter.
-  /// Bounds are multiplied with `bound_factor`. Cost: some 100 us.
+  /// Returns all bounded quantities of a ball and an edge, each only if the filter would use it: within its window.
+  /// Maxima and Frame are computed in the given mode, for which they are proved; the others in the default mode, as in
+  /// the filter. Bounds are multiplied by `bound_factor`. Cost: about 100 us.
   void observe(const Ball& ball, std::size_t edge, const FloatingPointMode& mode, double bound_factor,
                std::vector<Observation>& observations) const;
 

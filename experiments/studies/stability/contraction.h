@@ -7,17 +7,18 @@
 
 namespace touchstone::stability {
 
-/// What contraction of products and sums to fused multiply-adds does to the sign of an expression in doubles: the same
-/// expressions of signs.h, with and without std::fma, whatever the compiler's flags are.
+/// The effect of contracting products and sums to fused multiply-adds on the sign of an expression in doubles: the same
+/// expressions of signs.h, with and without std::fma, independently of the compiler's flags.
 struct ContractionCount {
   std::string_view sign;    ///< orientation (of three points in the plane), side, line, plane
   std::string_view family;  ///< the exact sign is zero, or one double beside zero
   std::uint64_t trials = 0, plain_wrong = 0, fused_wrong = 0, differ = 0;
 };
 
-/// `trials` of each sign and family; a function of (trials, seed). Orientation and side: of vectors with all bits, one
-/// a power of two times the other; line and plane: of balls that touch a lattice triangle exactly (bench). Beside zero:
-/// one coordinate, or the radius, moved by one double. Cost: about 30 us a trial of all.
+/// Runs `trials` of each sign and family; a function of (trials, seed). Orientation and side use vectors with all bits
+/// set, one of them a power of two times the other; line and plane use balls that touch a lattice triangle exactly
+/// (bench). For signs beside zero, one coordinate or the radius is moved by one double. Cost: about 30 us per trial of
+/// all signs.
 [[nodiscard]] std::vector<ContractionCount> count_contractions(std::uint64_t trials, std::uint64_t seed);
 
 }  // namespace touchstone::stability

@@ -8,8 +8,8 @@
 
 namespace touchstone::stability {
 
-/// A rounding direction, and subnormals given (FTZ) or taken (DAZ) as zero: the MXCSR's bits. Without SSE2 nothing is
-/// flushed.
+/// A rounding direction, and whether subnormal results (FTZ) and operands (DAZ) are replaced by zero: bits of the
+/// MXCSR. Without SSE2 nothing is flushed.
 struct FloatingPointMode {
   static constexpr unsigned kGivenAsZero = 0x8000, kTakenAsZero = 0x0040;
 
@@ -19,7 +19,7 @@ struct FloatingPointMode {
   [[nodiscard]] bool usual() const { return rounding == FE_TONEAREST && flush == 0; }
 };
 
-/// That mode while it lives, then the one found.
+/// Sets the mode during its lifetime, then restores the previous one.
 class Environment {
  public:
   explicit Environment(const FloatingPointMode& mode) {

@@ -9,7 +9,7 @@
 
 namespace touchstone::stability {
 
-/// Points about an outline that the thesis's angle sum, with its factor of 0.99, calls inside or not.
+/// Counts of points around an outline, by whether the thesis's angle sum, with its factor of 0.99, calls them inside.
 struct FalseArea {
   const Outline* outline;
   std::uint64_t points = 0;
@@ -17,17 +17,18 @@ struct FalseArea {
   std::uint64_t wrong = 0;   ///< called inside, but outside
   std::uint64_t missed = 0;  ///< inside, but not called so
 
-  /// The area wrongly called inside as a share of that rightly called so, which is the outline's own where nothing is
-  /// missed. Requires a point rightly called inside.
+  /// Returns the area wrongly called inside, relative to the area rightly called inside, which is the outline's own
+  /// area if nothing is missed. Requires a point rightly called inside.
   [[nodiscard]] double share() const;
-  /// Of the share, 95 %: of the points called inside, the wrong ones are a binomial count.
+  /// Returns the 95 % limits of the share: among the points called inside, the number of wrong ones is binomial.
   [[nodiscard]] statistics::Limits limits() const;
 };
 
-/// Uniform points in the bounding box, enlarged on each side by half its extent: what leaves that box is not counted.
+/// Draws uniform points in the bounding box, enlarged on each side by half its extent; false areas beyond that box are
+/// not counted.
 ///
-/// A function of its arguments. The points of outlines of different names are independent, so that chance leads them
-/// astray apart. Truth is `filtered`. Cost: about 1 us a point.
+/// A function of its arguments. Outlines with different names have independent points, so that their random errors are
+/// independent. The truth is `filtered`. Cost: about 1 us per point.
 [[nodiscard]] FalseArea measure_false_area(const Outline& outline, std::uint64_t points, std::uint64_t seed);
 
 }  // namespace touchstone::stability

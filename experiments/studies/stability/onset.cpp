@@ -85,7 +85,7 @@ void ask(const Above& above, std::size_t distance, std::size_t method, Onset& on
   }
 }
 
-/// Nothing where the method throws.
+/// Returns nothing if the method throws.
 std::unique_ptr<cases::PreparedMethod> prepare(const cases::Method& method, const Polygon& polygon) {
   try {
     return method.prepare(polygon);

@@ -11,35 +11,36 @@
 
 namespace touchstone::stability {
 
-/// Triangles about zero, and moved away from there in a random direction by so many times the longest side of their
-/// box.
+/// Distances from the origin, in multiples of the longest side of a triangle's box. Triangles lie around zero, and are
+/// moved away in a random direction.
 inline constexpr double kOnsetDistances[] = {0, 1e6};
-/// The radius is off the exact distance by 2^-k of it, for each k from kCoarsest to kFinest.
+/// The radius differs from the exact distance by 2^-k of it, for each k from kCoarsest to kFinest.
 inline constexpr int kCoarsest = 16, kFinest = 52;
 
-/// At which relative offset of the radius from the distance to a triangle's face the signs of doubles begin to be
-/// wrong: failures by distance from the origin, method and offset. At each offset there are two answers, above and
-/// below; a triangle fails if one of them is wrong.
+/// The relative offset of the radius from the distance to a triangle's face at which signs computed in doubles start to
+/// be wrong: failures by distance from the origin, method and offset. Each offset has two answers, above and below; a
+/// triangle fails if one of them is wrong.
 class Onset {
  public:
   Onset() = default;
   explicit Onset(std::vector<std::string> methods);
 
   /// First `ericson-absolute`, the closest point of [ericson2005, 5.1.5] as coordinates, then its distance; `ericson`,
-  /// the same in differences (bench/ericson.h); then those of the settings.
+  /// the same in differences (methods/ericson.h); then the methods of the settings.
   [[nodiscard]] const std::vector<std::string>& methods() const { return methods_; }
   [[nodiscard]] std::uint64_t triangles() const { return triangles_; }
   [[nodiscard]] std::uint64_t failures(std::size_t distance, std::size_t method, int k) const {
     return failures_[place(distance, method, k)];
   }
-  /// Of twice as many answers as triangles.
+  /// Returns the number of wrong answers, among twice as many answers as triangles.
   [[nodiscard]] std::uint64_t wrong(std::size_t distance, std::size_t method, int k) const {
     return wrong_[place(distance, method, k)];
   }
-  /// The coarsest offset at which at least this share failed, and more than none; 0 if there is none.
+  /// Returns the coarsest offset at which at least this share failed, and at least one triangle; 0 without such an
+  /// offset.
   [[nodiscard]] int first(std::size_t distance, std::size_t method, double share) const;
 
-  /// Of one triangle.
+  /// Adds the number of wrong answers for one triangle.
   void add_wrong(std::size_t distance, std::size_t method, int k, unsigned answers) {
     failures_[place(distance, method, k)] += answers > 0 ? 1 : 0;
     wrong_[place(distance, method, k)] += answers;
@@ -60,11 +61,11 @@ class Onset {
 
 [[nodiscard]] inline std::uint64_t items_done(const Onset& onset) { return onset.triangles(); }
 
-/// What no triangle has been added to yet.
+/// Returns an empty onset.
 [[nodiscard]] Onset no_onset(const std::vector<const cases::Method*>& methods);
 
-/// Asks about those of the random triangles that the onset does not hold yet. At the first process: a function of
-/// (methods, triangles done, seed), whatever threads, processes and stops.
+/// Measures the random triangles that the onset does not contain yet. In the first process the result is a function of
+/// (methods, triangles done, seed), independent of threads, processes and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
                 unsigned threads, const harness::Course<Onset>& course, Onset& onset);
 

@@ -10,7 +10,7 @@
 
 namespace touchstone::stability {
 
-/// A loop in the plane z = 0, on which the thesis's method is known to err. Extents are about 1 to 5.
+/// A loop in the plane z = 0 on which the thesis's method is known to be wrong. Extents are about 1 to 5.
 struct Outline {
   std::string_view name;
   std::vector<std::pair<double, double>> corners;
@@ -19,9 +19,9 @@ struct Outline {
   [[nodiscard]] double area() const;
 };
 
-/// triangle, square, L, U3x3, U3x5, comb, dart, star.
+/// Returns the outlines triangle, square, L, U3x3, U3x5, comb, dart, star.
 [[nodiscard]] const std::vector<Outline>& outlines();
-/// Requires a name of one of them.
+/// Returns the outline of that name. Requires the name of one of them.
 [[nodiscard]] const Outline& find_outline(std::string_view name);
 
 /// A rectangle in the plane z = 0.

@@ -13,11 +13,11 @@ namespace touchstone::stability {
 
 using cases::Test;
 
-/// The tests that are counted; the edges are compared as lists.
+/// The counted tests; edges are compared as lists.
 inline constexpr std::array kCountedTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact, Test::Relation};
 
-/// The truth about one polygon: `exact`, but on more vertices than kMostForExact `filtered`, of which `exact` then
-/// confirms what is chosen.
+/// The truth about one polygon: `exact`, or for more vertices than kMostForExact `filtered`, with selected answers
+/// confirmed by `exact`.
 class Oracle {
  public:
   static constexpr std::size_t kMostForExact = 2000;
@@ -25,9 +25,9 @@ class Oracle {
   explicit Oracle(const Polygon& polygon);
 
   [[nodiscard]] Answer answer(const Ball& ball) const;
-  /// Is `exact` asked less often than the truth is needed?
+  /// Returns whether `exact` is asked less often than the truth is needed.
   [[nodiscard]] bool spares_exact() const { return filtered_.has_value(); }
-  /// Does `exact` say the same?
+  /// Returns whether `exact` gives the same answer.
   [[nodiscard]] bool confirms(const Ball& ball) const;
 
  private:
@@ -35,22 +35,22 @@ class Oracle {
   std::optional<filtered::PreparedPolygon> filtered_;
 };
 
-/// A ball, what is asked about it, and the truth.
+/// A ball, the tests to ask about it, and the truth.
 struct Probe {
   Ball ball;
   cases::PartialAnswer truth;
   Nearness nearness;
   std::vector<Test> tests;
-  bool measured;  ///< are distance and point held against the truth?
-  bool bounded;   ///< are bounds on rounding errors observed, at the boundary?
+  bool measured;  ///< whether distance and point are compared with the truth
+  bool bounded;   ///< whether bounds on rounding errors are observed, at the boundary
 };
 
-/// The balls of a scene: for each stand the radii at, close to and amply off the exact distance, a ball for each foot.
-/// OneDouble and Close balls are asked what their radius or foot is about: the plane, where the face is nearest, else
-/// the edges; and the final answer; Ample ones all that does not depend on the foot alone. A stand at distance 0 has no
-/// balls. Where `oracle` spares `exact`, one radius of each nearness is taken.
+/// Returns the balls of a scene: for each stand, radii at, close to and amply off the exact distance, or one ball for a
+/// foot. For OneDouble and Close balls, asks the test that their radius or foot is near to (the plane if the face is
+/// nearest, otherwise the edges) and the final answer; for Ample balls, all tests that do not depend on the foot alone.
+/// A stand at distance 0 has no balls. If `oracle` spares `exact`, takes one radius of each nearness.
 ///
-/// For a motion that was meant, the truth and the radii are those before it.
+/// For an intended motion, the truth and the radii are those before it.
 [[nodiscard]] std::vector<Probe> probes_of(const Scene& scene, const Oracle& oracle);
 
 }  // namespace touchstone::stability

@@ -9,8 +9,8 @@
 
 namespace touchstone::stability {
 
-/// A rational number of GMP that expressions may be written with: gmpxx's own operators give expressions, which refer
-/// to operands that are gone.
+/// A rational number of GMP for use in generic expressions: gmpxx's own operators return expression templates, which
+/// would refer to destroyed operands.
 struct Rational {
   mpq_class value;
 
@@ -31,7 +31,7 @@ inline RationalVector operator-(const RationalVector& a, const RationalVector& b
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/// In 512 bits, of any exponent.
+/// Converts to a number with 512 bits and any exponent.
 inline mpf_class real(const Rational& number) { return {number.value, 512}; }
 
 }  // namespace touchstone::stability

@@ -240,7 +240,7 @@ bool moves(Axis axis) {
   return axis == Axis::ChainInput || axis == Axis::ChainMotion || axis == Axis::PoseInput || axis == Axis::PoseMotion;
 }
 
-/// Nothing where rounding broke the polygon on the way.
+/// Returns nothing if rounding broke the polygon on the way.
 std::optional<Placed> after_motion(Axis axis, std::uint64_t steps, const Placed& before, Random& random) {
   const Eigen::Matrix3d matrix = small_rotation(random);
   if (axis == Axis::PoseInput || axis == Axis::PoseMotion) {

@@ -13,7 +13,7 @@
 
 namespace touchstone::stability {
 
-/// A polygon, and where the centres of its balls stand.
+/// A polygon, and the places of the centres of its balls.
 struct Placed {
   Polygon polygon;
   std::vector<Stand> stands;
@@ -21,21 +21,21 @@ struct Placed {
 
 /// A polygon under stress.
 struct Scene {
-  std::string id;                     ///< names axis, level, seed and sample: all that is needed to draw it again
-  Placed asked;                       ///< what methods are asked about
-  std::optional<Placed> meant;        ///< of ChainMotion and PoseMotion: what was moved, stand by stand
-  FloatingPointMode mode;             ///< in which methods prepare and answer
-  std::vector<std::size_t> critical;  ///< vertices at which the stress is
+  std::string id;                     ///< names axis, level, seed and sample: everything needed to draw it again
+  Placed asked;                       ///< the input of methods
+  std::optional<Placed> meant;        ///< for ChainMotion and PoseMotion: the polygon before the motion, stand by stand
+  FloatingPointMode mode;             ///< the mode in which methods prepare and answer
+  std::vector<std::size_t> critical;  ///< the vertices under stress
 };
 
-/// Sample `index` of a level of an axis, a function of (axis, level, seed, index) alone; Rounding and Flush have the
-/// same scenes at each level. The polygon is accepted by `exact::validate`, and its stress as measured (measure.h) is
-/// within a factor of 2 of the level, where the level is a ratio, an angle or a distance; exactly as said where it is a
-/// count. Nothing where no such polygon was found.
+/// Draws sample `index` of a level of an axis, a function of (axis, level, seed, index) alone; Rounding and Flush have
+/// the same scenes at each level. The polygon is accepted by `exact::validate`, and its stress as measured (measure.h)
+/// is within a factor of 2 of the level if the level is a ratio, an angle or a distance, and exactly the level if it is
+/// a count. Returns nothing if no such polygon was found.
 ///
-/// Polygons that oblique planes and roundings would break or blur stand axis-parallel, or about zero, where doubles are
-/// dense; others stand as they come. Requires rounding to nearest. Cost: that of exact::validate, and 5 ns a rotation
-/// and vertex.
+/// Polygons that an oblique plane or rounding would break or blur are axis-parallel, or around zero, where doubles are
+/// dense; others have any orientation and place. Requires rounding to nearest. Cost: that of exact::validate, plus 5 ns
+/// per rotation and vertex.
 [[nodiscard]] std::optional<Scene> draw_scene(Axis axis, std::size_t level, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::stability

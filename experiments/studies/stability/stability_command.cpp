@@ -117,7 +117,7 @@ class Run {
     harness::flush_standard_output();
     if (stopped) {
       fmt::print(stderr,
-                 "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume goes on\n",
+                 "touchstone: interrupted: {} covers the first {} of {} samples; no pictures; --resume continues\n",
                  options_.output, summary.samples(), settings_.samples);
       return harness::kInterrupted;
     }
@@ -159,10 +159,10 @@ harness::Command stability_command() {
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.methods(options->methods);
-  command.names("--axes", options->axes, "What is made worse, separated by commas, or all");
+  command.names("--axes", options->axes, "Axes, the properties that get worse, separated by commas, or all");
   command.whole("--samples", options->samples, "Polygons at each level of each axis; fewer at slow levels", 1);
   command.seed(options->seed);
-  command.threads(options->threads, "Of each process; they do not change the results");
+  command.threads(options->threads, "Threads of each process; they do not change the results");
   command.resume(options->resume);
   command.output(options->output, "The folder for tables and pictures");
   command.force(options->force);

@@ -11,9 +11,9 @@
 
 namespace touchstone::stability {
 
-/// How near a ball stands to the boundary that a test asks about.
+/// The nearness of a ball to the decision boundary of a test.
 ///  - OneDouble: the radius is the double nearest to the exact distance, or one double off; or the foot is drawn on an
-///    edge, and lies within some doubles of it.
+///    edge and lies within some doubles of it.
 ///  - Close: the radius is 2^-30 of the distance off; the foot 2^-31 of the outline's size.
 ///  - Ample: the radius is a quarter of the distance off; the foot a 32nd of the size.
 enum class Nearness { OneDouble, Close, Ample };
@@ -21,18 +21,18 @@ inline constexpr std::array kNearnesses{Nearness::OneDouble, Nearness::Close, Ne
 
 [[nodiscard]] std::string_view word(Nearness nearness);
 
-/// Where the centre of a ball stands: above the face, off an edge or off a vertex, to have the radius moved about the
-/// distance; or with its foot at an edge, for the foot alone.
+/// The place of a ball's centre: above the face, off an edge or off a vertex, for radii around the distance; or with
+/// its foot at an edge, for tests of the foot alone.
 struct Stand {
   enum class Site { Face, Edge, Vertex, Foot } site;
   Eigen::Vector3d center;
-  Nearness nearness = Nearness::Ample;  ///< of Foot
-  double radius = 0;                    ///< of Foot: ample
+  Nearness nearness = Nearness::Ample;  ///< for Foot
+  double radius = 0;                    ///< for Foot: ample
 };
 
-/// One stand of each site (for Foot: two or more of each nearness), half of them at the critical vertices, if there are
-/// any. What the stress does to sizes is not looked at: a stand that was ample in the plane of the outline may come to
-/// lie near its boundary in space. That is the stress.
+/// Draws one stand of each site (for Foot: two or more of each nearness), half of them at the critical vertices, if
+/// any. Ignores the effect of the stress on sizes: a stand that is ample in the plane of the outline may be near its
+/// boundary in space, as part of the stress.
 [[nodiscard]] std::vector<Stand> draw_stands(Random& random, const Flat& flat, const workloads::Frame& frame);
 
 }  // namespace touchstone::stability

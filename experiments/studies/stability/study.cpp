@@ -58,7 +58,7 @@ NumberError distance_error(double found, double truth) {
           static_cast<double>(difference / ulp(truth))};
 }
 
-/// Nothing where the exact point is the origin.
+/// Returns nothing if the exact point is the origin.
 std::optional<NumberError> point_error(const Eigen::Vector3d& found, const Eigen::Vector3d& truth) {
   const double largest = truth.cwiseAbs().maxCoeff();
   if (largest == 0) return std::nullopt;

@@ -13,14 +13,14 @@ namespace touchstone::stability {
 struct Settings {
   std::vector<const cases::Method*> methods;
   std::vector<Axis> axes;
-  std::uint64_t samples = 1;  ///< of each level; Level::one_in makes it fewer
+  std::uint64_t samples = 1;  ///< per level; fewer if Level::one_in is greater than 1
   std::uint64_t seed = 1;
   unsigned threads = 1;     ///< of each process
-  double bound_factor = 1;  ///< what every bound is multiplied with: a test plants wrong ones
+  double bound_factor = 1;  ///< the factor of every bound, with which a test plants wrong ones
 };
 
-/// What one method did in one test of one sample. Trials of one sample are not independent, samples are: a sample fails
-/// if it does with any ball.
+/// The result of one method in one test of one sample. Samples are independent, the trials of one sample are not: a
+/// sample fails if it fails with any ball.
 struct TestResult {
   std::size_t level, method;
   Test test;
@@ -31,9 +31,9 @@ struct TestResult {
 enum class Quantity { Distance, Point };
 [[nodiscard]] std::string_view word(Quantity quantity);
 
-/// Of `distance`: the difference from the correctly rounded one, relative to it and in its ulps. Of `point`: the
-/// largest difference in a coordinate, relative to the largest coordinate of the correctly rounded one and in its ulps.
-/// Infinite where the method's answer is not finite.
+/// The error of a number. For `distance`: the difference from the correctly rounded value, relative to it and in its
+/// ulps. For `point`: the largest difference in a coordinate, relative to the largest coordinate of the correctly
+/// rounded point and in its ulps. Infinite if the method's answer is not finite.
 struct NumberError {
   std::size_t level, method;
   Quantity quantity;
@@ -45,13 +45,13 @@ struct BoundResult {
   Observation observation;
 };
 
-/// What of a sample is the worst of one method, as a case for `touchstone judge`. A wrong final answer (contact or
-/// none) is worse than a right one, and worse the further from the boundary it is; then the error of the distance
-/// counts; of equals the one of the first block.
+/// The worst result of one method in a sample, as a case for `touchstone judge`. A wrong final answer (contact or not)
+/// is worse than a right one, and worse the further from the boundary it is; then a larger error of the distance is
+/// worse; among equals the first block is taken.
 struct WorstCase {
   std::size_t level, method;
-  int rank;      ///< 0: the final answer is right; else 1 + its nearness
-  double error;  ///< of the distance, relative; 0 where the method gives none
+  int rank;      ///< 0 if the final answer is right; otherwise 1 + its nearness
+  double error;  ///< of the distance, relative; 0 if the method gives none
   std::uint64_t block;
   std::string line;
 
@@ -62,7 +62,7 @@ struct WorstCase {
   }
 };
 
-/// One sample of every level of an axis. Blocks are numbered sample by sample, axis by axis.
+/// The results of one sample of every level of an axis. Blocks are numbered sample by sample, axis by axis.
 struct Block {
   std::uint64_t number = 0;
   Axis axis{};
@@ -70,26 +70,26 @@ struct Block {
   std::vector<TestResult> tests;
   std::vector<NumberError> errors;
   std::vector<BoundResult> bounds;
-  std::vector<WorstCase> worst;               ///< at most one a method
-  std::uint64_t missing = 0;                  ///< levels at which no polygon was found
-  std::uint64_t confirmed = 0, disputed = 0;  ///< truths by `filtered` that `exact` was asked about
+  std::vector<WorstCase> worst;               ///< at most one per method
+  std::uint64_t missing = 0;                  ///< the number of levels at which no polygon was found
+  std::uint64_t confirmed = 0, disputed = 0;  ///< truths by `filtered` that `exact` confirmed, and contradicted
 };
 
-/// Bounds are observed on one of so many samples that are drawn at a level. As many in a row are taken, because scenes
-/// alternate with the sample's number: all kinds of them take part.
+/// Bounds are checked on one in kBoundsOneIn of the samples drawn at a level. They are taken as kBoundsOneIn
+/// consecutive samples, because scenes alternate with the sample's number and every kind must be covered.
 inline constexpr std::uint64_t kBoundsOneIn = 4;
-/// The number of a sample among those on which bounds are observed; nothing if it is none of them.
+/// Returns the index of a sample among those on which bounds are checked; nothing for any other sample.
 [[nodiscard]] std::optional<std::uint64_t> bounds_number(Axis axis, std::size_t level, std::uint64_t sample);
-/// Bounds are observed on polygons of at most so many vertices; cases are kept of smaller ones.
+/// The largest numbers of vertices of polygons on which bounds are checked, and of polygons kept as cases.
 inline constexpr std::size_t kMostForBounds = 1100, kMostForCases = 200;
 
-/// Draws one sample of every level of an axis and asks every method.
+/// Draws one sample of every level of an axis and tests every method.
 ///
-/// A function of the settings but for `threads`; what it says of an axis and a method does not depend on which others
-/// are asked for. A method that throws is wrong.
+/// A function of the settings except `threads`; the results of an axis and a method do not depend on the other axes and
+/// methods. A method that throws is wrong.
 [[nodiscard]] Block ask_block(const Settings& settings, std::uint64_t number);
 
-/// The number of blocks of a study.
+/// Returns the number of blocks of a study.
 [[nodiscard]] std::uint64_t block_count(const Settings& settings);
 
 }  // namespace touchstone::stability

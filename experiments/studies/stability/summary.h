@@ -13,7 +13,7 @@
 
 namespace touchstone::stability {
 
-/// Of the samples of a cell; one fails if the method is wrong with any of its balls.
+/// The results of the samples of a cell; a sample fails if the method is wrong with any of its balls.
 struct Tally {
   std::uint64_t failed = 0, samples = 0;
   std::uint64_t wrong = 0, balls = 0;
@@ -31,7 +31,8 @@ struct ErrorSummary {
   auto members() { return std::tie(relative, ulps); }
 };
 
-/// Observations on one polygon are not independent, polygons are: one fails if a bound is exceeded with any ball.
+/// The checks of a bound. Polygons are independent, observations on one polygon are not: a polygon fails if a bound is
+/// exceeded with any ball.
 struct BoundSummary {
   statistics::Distribution tightness;
   std::uint64_t exceeded = 0;
@@ -41,10 +42,10 @@ struct BoundSummary {
   BoundSummary& operator+=(const BoundSummary& other);
 };
 
-/// Points of pictures are kept of so many samples of a level.
+/// The number of samples of a level whose points are kept for pictures.
 inline constexpr std::uint64_t kSamplesShown = 2;
 
-/// A point of a picture: a rounding error beside the condition that bounds it.
+/// A point of a picture: a rounding error and the condition that bounds it.
 struct ConditionPoint {
   std::size_t level, quantity;
   double condition, relative_error;
@@ -52,7 +53,8 @@ struct ConditionPoint {
   auto members() { return std::tie(level, quantity, condition, relative_error); }
 };
 
-/// What the tables are made of. Axes and methods by their place in the settings. Sums do not depend on their order.
+/// The data of the tables. Axes and methods are identified by their index in the settings. The result does not depend
+/// on the order of additions.
 struct Summary {
   using Cell = std::tuple<std::size_t, Nearness, Test, std::size_t, std::size_t>;  ///< axis, ., ., method, level
   using ErrorCell = std::tuple<std::size_t, Quantity, std::size_t, std::size_t>;   ///< axis, ., method, level
@@ -66,25 +68,25 @@ struct Summary {
   std::map<ErrorCell, ErrorSummary> errors;
   std::map<BoundCell, BoundSummary> bounds;
   std::map<std::size_t, BoundSummary> all_bounds;               ///< by quantity, over all axes
-  std::map<std::uint64_t, std::vector<ConditionPoint>> points;  ///< of a few samples, by block
-  std::vector<std::vector<std::optional<WorstCase>>> worst;     ///< of each axis and method
-  std::vector<std::uint64_t> missing;                           ///< of each axis
+  std::map<std::uint64_t, std::vector<ConditionPoint>> points;  ///< from a few samples, by block
+  std::vector<std::vector<std::optional<WorstCase>>> worst;     ///< for each axis and method
+  std::vector<std::uint64_t> missing;                           ///< for each axis
   std::uint64_t confirmed = 0, disputed = 0;
 
   auto members() {
     return std::tie(blocks, failures, errors, bounds, all_bounds, points, worst, missing, confirmed, disputed);
   }
 
-  /// Samples of each axis, all done.
+  /// Returns the number of samples of each axis that are complete.
   [[nodiscard]] std::uint64_t samples() const { return blocks / missing.size(); }
-  /// Nothing where the method has no such test, or was not asked.
+  /// Returns nothing if the method has no such test, or was not asked.
   [[nodiscard]] const Tally* at(std::size_t axis, Nearness nearness, Test test, std::size_t method,
                                 std::size_t level) const;
-  /// The first level at which more than this share of the samples failed.
+  /// Returns the first level at which more than this share of the samples failed.
   [[nodiscard]] std::optional<std::size_t> first_level(const Settings& settings, std::size_t axis, Nearness nearness,
                                                        Test test, std::size_t method, double share) const;
-  /// Over all axes that are compared with the doubles asked about: wrong answers and answers, to every test, in `wrong`
-  /// and `balls`; polygons in `samples`, of which those with a wrong final answer within one double in `failed`.
+  /// Sums over all axes that are compared with the given doubles: wrong answers and answers, to every test, in `wrong`
+  /// and `balls`; polygons in `samples`; polygons with a wrong final answer within one double in `failed`.
   [[nodiscard]] Tally total(const Settings& settings, std::size_t method) const;
 
  private:
@@ -93,11 +95,12 @@ struct Summary {
 
 [[nodiscard]] inline std::uint64_t items_done(const Summary& summary) { return summary.samples(); }
 
-/// What no block has been added to yet.
+/// Returns an empty summary.
 [[nodiscard]] Summary no_summary(const Settings& settings);
 
-/// Asks about the blocks that the summary does not hold yet and adds them. At the first process, it then is a function
-/// of the settings and the number of its blocks: of the first ones, whatever threads, processes and stops.
+/// Computes the blocks that the summary does not contain yet and adds them. In the first process the result is a
+/// function of the settings and the number of its blocks, which are the first ones, independent of threads, processes
+/// and stops.
 void run_study(const Settings& settings, const harness::Course<Summary>& course, Summary& summary);
 
 }  // namespace touchstone::stability

@@ -61,7 +61,7 @@ std::string by_axis_and_method(const Settings& settings, const Shown& shown, con
   });
 }
 
-/// Is the level a number that grows worse (not a mode)?
+/// Returns whether the level is a number that gets worse (not a mode).
 bool is_graded(Axis axis) { return axis != Axis::Rounding && axis != Axis::Flush; }
 
 std::string first_failures(const Settings& settings, const Summary& summary, Nearness nearness) {
@@ -74,7 +74,8 @@ std::string first_failures(const Settings& settings, const Summary& summary, Nea
   });
 }
 
-/// How many polygons there are at a level, and how many may fail where none did; axes that agree share a line.
+/// Returns the number of polygons at a level, and the upper limit of the share that fails if none did; axes that agree
+/// share a line.
 std::string limits_of_none(const Settings& settings, const Summary& summary) {
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::string, std::greater<>> axes;  // by the most and the fewest
   for (std::size_t axis = 0; axis < settings.axes.size(); ++axis) {
@@ -90,7 +91,7 @@ std::string limits_of_none(const Settings& settings, const Summary& summary) {
     axes[{most, fewest}].append(" ").append(word(settings.axes[axis]));
   }
   const auto upper = [](std::uint64_t samples) { return 100 * statistics::clopper_pearson(0, samples).upper; };
-  std::string text = "\nPolygons at a level; where none of them failed, at most so many of such do (95 %):\n";
+  std::string text = "\nPolygons at a level, and the upper limit (95 %) of the share that fails if none of them did:\n";
   for (const auto& [count, names] : axes) {
     const auto [most, fewest] = count;
     text += most == fewest
@@ -175,7 +176,7 @@ std::string totals(const Settings& settings, const Summary& summary) {
   }
   if (summary.confirmed + summary.disputed > 0)
     text += fmt::format(
-        "Truth: exact; on more than {} vertices filtered, of which exact was asked again about one ball a polygon and\n"
+        "Truth: exact; on more than {} vertices filtered, with exact asked again about one ball per polygon and\n"
         "about every ball on which a method failed: {} confirmed, {}.\n",
         Oracle::kMostForExact, summary.confirmed,
         summary.disputed == 0 ? "none disputed" : fmt::format("{} DISPUTED", summary.disputed));
@@ -196,8 +197,9 @@ std::string bounds_table(const Summary& summary) {
                         bound.tightness.quantile(0.5), bound.tightness.quantile(0.99), bound.tightness.largest());
   }
   return text +
-         "All but fast-planarity are proved (robust/proofs); that one is what `fast` states of its own heights.\n"
-         "Those of maxima and frame hold in every rounding direction, for a unit of 2^-52: to nearest half is spare.\n";
+         "All bounds except fast-planarity are proved (robust/proofs); `fast` states that one for its own heights.\n"
+         "The bounds of maxima and frame hold in every rounding direction, for a unit of 2^-52; rounding to nearest\n"
+         "needs half of that.\n";
 }
 
 /// The share of wrong answers, with its limits: two answers of a triangle are not independent, triangles are.
@@ -218,7 +220,7 @@ std::string onset_table(const Onset& onset) {
     return k == 0 ? std::string("-") : fmt::format("{}2^-{}", k == kCoarsest ? ">=" : "", k);
   };
   std::string text = fmt::format(
-      "\nKnown results: the radius off the exact distance to a triangle's face by 2^-k of it, to either side; {} "
+      "\nKnown results: the radius differs by 2^-k of the exact distance to a triangle's face, to either side; {} "
       "triangles\n",
       onset.triangles());
   text += line("about the origin:", "first", "from 1 %", "from 50 %", fmt::format("answers at {}, %", kKnown[0]),
@@ -229,21 +231,20 @@ std::string onset_table(const Onset& onset) {
                  k_text(onset.first(1, m, 0.01)), k_text(onset.first(1, m, 0.5)), wrong_text(onset, 1, m, kKnown[1]));
   return text +
          fmt::format(
-             "First, from: the coarsest 2^-k at which one triangle, 1 % or half of them fail, a triangle having an "
-             "answer "
-             "above\nand one below. Answers at k: the wrong ones of all, with 95 % limits. 1e6 away: in sizes.\nKnown "
-             "of "
-             "naive doubles (ericson-absolute): 2^-{} about the origin, where they begin to be wrong here too; and "
-             "2^-{} 1e6\n"
-             "away (38 % of answers wrong). That is where wrong answers are common, not where they begin: what is "
-             "first "
-             "seen is 2^20\ntimes as coarse as about the origin, as are the roundings of the coordinates.\n",
+             "First, from: the coarsest 2^-k at which one triangle, 1 % or half of them fail; a triangle has one "
+             "answer above\n"
+             "and one below. Answers at k: the share of wrong ones, with 95 % limits. 1e6 away: in sizes.\n"
+             "Known for naive doubles (ericson-absolute): 2^-{} around the origin, where wrong answers also begin "
+             "here; and 2^-{}\n"
+             "1e6 away (38 % of answers wrong). There wrong answers are common; the first ones appear at offsets 2^20 "
+             "times as\n"
+             "coarse as around the origin, like the rounding errors of the coordinates.\n",
              kKnown[0], kKnown[1]) +
-         "Methods that begin with differences of the input lose nothing by the distance of a triangle, whose plane "
-         "its\n"
-         "vertices are never off; those that compute a point (ericson-absolute) or a plane's offset (thesis) there "
-         "lose\n"
-         "what the coordinates have lost.\n";
+         "Methods that start with differences of the input lose no accuracy far from the origin, since the vertices of "
+         "a\n"
+         "triangle are always in its plane; methods that compute a point (ericson-absolute) or a plane's offset "
+         "(thesis) lose\n"
+         "as much as the coordinates.\n";
 }
 
 std::string contraction_table(const std::vector<ContractionCount>& counts) {
@@ -262,8 +263,9 @@ std::string contraction_table(const std::vector<ContractionCount>& counts) {
 std::string area_table(const std::vector<stability::FalseArea>& areas) {
   if (areas.empty()) return {};
   std::string text = fmt::format(
-      "\nThe thesis's sum of angles: area outside that it calls inside, as a share of the outline's own; {} points "
-      "each\n  {:<10}{:>9}  {:<20}{:>8}\n",
+      "\nThe thesis's sum of angles: the outside area that it calls inside, relative to the outline's own; {} points "
+      "each\n"
+      "  {:<10}{:>9}  {:<20}{:>8}\n",
       areas.front().points, "outline", "share", "95 % limits", "missed");
   for (const auto& area : areas) {
     const auto limits = area.limits();
@@ -278,14 +280,14 @@ std::string area_table(const std::vector<stability::FalseArea>& areas) {
 
 std::string legend(const Settings& settings) {
   std::string text =
-      "\nA sample is a polygon under the stress and balls about it; it fails if the answer is wrong for any ball.\n"
+      "\nA sample is a polygon under stress and balls near it; it fails if the answer is wrong for any ball.\n"
       "A | B: the first level with a failure, and the first at which more than half of the samples failed; -: none "
       "seen.\n"
-      "errors.csv also has the closest point: where two features are as near, rounding may choose the other, far "
+      "errors.csv also has the closest point: if two features are equally near, rounding may choose the other, far "
       "away.\n"
-      "What a method throws is wrong. chain, pose: -input asks what methods make of the doubles at the end of a "
+      "An exception of a method counts as wrong. chain, pose: -input tests methods on the doubles at the end of a "
       "chain,\n"
-      "-motion what the chain itself has done: there filtered, exact on those doubles, stands for the motion alone.\n"
+      "-motion includes the error of the chain itself, which filtered, exact on those doubles, shows alone.\n"
       "Axes:\n";
   for (const Axis axis : settings.axes) {
     text += fmt::format("  {:<18} {}: {} to {}", word(axis), meaning(axis), levels(axis).front().name,
@@ -300,7 +302,7 @@ std::string legend(const Settings& settings) {
 }  // namespace
 
 std::string table(const Settings& settings, const Summary& summary, const Known& known) {
-  std::string text = "Where each method first fails: the final answer (contact or none), by how near the ball is\n";
+  std::string text = "Where each method first fails: the final answer (contact or not), by nearness of the ball\n";
   for (const Nearness nearness : kNearnesses)
     text += fmt::format("\n{}: radius {}\n", word(nearness), distance_words(nearness)) +
             first_failures(settings, summary, nearness);

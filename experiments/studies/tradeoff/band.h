@@ -9,14 +9,15 @@
 
 namespace touchstone::tradeoff {
 
-/// The lowest and the highest offset at which an answer was wrong; nothing where none was.
+/// Returns the lowest and the highest offset at which an answer was wrong; nothing if none was.
 struct Band {
   std::optional<std::int64_t> lowest, highest;
 };
 
 [[nodiscard]] Band band_of(const MethodErrors& errors);
 
-/// As people read it: `-3 to +2`, `none seen`; at an end of the sweep, which hides what lies beyond, `-2^32 or beyond`.
+/// Returns the band in words: `-3 to +2`, `none seen`; at an end of the sweep, beyond which nothing was tested, `-2^32
+/// or beyond`.
 [[nodiscard]] std::string text_of(const Band& band);
 
 }  // namespace touchstone::tradeoff

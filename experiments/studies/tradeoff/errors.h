@@ -18,18 +18,18 @@ namespace touchstone::tradeoff {
 struct Settings {
   std::vector<const cases::Method*> methods;
   std::vector<workloads::Family> families;
-  std::uint64_t samples = 1;  ///< of each stratum
+  std::uint64_t samples = 1;  ///< per stratum
   std::uint64_t seed = 1;
   unsigned threads = 1;  ///< of each process
 };
 
-/// Slow methods are asked about the first of so many samples only, and so on; the others about all.
+/// Slow methods are asked about the first of every kSlowStride samples only; the others about all.
 inline constexpr std::uint64_t kSlowStride = 4;
 
-/// Offsets up to so many doubles from a threshold are near it.
+/// Offsets of up to this number of doubles from a threshold count as near.
 inline constexpr std::int64_t kNear = 8;
 
-/// What is counted across a threshold: the final answer where the radius moves, the foot where the centre does.
+/// The counted answers across a threshold: the final answer if the radius moves, the foot if the centre moves.
 [[nodiscard]] cases::Test test_at(cases::Threshold threshold);
 
 struct Tally {
@@ -47,17 +47,17 @@ enum class Quantity { Distance, Point };
 inline constexpr std::array kQuantities{Quantity::Distance, Quantity::Point};
 [[nodiscard]] std::string_view word(Quantity quantity);
 
-/// Errors of one quantity, in units in the last place. Asked where the radius is at its threshold.
+/// Errors of one quantity, in units in the last place, for radii at their threshold.
 struct UlpErrors {
   std::uint64_t asked = 0;
-  statistics::Distribution known;  ///< of the answers that give the quantity; infinite where it is not finite
+  statistics::Distribution known;  ///< of the answers that give the quantity; infinite if it is not finite
 
   auto members() { return std::tie(asked, known); }
-  /// Of the answers that give it as finite numbers. Requires one of them.
+  /// Returns a quantile over the answers that give it as finite numbers. Requires at least one.
   [[nodiscard]] double quantile_of_finite(double share) const;
 };
 
-/// A sample at which an error is the largest that was seen; the earliest of several.
+/// A sample with the largest error seen; the earliest of several.
 struct Worst {
   double ulps = 0;
   std::uint64_t n = 0;
@@ -66,42 +66,43 @@ struct Worst {
   auto members() { return std::tie(ulps, n, stratum); }
 };
 
-/// What one method did in one stratum.
+/// The results of one method in one stratum.
 struct MethodErrors {
   std::vector<Tally> offsets;  ///< by cases::all_offsets
-  std::uint64_t samples = 0;   ///< that it was asked about
+  std::uint64_t samples = 0;   ///< the number of samples that it was asked about
   std::array<UlpErrors, kQuantities.size()> ulps;
   std::array<Worst, kQuantities.size()> worst;
 
-  /// Over the offsets near the threshold.
+  /// Returns the sum over the offsets near the threshold.
   [[nodiscard]] Tally near_threshold() const;
   auto members() { return std::tie(offsets, samples, ulps, worst); }
   MethodErrors& operator+=(const MethodErrors& other);
 };
 
-/// Sums do not depend on their order.
+/// The results of all methods and strata. Sums do not depend on their order.
 struct Errors {
   std::vector<std::vector<MethodErrors>> at;  ///< by stratum (cases::all_strata), then method
-  std::uint64_t samples = 0;                  ///< of each stratum, all done: fewer than asked for where stopped
-  std::uint64_t missing = 0;                  ///< samples, of all, for which no polygon or ball was found
+  std::uint64_t samples = 0;                  ///< complete samples per stratum: fewer than requested if stopped
+  std::uint64_t missing = 0;                  ///< samples, over all strata, for which no polygon or ball was found
 
-  /// One method in several strata together.
+  /// Returns the sum of one method over several strata.
   [[nodiscard]] MethodErrors sum(const std::vector<std::size_t>& strata, std::size_t method) const;
-  /// The polygons behind such a sum, which limits are of: the thresholds of a family in a placement share theirs.
+  /// Returns the number of polygons behind such a sum, on which limits are based: the thresholds of a family in a
+  /// placement share their polygons.
   [[nodiscard]] std::uint64_t polygons(const std::vector<std::size_t>& strata, std::size_t method) const;
   auto members() { return std::tie(at, samples, missing); }
 };
 
 [[nodiscard]] inline std::uint64_t items_done(const Errors& errors) { return errors.samples; }
 
-/// What no sample has been added to yet.
+/// Returns empty results.
 [[nodiscard]] Errors no_errors(const Settings& settings);
 
-/// Asks every method about the balls of near_edge's crossings of those samples that `errors` does not hold yet, and
-/// about the point and the distance of those whose radius is at its threshold.
+/// Asks every method about the balls of all crossings (workloads) of those samples that `errors` does not contain yet,
+/// and about point and distance of those whose radius is at its threshold.
 ///
-/// At the first process: a function of the settings and the number of samples done; threads, processes, stops and the
-/// other families and methods change nothing. A run that was stopped after m samples equals one of m samples.
+/// In the first process the result is a function of the settings and the number of samples done; threads, processes,
+/// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
 void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors);
 
 }  // namespace touchstone::tradeoff

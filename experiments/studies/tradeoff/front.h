@@ -12,54 +12,57 @@
 
 namespace touchstone::tradeoff {
 
-/// What run time is held against.
+/// The measures of error with which run time is compared.
 enum class Measure {
   NotRight,  ///< the share of answers to `contact` near the radius's thresholds that are wrong, or "don't know"
-  Distance,  ///< the 99 % quantile of the error of the distance, in units in the last place; infinite where more than
-             ///< 1 % of the distances are not finite
+  Distance,  ///< the 99 % quantile of the error of the distance, in units in the last place; infinite if more than 1 %
+             ///< of the distances are not finite
   Point,     ///< the same, of the closest point
 };
 inline constexpr std::array kMeasures{Measure::NotRight, Measure::Distance, Measure::Point};
 [[nodiscard]] std::string_view word(Measure measure);
 
-/// Nanoseconds a question about a ball near a threshold (contact, or the whole answer): quartiles of the repetitions.
+/// Nanoseconds per question about a ball near a threshold (contact, or the whole answer): quartiles of the repetitions.
 struct Nanoseconds {
   double lower, median, upper;
 };
 
-/// Is it one of those that no other one is better than? Another one is better if its error is no larger and it is
-/// faster beyond the noise: its upper quartile is below this one's lower quartile.
+/// The position relative to the Pareto front. A method is better than another if its error is not larger and it is
+/// faster beyond noise: its upper quartile is below the other's lower quartile.
 enum class Front {
-  On,           ///< none is, and all that are no less right are slower beyond the noise
-  WithinNoise,  ///< none is, but some that is no less right is neither faster nor slower beyond the noise
-  Off,          ///< one is
+  On,           ///< no method is better, and every method at least as accurate is slower beyond noise
+  WithinNoise,  ///< no method is better, but one at least as accurate is neither faster nor slower beyond noise
+  Off,          ///< another method is better
 };
 [[nodiscard]] std::string_view word(Front front);
 
-/// A method among others.
+/// A method compared with the others.
 struct Standing {
-  std::size_t method;  ///< its place in the settings
+  std::size_t method;  ///< its index in the settings
   Nanoseconds nanoseconds;
-  double error;           ///< by the measure
-  double lower, upper;    ///< 95 % limits of a share; median and worst of units in the last place, of finite answers
-  double finite_error;    ///< the 99 % quantile among finite answers; of a share, the error itself
-  double not_finite;      ///< the share of answers that are not finite; of a share, that of wrong ones for that reason
+  double error;         ///< by the measure
+  double lower, upper;  ///< 95 % limits of a share; median and worst of units in the last place, of finite answers
+  double finite_error;  ///< the 99 % quantile among finite answers; of a share, the error itself
+  double not_finite;    ///< the share of answers that are not finite; for a share, the share of answers that are wrong
+                        ///< for that reason
   std::uint64_t samples;  ///< polygons behind the error
   Front front = Front::Off;
 };
 
-/// Errors are compared as they were seen: all methods have the same questions. (1) Who would be on the front by medians
-/// alone is On or WithinNoise, and whoever is On would be; (2) whoever is Off has one better than it that is not.
+/// Marks the Pareto front. Compares errors as observed: all methods have the same questions. (1) Every method on the
+/// front of the medians is marked On or WithinNoise, and every method marked On is on that front. (2) Every method
+/// marked Off has a better one that is not Off.
 void mark_front(std::vector<Standing>& standings);
 
-/// The methods by one measure in one place, or in all places of a placement together (no family: the means of the
-/// families' quartiles, as wide as if noise met all of them alike). Without those that were not timed, or that know
-/// less than half of what is asked.
+/// Returns the methods by one measure in one place, or in all places of a placement together (no family: the means of
+/// the families' quartiles, which assumes that noise affects all of them alike). Omits methods that were not timed, or
+/// that answer less than half of the questions.
 [[nodiscard]] std::vector<Standing> standings(Measure measure, std::optional<workloads::Family> family,
                                               workloads::Placement placement, const Errors& errors,
                                               const std::vector<Timing>& timings);
 
-/// Strata of a placement, of one family or of all, whose threshold is crossed by the radius (or by the centre).
+/// Returns the strata of a placement, of one family or of all, whose threshold is crossed by the radius (or by the
+/// centre).
 [[nodiscard]] std::vector<std::size_t> strata_of(std::optional<workloads::Family> family,
                                                  workloads::Placement placement, bool radius);
 

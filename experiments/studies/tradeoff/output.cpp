@@ -24,7 +24,7 @@ using workloads::Placement;
 
 constexpr std::array kPlacements{Placement::LatticeFrame, Placement::Rotated};
 
-/// What the tables give a line: one stratum, or one of each family.
+/// The subject of a line in the tables: one stratum, or one of each family.
 struct Group {
   std::string name;  ///< family, placement and threshold
   std::vector<std::size_t> strata;

@@ -132,7 +132,7 @@ std::string fronts(const Settings& settings, const Errors& errors, const std::ve
   return text.empty() ? text : "\n  fronts of time against\n" + text;
 }
 
-/// How much the repetitions of timed lists differ.
+/// Returns how much the repetitions of timed lists differ.
 std::string noise(const std::vector<Timing>& timings) {
   constexpr double kMuch = 1.5;
   std::size_t cells = 0, noisy = 0;
@@ -145,26 +145,29 @@ std::string noise(const std::vector<Timing>& timings) {
   return fmt::format(
       "Noise: in {} of {} lists and methods the upper quartile of the repetitions is more than {} times the lower "
       "one.\n"
-      "A method is on the front if all that are no less right (as seen: the questions are the same) are slower, their\n"
-      "lower quartile being above its upper one; within noise, if none is faster in that sense, but some are not "
-      "slower.\n",
+      "A method is on the front if every method at least as accurate (as observed, on the same questions) is slower: "
+      "its\n"
+      "lower quartile is above the method's upper one. It is within noise if none is faster in that sense, but some "
+      "are\n"
+      "not slower.\n",
       noisy, cells, kMuch);
 }
 
 std::string legend(const std::vector<Timing>& timings) {
   std::string text = fmt::format(
-      "Times: nanoseconds a question about a prepared polygon, through the common interface; means over the families\n"
+      "Times: nanoseconds per question about a prepared polygon, through the common interface; means over the "
+      "families\n"
       "of medians of the repetitions, in which all methods take turns on one list of distinct balls. near: the radius\n"
-      "is within {} doubles of the distance. asked: how many of the list of contact, near; a slow method gets the\n"
-      "first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within {} doubles of the radius\n"
-      "that just touches; limits: Hoeffding, 95 %, polygons being independent. Slow methods were asked about one\n"
-      "sample in {}. overflow: the wrong ones of samples at which the method's distance or point is not finite.\n"
-      "wrong at offsets: the lowest and the highest, in doubles, of those tried, up to 2^32.\n"
-      "Units in the last place: of the exact distance, and of the largest coordinate of the exact point; both "
-      "correctly\n"
-      "rounded, so that 0 is within half a unit of the truth; median, 99 % and worst are of finite ones. Methods that\n"
-      "give neither are left out. No line mixes lattices with rotated polygons; one lattice radius in four is exactly "
-      "tangent.\n",
+      "is within {} doubles of the distance. asked: the number of questions of the list contact, near; a slow method\n"
+      "gets the first ones, as many as fit into {:g} ms. wrong, don't know: answers to contact within {} doubles of "
+      "the\n"
+      "radius that just touches; limits: Hoeffding, 95 %, for independent polygons. Slow methods were asked about one\n"
+      "sample in {}. overflow: wrong answers in samples for which the method's distance or point is not finite.\n"
+      "wrong at offsets: the lowest and the highest tested offset with a wrong answer, in doubles, up to 2^32.\n"
+      "Units in the last place: of the exact distance, and of the largest coordinate of the exact point, both\n"
+      "correctly rounded, so that 0 is within half a unit of the truth; median, 99 % and worst of the finite errors.\n"
+      "Methods that compute neither are left out. No line mixes lattices with rotated polygons; one lattice radius in\n"
+      "four is exactly tangent.\n",
       kNear, 1e3 * kSecondsOfList, kNear, kSlowStride);
   return text + (timings.empty() ? "Nothing was timed.\n" : noise(timings));
 }

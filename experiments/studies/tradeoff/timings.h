@@ -13,7 +13,7 @@
 
 namespace touchstone::tradeoff {
 
-/// Which balls are asked about in a timed list.
+/// The balls of a timed list.
 enum class Balls {
   Near,      ///< radius within kNear doubles of the distance to a face, an edge, a vertex, or of an exactly tangent one
   Anywhere,  ///< workloads::BallPlace::Anywhere
@@ -22,10 +22,10 @@ inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
 [[nodiscard]] std::string_view word(Balls balls);
 
 inline constexpr std::array kTimedQuestions{cases::Question::Contact, cases::Question::Answer};
-/// Of those two.
+/// Requires one of these two.
 [[nodiscard]] std::string_view word(cases::Question question);
 
-/// A family of polygons in a placement: what timings and fronts are made for.
+/// A family of polygons in a placement, for which timings and fronts are computed.
 struct Place {
   workloads::Family family;
   workloads::Placement placement;
@@ -36,7 +36,7 @@ struct Query {
   Ball ball;
 };
 
-/// Distinct polygons and balls about them, in random order.
+/// Distinct polygons and balls near them, in random order.
 struct Queries {
   std::vector<Polygon> polygons;
   std::vector<Query> near, anywhere;
@@ -44,7 +44,7 @@ struct Queries {
   [[nodiscard]] const std::vector<Query>& of(Balls balls) const { return balls == Balls::Near ? near : anywhere; }
 };
 
-/// A function of its arguments alone. Fewer balls where the family has none of a kind.
+/// Draws a list, a function of its arguments alone. It has fewer balls if the family has none of a kind.
 [[nodiscard]] Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count);
 
 struct TimingSettings {
@@ -55,7 +55,7 @@ struct TimingSettings {
   unsigned repetitions = 1;
 };
 
-/// What one list took.
+/// The times of one list.
 struct Timing {
   Place place;
   Balls balls;
@@ -63,17 +63,17 @@ struct Timing {
   std::vector<timing::Measured> methods;  ///< in the order of the settings
 };
 
-/// How long one method may take for a list: then it is asked about the first questions of it only.
+/// The longest time of one method for a list; a slower method is asked only the first questions of the list.
 inline constexpr double kSecondsOfList = 0.005;
 
-/// Times every method on every list, on one thread: a turn of a method is one pass over the list with its polygons
+/// Times every method on every list, on one thread. A turn of a method goes once through the list with its polygons
 /// prepared, and all others take their turns before its next one, so that no branch predictor learns the answers. The
-/// time is that of PreparedMethod::ask: an indirect call and a partial answer are in it. Lists that were not finished
-/// when stopped are left out.
+/// time is that of PreparedMethod::ask, which includes an indirect call and a partial answer. Lists that were
+/// unfinished when stopped are left out.
 [[nodiscard]] std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
                                                   const harness::Progress& progress);
 
-/// The number of lists, in which progress is told.
+/// Returns the number of lists, the unit of progress.
 [[nodiscard]] std::uint64_t list_count(const TimingSettings& settings);
 
 }  // namespace touchstone::tradeoff

@@ -145,7 +145,7 @@ class Run {
     if (stopped) {
       fmt::print(stderr,
                  "touchstone: interrupted: {} covers {} of {} samples and {} of {} timed lists; no fronts; --resume "
-                 "goes on\n",
+                 "continues\n",
                  options_.output, errors.samples, settings_.samples, timings.size(), list_count(timing_settings_));
       return harness::kInterrupted;
     }
@@ -173,22 +173,22 @@ in both files and drawn in the pictures, and the front says whom they may keep f
 }  // namespace
 
 harness::Command tradeoff_command() {
-  harness::Command command("tradeoff", "Hold the run time of methods against their errors; draw the best");
+  harness::Command command("tradeoff", "Compare the run time of methods with their errors; draw the best");
   command.footer(kFooter);
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.methods(options->methods);
   command.families(options->families);
   command.whole("--samples", options->samples, "Samples of each family, placement and threshold: for the errors", 1);
-  command.seed(options->seed, "Any number; the same gives the same questions");
+  command.seed(options->seed, "Any number; the same seed gives the same questions");
   command.threads(options->threads, "Of each process, for the errors; they do not change them. Times: always one");
-  command.whole("--queries", options->queries, "Distinct balls in each timed list", 1, 1'000'000);
-  command.whole("--repetitions", options->repetitions, "How often each method takes its turn on a list", 1, 100'000);
+  command.whole("--queries", options->queries, "The number of distinct balls in each timed list", 1, 1'000'000);
+  command.whole("--repetitions", options->repetitions, "The number of turns of each method on a list", 1, 100'000);
   command.resume(options->resume);
   command.output(options->output, "The folder for tables and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
-  command.flag("--redraw", options->redraw, "Measure nothing: draw the pictures of what lies in --output");
+  command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output");
   command.runs([options] {
     if (options->redraw) return harness::run_alone([&] { return redraw(*options); });
     return harness::run_together([&](const harness::Processes& processes) { return Run(*options, processes)(); });

@@ -259,9 +259,9 @@ class Report(unittest.TestCase):
 
     def test_no_results_are_an_error(self):
         shutil.rmtree(self.results)
-        self.assertIn(f"{self.results}: is no folder", self.complaint())
+        self.assertIn(f"{self.results}: is not a folder", self.complaint())
         self.results.mkdir()
-        self.assertIn(f"{self.results}: holds no study's run.json", self.complaint())
+        self.assertIn(f"{self.results}: does not contain the run.json of any study", self.complaint())
 
     def test_the_verdict_on_real_input_is_in_the_data(self):
         path = self.results / "meshes/meshes.csv"

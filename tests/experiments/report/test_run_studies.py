@@ -147,7 +147,7 @@ class Studies(unittest.TestCase):
         first.wait()
         first.stderr.close()
         second = self.start()
-        self.assertIn("another run is at work in results", second.communicate(timeout=PATIENCE)[1])
+        self.assertIn("another run is working in results", second.communicate(timeout=PATIENCE)[1])
         self.assertEqual(second.returncode, 1)
 
     def test_nothing_is_written_into_a_foreign_folder(self):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What never failed, and how sure that is: from how often each study asked each method."""
+"""The methods that never failed, with limits from the number of answers in each study."""
 from page import code, count, counted, escaped, percent, table, upper_limit, words
 
-CERTIFIED, TRUTH = "filtered", "exact"  # what must never fail, and what is right by definition
+CERTIFIED, TRUTH = "filtered", "exact"  # must never fail; is right by definition
 
 
 def sums(asked, method):
-    """Over all studies: answers, wrong ones, polygons and the like."""
+    """Sums over all studies: answers, wrong answers, and polygons or other trials."""
     own = [counts[method] for counts in asked.values() if method in counts]
     return sum(a.answers for a in own), sum(a.wrong for a in own), sum(a.trials for a in own)
 
@@ -21,13 +21,13 @@ def sentence(asked):
                 "table below.")
     studies = sum(CERTIFIED in counts for counts in asked.values())
     return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, "
-            f"outlines, faces and cases of {counted(studies, 'studies', 'study')}. If a share of such were answered wrongly, it would be at "
-            f"most {percent(upper_limit(trials))} (95 % limit). That is what was measured; the bounds behind its answers are "
-            "also proved by a proof tool, in every test run.")
+            f"outlines, faces and cases of {counted(studies, 'studies', 'study')}. The share of such cases that it answers wrongly is at "
+            f"most {percent(upper_limit(trials))} (95 % limit). This is a measurement; in addition, the bounds behind its answers are "
+            "proved by a proof tool, in every test run.")
 
 
 def others(asked):
-    """Methods besides that were never wrong anywhere; and those of them that are so by not answering."""
+    """The other methods that were never wrong; and those of them that sometimes did not answer."""
     methods = dict.fromkeys(m for counts in asked.values() for m in counts if m not in (CERTIFIED, TRUTH))
     never = [m for m in methods if sums(asked, m)[1] == 0 and sums(asked, m)[2] >= 100]
     unsure = {m: sum(counts[m].unsure for counts in asked.values() if m in counts) for m in never}
@@ -45,11 +45,11 @@ def table_of(asked, titles):
     if not rows:
         return ""
     right, unsure = others(asked)
-    also = f" Nor were wrong, wherever they were asked: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
+    also = f" Also never wrong: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
     return "<section><h2>What never failed, and how sure that is</h2>" + table(
         f"{code(CERTIFIED)} in every study that asked it. Answers about the same polygon depend on each other, so the limit "
         f"counts polygons (or outlines that they share, faces, cases): if more than this share of such were answered wrongly, at least one would have "
         "been seen, with 95 % "
         "confidence.",
-        ["study", "answers", "of so many", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"
+        ["study", "answers", "about", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"

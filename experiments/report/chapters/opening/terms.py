@@ -9,8 +9,8 @@ TERMS = """
 <dd>A closed ball with a centre and a radius; a flat, closed polygon in space, which may be non-convex and have holes. They
 are in contact if they share a point; exactly touching is contact. The numbers given are taken as exact.</dd>
 <dt>Double, one double away</dt>
-<dd>A 64-bit floating-point number. Between neighbouring doubles there is nothing that a program could be given, so “one
-double away” is the smallest change there is. A float has 32 bits.</dd>
+<dd>A 64-bit floating-point number. A program can be given no number between neighbouring doubles, so “one
+double away” is the smallest possible change. A float has 32 bits.</dd>
 <dt>Threshold, offset</dt>
 <dd>The value at which the true answer changes: of the radius, the exact distance; of a coordinate of the centre, where the
 foot crosses an edge. Offsets from it are counted in doubles, or given as shares: 2⁻³⁰ is about one billionth of the distance
@@ -23,15 +23,15 @@ cross the plane (<i>plane</i>), is the foot inside the polygon (<i>foot</i>), wh
 <dd>Vertices on an integer lattice lie exactly in one plane. Rotated ones are rounded to doubles, so they do so only nearly;
 the polygon is then their projection onto one exact plane.</dd>
 <dt>95 % limit</dt>
-<dd>After so many independent trials, the true share lies within the limits with 95 % confidence (Clopper and Pearson;
-Hoeffding where said). Where nothing failed, the upper limit is one-sided: 1 − 0.05<sup>1/n</sup> after n trials. In
+<dd>The true share lies within the limits with 95 % confidence, given independent trials (Clopper and Pearson;
+Hoeffding where stated). If nothing failed, the upper limit is one-sided: 1 − 0.05<sup>1/n</sup> after n trials. In
 pictures, limits are two-sided.</dd>
 </dl>
 """
 
 
 def methods(results):
-    """From `touchstone methods`, which ./reproduce keeps."""
+    """The methods, from the output of `touchstone methods`, which ./reproduce keeps."""
     path = results / "methods.txt"
     if not path.exists():
         return ('<section><h2 id="methods">The methods</h2><p>Their list was not kept; <code>touchstone methods</code> prints '

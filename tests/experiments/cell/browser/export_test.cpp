@@ -234,7 +234,7 @@ TEST_F(ExportCommand, WritesOverNothingUnlessForced) {
 
 TEST_F(ExportCommand, NamesWhatIsWrong) {
   EXPECT_EQ(run({file, path("run.step")}).err,
-            path("run.step") + ": the extension '.step' is none of .html, .gltf and .glb");
+            path("run.step") + ": the extension '.step' must be .html, .gltf or .glb");
   const run_tests::Ran bad = run({file, path("run.html"), "--set", "storage.height=-1"});
   EXPECT_EQ(bad.status, 2);
   EXPECT_NE(bad.err.find("storage.height: "), std::string::npos) << bad.err;

@@ -27,7 +27,7 @@ class Page : public testing::Test {
     EXPECT_EQ(received.content_type, "application/json");
     const std::string error = json_of(received).at("error");
     EXPECT_EQ(error.rfind(begin, 0), 0U) << error;
-    EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U) << "it does not go on after " << begin;
+    EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U) << "it does not serve after " << begin;
   }
 
   const Routes routes{simulator(), KnownHosts("127.0.0.1", true)};

@@ -159,7 +159,7 @@ TEST(Chain, RefusesWhatIsNoChain) {
   EXPECT_EQ(message({good, good}, 0), "");
   EXPECT_EQ(message({good, across}, 0), "joint second: it is to make up for a joint that is not parallel to it");
   EXPECT_EQ(message({good}, 0), "joint first: no joint comes behind it to make up for its turning");
-  EXPECT_EQ(message({good}, 1), "the driver is no joint");
+  EXPECT_EQ(message({good}, 1), "the driver is not a joint");
   EXPECT_EQ(message({backwards}, {}), "joint first: its lowest angle is above its highest");
   EXPECT_EQ(message({crooked}, {}), "joint first: its axis is not of length 1");
 }

@@ -86,7 +86,7 @@ TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
       err({path("two words.obj"), path("a.txt")}),
       path("two words.obj") + ": the name \"two words\" is not one word of UTF-8 without '#'; --name gives another");
   EXPECT_EQ(err({path("two words.obj"), path("a.step")}),
-            path("a.step") + ": the extension '.step' is none of .txt, .obj, .off, .stl and .ply");
+            path("a.step") + ": the extension '.step' must be .txt, .obj, .off, .stl or .ply");
   EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),
             path("two words.obj") + ": is there already; --force writes over it");
   harness::write_file(path("bad.txt"), "Link A\nParts x\n");

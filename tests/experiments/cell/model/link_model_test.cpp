@@ -128,7 +128,7 @@ TEST(LinkModelFile, EveryFaultIsNamedWithItsLine) {
             "line 9: vertex -1 is out of range: the part has 3 vertices, numbered from 0");
   EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2 0\n"), "line 9: expected 'Hole' or the end of the line, found '0'");
   EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2 Hole\n"), "line 9: expected a count, found the end of the line");
-  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2\n3 0 1 2\n"), "line 10: the file goes on after what the counts promise");
+  EXPECT_EQ(fault(head + "Polygons 1\n3 0 1 2\n3 0 1 2\n"), "line 10: the file continues after the announced counts");
   EXPECT_EQ(fault(head + "Polygons 1\n9223372036854775807 0 1 2\n"),
             "line 9: expected 9223372036854775807 vertex numbers, found 3");
   EXPECT_THROW((void)cell::read_link_model("/nowhere/Axis1.txt"), BrokenMesh);

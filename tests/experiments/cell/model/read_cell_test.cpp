@@ -243,7 +243,7 @@ TEST_F(BadCells, KeysAreNamed) {
   EXPECT_EQ(fault("/storage/stand/top", -412), "storage.stand.top: lies at or below the floor");
   EXPECT_EQ(fault("/meshes", "nowhere"), "meshes: there is no folder " + (scratch.path / "nowhere").string());
   EXPECT_EQ(fault("[]"), "the whole: must be an object");
-  EXPECT_EQ(fault("{\"name\":1,\"name\":2}"), "the key \"name\" is there twice");
+  EXPECT_EQ(fault("{\"name\":1,\"name\":2}"), "duplicate key \"name\"");
   EXPECT_EQ(
       fault("{\n  \"name\": x}"),
       "is not JSON: line 2, column 11: syntax error while parsing value - invalid literal; last read: '\"name\": x'");

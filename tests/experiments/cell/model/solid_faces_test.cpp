@@ -89,7 +89,7 @@ TEST_F(MeshSolid, AFaceThatTheContractRejectsIsNamed) {
 
 TEST_F(MeshSolid, IsNoPartOfABoolean) {
   const Solid solid = combined(Operation::Union, {box({0, 0, 0}, {1, 1, 1}), mesh("v 0 0 0\n", "mm")});
-  EXPECT_TRUE(refusal(solid).ends_with("a mesh is no part of a Boolean operation")) << refusal(solid);
+  EXPECT_TRUE(refusal(solid).ends_with("a mesh cannot be part of a Boolean operation")) << refusal(solid);
 }
 
 TEST(SceneFaces, TrianglesComeFirstAndKnowTheirNumbers) {

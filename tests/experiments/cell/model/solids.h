@@ -20,7 +20,7 @@ namespace touchstone::cell_model_tests {
 /// Two to four primitives under random operations, sometimes turned by quarters.
 [[nodiscard]] cell::Solid random_solid(workloads::Random& random);
 
-/// Is the point inside, as the primitives say? Told of no point that is nearer than 1e-6 to the surface of a primitive.
+/// Returns the side of a point according to the primitives; TooNear within 1e-6 of the surface of a primitive.
 enum class Side { Inside, Outside, TooNear };
 [[nodiscard]] Side side_of(const cell::Solid& solid, const Eigen::Vector3d& point);
 

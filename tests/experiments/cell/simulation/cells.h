@@ -17,7 +17,7 @@ namespace touchstone::cell_simulation_tests {
 
 inline const std::filesystem::path kAristo =
     std::filesystem::path(TOUCHSTONE_SOURCE_DIR) / "experiments/cell/cells/aristo.json";
-/// What the second case study's storage is besides at -33 degrees.
+/// The changes that put the storage where the second case study has it.
 inline const std::vector<std::string> kSecondCase{"storage.angle=-33", "storage.radius=621.6"};
 
 /// The default cell's arm, covered coarsely, once for all tests.

@@ -262,7 +262,7 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
   EXPECT_EQ(fault(R"({"ball":{"center":[1,2,"3"],"radius":1}})"), "a coordinate of ball.center is not a number");
   EXPECT_EQ(fault(R"({"ball":{"center":[1,2,3]}})"), "ball has no key \"radius\"");
   EXPECT_EQ(fault(R"({"id":7,"ball":{"center":[1,2,3],"radius":1}})"), "id is not a string");
-  EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("stands twice"), std::string::npos);
+  EXPECT_NE(fault(R"({"ball":{"center":[1,2,3],"radius":1,"radius":2}})").find("a duplicate key"), std::string::npos);
   const Ran absent = touchstone_scene({path("cube.obj"), "--balls", path("absent")});
   EXPECT_EQ(absent.status, 2);
   EXPECT_EQ(absent.err, path("absent") + ": cannot be read");

@@ -15,7 +15,7 @@ inline Settings settings(const std::vector<std::string>& names, std::uint64_t sa
   return {methods::find_methods(names), {workloads::Family::Star, workloads::Family::L}, samples, 7, threads};
 }
 
-/// What a whole run gives.
+/// Returns the results of a whole run.
 inline Errors whole(const Settings& settings) {
   Errors errors = no_errors(settings);
   measure_errors(settings, {run_tests::kAlone, run_tests::kNeverStop, run_tests::kSilent}, errors);
