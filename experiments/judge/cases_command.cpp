@@ -15,7 +15,7 @@
 namespace touchstone::commands {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 using cases::Verdict;
 
 // A method that never fails must not make the search for failures run for ever.
@@ -29,7 +29,7 @@ struct CasesOptions {
 };
 
 Verdict ask(const cases::Method& method, const workloads::Sample& sample) {
-  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, QueryKind::Answer));
 }
 
 /// Does one of the methods give a key whose value is not that of the truth, the roundings of point and distance aside?

@@ -7,7 +7,7 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/judge/judge.h"
-#include "experiments/methods/process/interruption.h"
+#include "experiments/methods/process/engine_signals.h"
 #include "experiments/methods/registry.h"
 
 namespace touchstone::commands {
@@ -56,7 +56,7 @@ harness::Command judge_command() {
     if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
-    const methods::Interruption interruption;
+    const methods::KillEngineOnSignal kill_engine_on_signal;
     return static_cast<int>(judge::judge(order));
   });
   return command;

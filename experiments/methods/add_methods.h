@@ -12,7 +12,7 @@ namespace touchstone::methods {
 using cases::Method;
 using cases::PartialAnswer;
 using cases::PreparedMethod;
-using cases::Question;
+using cases::QueryKind;
 
 void add_cgal_epeck(std::vector<std::unique_ptr<Method>>& list);
 void add_cgal_inexact(std::vector<std::unique_ptr<Method>>& list);

@@ -184,18 +184,18 @@ class PreparedKernel final : public PreparedMethod {
  public:
   PreparedKernel(const Polygon& polygon, std::string_view stage) : polygon_(polygon), stage_(stage) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     PartialAnswer answer;
     answer.stage = stage_;
     answer.unsure = !polygon_.can_be_asked(ball);
     if (answer.unsure) return answer;
-    switch (question) {
-      case Question::Contact: answer.contact = polygon_.contact(ball); break;
-      case Question::Relation: answer.relation = polygon_.relation(ball); break;
-      case Question::PlaneSide: answer.plane = polygon_.plane_side(ball); break;
-      case Question::Foot: answer.foot = polygon_.foot(ball); break;
-      case Question::EdgesHit: answer.edges_hit = polygon_.edges_hit(ball); break;
-      case Question::Answer:
+    switch (kind) {
+      case QueryKind::Contact: answer.contact = polygon_.contact(ball); break;
+      case QueryKind::Relation: answer.relation = polygon_.relation(ball); break;
+      case QueryKind::PlaneSide: answer.plane = polygon_.plane_side(ball); break;
+      case QueryKind::Foot: answer.foot = polygon_.foot(ball); break;
+      case QueryKind::EdgesHit: answer.edges_hit = polygon_.edges_hit(ball); break;
+      case QueryKind::Answer:
         answer = PartialAnswer::of(polygon_.answer(ball), "");
         answer.stage = stage_;
         if (!polygon_.knows_off_plane()) answer.off_plane.reset();

@@ -250,7 +250,7 @@ class PreparedPlain final : public PreparedMethod {
  public:
   explicit PreparedPlain(const Polygon& polygon) : polygon_(prepare(polygon)) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     [[maybe_unused]] const typename Arithmetic::Guard guard;
     PartialAnswer answer;
     answer.stage = Arithmetic::kStage;
@@ -263,12 +263,12 @@ class PreparedPlain final : public PreparedMethod {
       if (!value) answer.unsure = true;
       key = std::move(value);
     };
-    const bool all = question == Question::Answer;
-    if (all || question == Question::Contact) give(answer.contact, query.contact());
-    if (all || question == Question::Relation) give(answer.relation, query.relation());
-    if (all || question == Question::PlaneSide) give(answer.plane, query.plane_side());
-    if (all || question == Question::Foot) give(answer.foot, query.foot());
-    if (all || question == Question::EdgesHit) give(answer.edges_hit, query.edges_hit());
+    const bool all = kind == QueryKind::Answer;
+    if (all || kind == QueryKind::Contact) give(answer.contact, query.contact());
+    if (all || kind == QueryKind::Relation) give(answer.relation, query.relation());
+    if (all || kind == QueryKind::PlaneSide) give(answer.plane, query.plane_side());
+    if (all || kind == QueryKind::Foot) give(answer.foot, query.foot());
+    if (all || kind == QueryKind::EdgesHit) give(answer.edges_hit, query.edges_hit());
     if (!all) return answer;
 
     give(answer.plane_tangent, query.plane_tangent());

@@ -107,7 +107,7 @@ std::optional<Position> off_vertex(Random& random, const Outline& outline) {
   return away_from(random, along_edge(c, 0, 0), {x / length, y / length});
 }
 
-/// A centre that should have its nearest point on a feature of this kind.
+/// A centre that is meant to have its nearest point on a feature of this kind.
 std::optional<Position> off_feature(Random& random, const Outline& outline, Kind kind) {
   switch (kind) {
     case Kind::Face: return above_face(random, outline);
@@ -232,7 +232,7 @@ std::optional<Tangent> tangent(Random& random, const Outline& outline) {
   }
 }
 
-/// Asks about one polygon, prepared when the first question comes.
+/// Queries one polygon, which is prepared for the first query.
 class Oracle {
  public:
   explicit Oracle(const Polygon& polygon) : polygon_(polygon) {}

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/harness/json/json_fault.h"
-#include "experiments/harness/json/overflows.h"
+#include "experiments/harness/json/mask_overflowing_numbers.h"
 
 namespace touchstone::harness {
 namespace {
@@ -62,7 +62,7 @@ StrictJson read_strict_json(std::string_view text) {
   }
   // The library refuses a text with a number like 1e400 whole: read it again without them.
   std::string finite(text);
-  const std::vector<std::size_t> overflows = silence_overflows(finite);
+  const std::vector<std::size_t> overflows = mask_overflowing_numbers(finite);
   try {
     return parse(finite, overflows);
   } catch (const json::exception& error) {

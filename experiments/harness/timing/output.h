@@ -9,7 +9,7 @@
 
 namespace touchstone::timing {
 
-/// The lines of one contest: a heading and a row a contestant. Medians; quartiles in brackets.
+/// The lines of one benchmark: a heading and a row a candidate. Medians; quartiles in brackets.
 [[nodiscard]] std::string table(const Result& result);
 /// How many goals were met, and which were not.
 [[nodiscard]] std::string goals(const std::vector<Result>& results);

@@ -59,7 +59,7 @@ std::string title(const Result& result) {
 std::string table(const Result& result) {
   std::string text = "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n";
   text += line("", "asked", "ns/" + result.unit, "", "  ratio", "goal", "wrong");
-  for (const Measured& m : result.contestants)
+  for (const Measured& m : result.candidates)
     if (!m.nanoseconds.empty()) text += row(m);
   return text;
 }
@@ -68,7 +68,7 @@ std::string goals(const std::vector<Result>& results) {
   std::string missed;
   std::size_t met = 0, all = 0;
   for (const Result& result : results)
-    for (const Measured& m : result.contestants) {
+    for (const Measured& m : result.candidates) {
       if (m.ratios.empty() || !m.comparison->goal) continue;
       const double median = quartiles(m.ratios).median;
       ++all;

@@ -22,7 +22,7 @@ bool is_decisive(std::string_view key) {
 Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
   Verdict given, wrong = Verdict::object();
   try {
-    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::Question::Answer));
+    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
   } catch (const std::exception&) {  // of another's engine
     for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;

@@ -15,9 +15,9 @@
 
 #include "experiments/cases/input_lines.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
@@ -105,25 +105,25 @@ int shrink(const ShrinkOptions& options) {
     throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
   const cases::Method& method = *methods.front();
   const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
   cases::read_lines(files, [&](cases::Line&& line) {
     ++lines;
-    if (const auto shrunk = shrunk_line(line, method, key, interrupt.requested())) {
+    if (const auto shrunk = shrunk_line(line, method, key, stop_signal.requested())) {
       if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "the case cannot be written");
     } else {
       status = 2;
     }
-    return !interrupt.requested();
+    return !stop_signal.requested();
   });
   if (lines == 0) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
-  return interrupt.requested() ? harness::kInterrupted : status;
+  return stop_signal.requested() ? harness::kInterrupted : status;
 }
 
 harness::Command make_command() {

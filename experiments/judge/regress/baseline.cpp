@@ -61,7 +61,7 @@ std::vector<std::string> family_names() {
 }
 
 /// Methods by name, each with the digits of every family, go into the standing.
-void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Standing& standing) {
+void read_methods(const Json& methods, Outcome outcome, std::size_t cases, OutcomeTable& table) {
   for (const auto& [method, families] : methods.items()) {
     const std::string shown = io::legible(method);
     if (!families.is_object()) throw std::runtime_error(shown + " is not an object");
@@ -69,7 +69,7 @@ void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Stand
     for (const std::string& name : family_names()) {
       if (!families.contains(name)) throw std::runtime_error(fmt::format("{} has no key \"{}\"", shown, name));
       if (!families[name].is_string()) throw std::runtime_error(fmt::format("{} of {}: is not a string", name, shown));
-      Outcomes& outcomes = standing[method][name];
+      Outcomes& outcomes = table[method][name];
       outcomes.resize(cases);
       try {
         read_digits(families[name].get_ref<const std::string&>(), outcome, outcomes);
@@ -112,13 +112,13 @@ Baseline baseline_of(const std::string& text) {
     throw std::runtime_error(fmt::format("\"samples\" must be from 1 to {}", kMostSamples));
   if (!json.at("methods").is_object() || json.at("methods").empty())
     throw std::runtime_error("\"methods\" has no method");
-  read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.standing);
+  read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.table);
   if (json.contains("unsure")) {
     if (!json.at("unsure").is_object()) throw std::runtime_error("\"unsure\" is not an object");
     for (const auto& [method, families] : json.at("unsure").items())
-      if (baseline.standing.count(method) == 0)
+      if (baseline.table.count(method) == 0)
         throw std::runtime_error(fmt::format("\"unsure\" has {}, which \"methods\" has not", io::legible(method)));
-    read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.standing);
+    read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.table);
   }
   return baseline;
 }
@@ -131,7 +131,7 @@ bool is_unsure(const std::map<std::string, Outcomes>& families) {
 
 std::string baseline_text(const Baseline& baseline) {
   Json json{{"version", kVersion}, {"seed", baseline.settings.seed}, {"samples", baseline.settings.samples}};
-  for (const auto& [method, families] : baseline.standing)
+  for (const auto& [method, families] : baseline.table)
     for (const auto& family : workloads::all_families()) {
       const auto name = std::string(word(family));
       json["methods"][method][name] = digits_of(families.at(name), Outcome::Wrong);
@@ -154,7 +154,7 @@ Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
   }
 }
 
-std::vector<Change> changes(const Standing& baseline, const Standing& now) {
+std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& now) {
   std::vector<Change> changes;
   for (const auto& [method, families] : now) {
     const auto before = baseline.find(method);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/judge/regress/standing.h"
+#include "experiments/judge/regress/outcome_table.h"
 
 namespace touchstone::regress {
 
@@ -15,7 +15,7 @@ namespace touchstone::regress {
 /// if it is about any of all families. Equal standings make equal bytes.
 struct Baseline {
   Settings settings;
-  Standing standing;
+  OutcomeTable table;
 };
 
 /// Longer than baseline_text of any settings and all methods.
@@ -33,6 +33,6 @@ struct Change {
 };
 
 /// The changes of those methods that both have; families in their order. Requires equal settings.
-[[nodiscard]] std::vector<Change> changes(const Standing& baseline, const Standing& now);
+[[nodiscard]] std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& now);
 
 }  // namespace touchstone::regress

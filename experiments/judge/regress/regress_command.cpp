@@ -11,11 +11,11 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
@@ -43,14 +43,14 @@ std::string cell(const Summary& summary) {
                      summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
 }
 
-std::string table_of(const Standing& standing, const Settings& settings) {
+std::string table_of(const OutcomeTable& table, const Settings& settings) {
   std::string text = fmt::format(
       "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
       "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
       settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
   for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", word(family));
   text += "\n";
-  for (const auto& [method, families] : standing) {
+  for (const auto& [method, families] : table) {
     text += fmt::format("{:<24}", method);
     std::size_t unsure = 0;
     for (const auto family : workloads::all_families()) {
@@ -63,9 +63,9 @@ std::string table_of(const Standing& standing, const Settings& settings) {
   return text;
 }
 
-std::string standing_text(const Standing& standing) {
+std::string csv_of(const OutcomeTable& table) {
   std::string text = "method,family,wrong,unsure,cases,first_offset_exponent\n";
-  for (const auto& [method, families] : standing)
+  for (const auto& [method, families] : table)
     for (const auto family : workloads::all_families()) {
       const Summary summary = summary_of(families.at(std::string(word(family))));
       text += fmt::format("{},{},{},{},{},{}\n", method, word(family), summary.wrong, summary.unsure, summary.cases,
@@ -111,7 +111,7 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
 /// Throws where nothing would be held against the baseline, or not a method that the command line names.
 void refuse_missing(const Options& options, const Baseline& baseline,
                     const std::vector<const cases::Method*>& methods) {
-  const auto has = [&](std::string_view method) { return baseline.standing.count(std::string(method)) > 0; };
+  const auto has = [&](std::string_view method) { return baseline.table.count(std::string(method)) > 0; };
   if (std::ranges::none_of(methods, [&](const cases::Method* method) { return has(method->name()); }))
     throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
   if (options.allow_missing) return;
@@ -141,31 +141,31 @@ int run(const Options& options) {
     harness::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
-  const harness::Interrupt interrupt;
-  std::optional<Standing> standing;
+  const harness::StopSignal stop_signal;
+  std::optional<OutcomeTable> table;
   {
     harness::ProgressLine line("regress", blocks_of(settings));
-    standing = find_standing(settings, methods, options.threads, interrupt.requested(), std::ref(line));
+    table = find_outcomes(settings, methods, options.threads, stop_signal.requested(), std::ref(line));
   }
-  if (!standing) {
+  if (!table) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  fmt::print("{}\n", table_of(*standing, settings));
+  fmt::print("{}\n", table_of(*table, settings));
 
   std::vector<Change> changed;
   if (baseline) {
-    for (const auto& [method, families] : baseline->standing)
-      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
-    for (const auto& [method, families] : *standing)
-      if (baseline->standing.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
-    changed = changes(baseline->standing, *standing);
+    for (const auto& [method, families] : baseline->table)
+      if (table->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
+    for (const auto& [method, families] : *table)
+      if (baseline->table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+    changed = changes(baseline->table, *table);
   }
   const std::size_t worse = baseline ? tell_changes(changed) : 0;
-  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *standing}), options.force);
+  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "standing.csv", standing_text(*standing));
+    harness::write_file(folder / "standing.csv", csv_of(*table));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
         folder, {.command = options.line,

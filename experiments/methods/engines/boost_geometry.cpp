@@ -35,7 +35,7 @@ class Prepared : public PreparedMethod {
     bg::correct(flat_);
   }
 
-  [[nodiscard]] PartialAnswer ask(const Ball& ball, Question) const override {
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override {
     const double height = normal_.dot(ball.center - point_) / normal_.squaredNorm();
     const Point2 foot = flat(ball.center - height * normal_);
     PartialAnswer answer;

@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/timing/contest.h"
+#include "experiments/harness/timing/benchmark.h"
 
 namespace touchstone::bench {
 
-/// What a contest is drawn from.
+/// What a benchmark is drawn from.
 struct Settings {
   std::uint64_t samples = 100'000;
   std::uint64_t seed = 1;
   bool checks = true;  ///< compare answers with `exact`
 };
 
-/// What is measured under one name. Contests are drawn one after the other: their queries are large.
+/// What is measured under one name. Benchmarks are drawn one after the other: their queries are large.
 struct Family {
   std::string name;
   std::string summary;
-  std::vector<std::function<timing::Contest(const Settings&)>> contests;
+  std::vector<std::function<timing::Benchmark(const Settings&)>> benchmarks;
 };
 
 /// All of them, in the order of the table.

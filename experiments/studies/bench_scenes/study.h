@@ -32,8 +32,8 @@ struct Build {
   double bytes = 0;             ///< that it holds, a triangle, beside the triangles it was given
 };
 
-/// One contest of a scene.
-struct SceneContest {
+/// One benchmark of a scene.
+struct SceneBenchmark {
   BallPlace place;
   SceneQuestion question;
   timing::Result result;
@@ -43,7 +43,7 @@ struct SceneResult {
   std::string kind;
   std::size_t triangles;
   std::vector<Build> builds;
-  std::vector<SceneContest> contests;
+  std::vector<SceneBenchmark> benchmarks;
   std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: none
 };
 
@@ -57,14 +57,14 @@ struct SceneSettings {
 /// How much a million triangles may take: build seconds, and bytes each.
 inline constexpr timing::Goal kBuildGoal{1}, kMemoryGoal{100};
 
-/// Builds the scene with every library, all of which are kept, and asks them in turn, contest by contest; each is
+/// Builds the scene with every library, all of which are kept, and asks them in turn, benchmark by benchmark; each is
 /// handed to `keep`. Which answers are wrong: those of a library that differ from the exact one's; those of the exact
 /// one that differ from brute force, of the first balls. Throws std::invalid_argument where none of the libraries is
 /// exact.
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,
                                         const std::function<void(const SceneResult&)>& built,
-                                        const std::function<void(const SceneContest&)>& keep);
+                                        const std::function<void(const SceneBenchmark&)>& keep);
 
 /// How a library's time of a query grew between two scenes of a kind, in times of how log(triangles) did.
 struct Growth {

@@ -81,13 +81,13 @@ void from_json(const nlohmann::json& json, WorstCases& worst);
 
 /// Measures how far from the threshold each method is wrong about those of `samples` samples of every region that the
 /// onsets do not hold yet, and adds them. Returns how many they then hold.
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::Course<Onsets>& course,
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::RunControl<Onsets>& control,
                          Onsets& onsets);
 
 /// Climbs from the furthest samples of each region and method. At the first process: a function of settings and onsets,
 /// whatever the processes and threads; each case is confirmed by `exact`. `onsets` is the first process's. Returns how
 /// many climbs were done, of climb_count(settings).
-std::uint64_t run_climbs(const Settings& settings, const harness::Course<WorstCases>& course, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const harness::RunControl<WorstCases>& control, const Onsets& onsets,
                          WorstCases& worst);
 [[nodiscard]] std::uint64_t climb_count(const Settings& settings);
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "experiments/harness/course.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/counts.h"
 #include "experiments/studies/near_edge/disagreements.h"
@@ -52,6 +52,6 @@ void from_json(const nlohmann::json& json, Result& result);
 /// The first process's result is a function of settings and the number of samples done; threads, processes, stops and
 /// the other families and methods do not change the counts of one. A run stopped after m samples equals one of m
 /// samples. Returns that number, at every process.
-std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result);
+std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& control, Result& result);
 
 }  // namespace touchstone::near_edge

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
-#include "experiments/harness/course.h"
+#include "experiments/harness/run_control.h"
 
 namespace touchstone::stability {
 
@@ -68,6 +68,6 @@ class Onset {
 /// Asks about those of the random triangles that the onset does not hold yet. At the first process: a function of
 /// (methods, triangles done, seed), whatever threads, processes and stops.
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const harness::Course<Onset>& course, Onset& onset);
+                unsigned threads, const harness::RunControl<Onset>& control, Onset& onset);
 
 }  // namespace touchstone::stability

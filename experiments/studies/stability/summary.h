@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "experiments/harness/course.h"
 #include "experiments/harness/distribution.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/studies/stability/study.h"
 
 namespace touchstone::stability {
@@ -91,6 +91,6 @@ void from_json(const nlohmann::json& json, Summary& summary);
 
 /// Asks about the blocks that the summary does not hold yet and adds them. At the first process, it then is a function
 /// of the settings and the number of its blocks: of the first ones, whatever threads, processes and stops.
-void run_study(const Settings& settings, const harness::Course<Summary>& course, Summary& summary);
+void run_study(const Settings& settings, const harness::RunControl<Summary>& control, Summary& summary);
 
 }  // namespace touchstone::stability

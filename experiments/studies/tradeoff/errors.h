@@ -10,8 +10,8 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/cases/threshold.h"
-#include "experiments/harness/course.h"
 #include "experiments/harness/distribution.h"
+#include "experiments/harness/run_control.h"
 
 namespace touchstone::tradeoff {
 
@@ -99,6 +99,6 @@ void from_json(const nlohmann::json& json, Errors& errors);
 ///
 /// At the first process: a function of the settings and the number of samples done; threads, processes, stops and the
 /// other families and methods change nothing. A run that was stopped after m samples equals one of m samples.
-void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors);
+void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors);
 
 }  // namespace touchstone::tradeoff

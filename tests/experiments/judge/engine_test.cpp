@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An engine that may read all cases before it answers.
-#include "experiments/methods/process/engine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 #include "tests/experiments/judge/run_judge.h"
 
@@ -156,7 +155,7 @@ TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
 }
 
 TEST(Engine, DoesNotEndWithAnother) {
-  methods::Engine first("cat"), second("cat"), third("cat; exit 3");
+  methods::EngineProcess first("cat"), second("cat"), third("cat; exit 3");
   first.kill();
   EXPECT_EQ(first.wait(), "signal 9");
   ASSERT_TRUE(second.send("a\n"));

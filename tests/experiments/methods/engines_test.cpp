@@ -27,7 +27,7 @@ Wrong wrong(const cases::Method& engine, const Workload& workload, double radius
     auto sample = workloads::sample(workload, 2026, n);
     sample.ball.radius *= radius_factor;
     const bool truth = exact::contact(sample.ball, sample.polygon);
-    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, cases::Question::Contact).contact;
+    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Contact).contact;
     if (!answer)
       ++wrong.unsure;
     else if (*answer && !truth)
@@ -90,12 +90,14 @@ INSTANTIATE_TEST_SUITE_P(Engines, Engine,
 
 TEST(Engines, CannotBeAskedWhereTheyWouldEndTheProgram) {
   const Polygon huge({{0, 0, 0}, {4e300, 0, 0}, {0, 4e300, 0}});
-  const auto answer =
-      find_method("cgal-epick-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
+  const auto answer = find_method("cgal-epick-intersect")
+                          ->prepare(huge)
+                          ->ask({{1e300, 1e300, 2e300}, 2e300}, cases::QueryKind::Contact);
   EXPECT_TRUE(answer.unsure);
   EXPECT_FALSE(answer.contact);
-  const auto exact =
-      find_method("cgal-epeck-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
+  const auto exact = find_method("cgal-epeck-intersect")
+                         ->prepare(huge)
+                         ->ask({{1e300, 1e300, 2e300}, 2e300}, cases::QueryKind::Contact);
   EXPECT_FALSE(exact.unsure);
   EXPECT_TRUE(exact.contact);
 }

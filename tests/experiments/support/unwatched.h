@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/harness/course.h"
 #include "experiments/harness/processes.h"
+#include "experiments/harness/run_control.h"
 
 /// A study's run that nobody stops or looks at, in one process.
 namespace touchstone::run_tests {

@@ -13,7 +13,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/commands.h"
-#include "experiments/harness/course.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/comparison.h"

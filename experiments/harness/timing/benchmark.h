@@ -21,14 +21,14 @@ struct Goal {
   [[nodiscard]] bool met_by(double value) const { return at_most ? value <= ratio : value >= ratio; }
 };
 
-/// Against whom a contestant's time is held.
+/// Against whom a candidate's time is held.
 struct Comparison {
   std::string base;
   std::optional<Goal> goal;
 };
 
 /// One way of answering queries.
-struct Contestant {
+struct Candidate {
   std::string name;
   std::size_t queries;
   /// Answers the first so many of them; returns a sum of the answers, so that no answer is optimised away.
@@ -38,25 +38,25 @@ struct Contestant {
   /// Makes ready to be asked the first so many; not timed. May be empty.
   std::function<void(std::size_t)> before;
   std::optional<Comparison> comparison;
-  /// Its wrong answers are counted among so many of those that the contest checks, where that is costly.
+  /// Its wrong answers are counted among so many of those that the benchmark checks, where that is costly.
   std::size_t most_checked = std::numeric_limits<std::size_t>::max();
 };
 
-/// Contestants that answer the same queries.
-struct Contest {
+/// Candidates that answer the same queries.
+struct Benchmark {
   std::string name;            ///< within its family; empty where there is but one
   std::string note;            ///< what the queries turned out to be
   std::string unit = "query";  ///< what is asked for so many times
   std::size_t checked = 0;     ///< so many answers of each are held against `exact`
-  std::string pool;            ///< contests of a family with the same pool are also reported together; empty: not
-  std::vector<Contestant> contestants;
+  std::string pool;            ///< benchmarks of a family with the same pool are also reported together; empty: not
+  std::vector<Candidate> candidates;
 };
 
 /// Answers of `ask` to a list of queries, compared with the truths of the first of them.
 template <class Query, class Truth, class Ask>
-Contestant contestant(std::string name, std::shared_ptr<const std::vector<Query>> queries,
-                      std::shared_ptr<const std::vector<Truth>> truths, Ask ask,
-                      std::optional<Comparison> comparison = std::nullopt) {
+Candidate candidate(std::string name, std::shared_ptr<const std::vector<Query>> queries,
+                    std::shared_ptr<const std::vector<Truth>> truths, Ask ask,
+                    std::optional<Comparison> comparison = std::nullopt) {
   const std::size_t size = queries->size();
   const auto sum_of_answers = [queries, ask](std::size_t count) {
     std::uint64_t sum = 0;

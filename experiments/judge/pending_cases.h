@@ -16,7 +16,7 @@ namespace touchstone::judge {
 /// Lines on their way from the thread that sends cases to an engine to the one that receives its replies.
 ///
 /// It holds at most kMost lines, unless the receiver awaits a reply: an engine may read all before it answers.
-class Waiting {
+class PendingCases {
  public:
   static constexpr std::size_t kMost = 256;
 

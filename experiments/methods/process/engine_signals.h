@@ -7,24 +7,24 @@ namespace touchstone::methods {
 /// Writing. A second one ends it as ever. Engines end with this process (see Supervisor). One at a time.
 ///
 /// It does not wait for the judge to look: that may be reading, from a terminal or an engine, for as long as they like.
-class Interruption {
+class KillEngineOnSignal {
  public:
-  Interruption();
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-  ~Interruption();
+  KillEngineOnSignal();
+  KillEngineOnSignal(const KillEngineOnSignal&) = delete;
+  KillEngineOnSignal& operator=(const KillEngineOnSignal&) = delete;
+  ~KillEngineOnSignal();
 };
 
 /// While one exists, an interruption waits, so that what is written is whole. On one thread only.
-class Writing {
+class DeferSignals {
  public:
-  Writing();
-  Writing(const Writing&) = delete;
-  Writing& operator=(const Writing&) = delete;
-  ~Writing();
+  DeferSignals();
+  DeferSignals(const DeferSignals&) = delete;
+  DeferSignals& operator=(const DeferSignals&) = delete;
+  ~DeferSignals();
 };
 
 /// Leaves interruptions to the other threads, of which one writes.
-void leave_interruptions_to_others();
+void leave_signals_to_other_threads();
 
 }  // namespace touchstone::methods

@@ -15,7 +15,7 @@ namespace touchstone::harness {
 
 /// How a study is run: none of this changes what comes out.
 template <class State>
-struct Course {
+struct RunControl {
   const Processes& processes;
   const std::atomic<bool>& stop;
   Progress progress;                                             ///< told how many items are done, of all
@@ -24,8 +24,8 @@ struct Course {
 
 /// One that shows its progress on a line and is saved in a checkpoint; keeps references to all.
 template <class State>
-Course<State> course(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
-                     const Checkpoint& checkpoint) {
+RunControl<State> run_control(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
+                              const Checkpoint& checkpoint) {
   return {.processes = processes,
           .stop = stop,
           .progress = [&line](std::uint64_t done) { line(done); },

@@ -46,15 +46,16 @@ enum class Outcome : char { Right, Unsure, Wrong };
 /// Of one family, case by case.
 using Outcomes = std::vector<Outcome>;
 /// By method's name, then by family.
-using Standing = std::map<std::string, std::map<std::string, Outcomes>>;
+using OutcomeTable = std::map<std::string, std::map<std::string, Outcomes>>;
 
 /// Asks every method, each of which `answers`, about every case. The truth is `filtered`'s, and `exact`'s of each case
 /// on which a method differs from it; throws std::logic_error, which names the case, where the two differ. The same for
 /// any number of threads; nothing where `stop` became true. `progress` is told of blocks, of which there are
 /// `blocks_of(settings)`.
-[[nodiscard]] std::optional<Standing> find_standing(const Settings& settings,
-                                                    const std::vector<const cases::Method*>& methods, unsigned threads,
-                                                    const std::atomic<bool>& stop, const harness::Progress& progress);
+[[nodiscard]] std::optional<OutcomeTable> find_outcomes(const Settings& settings,
+                                                        const std::vector<const cases::Method*>& methods,
+                                                        unsigned threads, const std::atomic<bool>& stop,
+                                                        const harness::Progress& progress);
 [[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
 
 /// How a method stands with a family.

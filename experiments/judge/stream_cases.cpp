@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/engine_trial.h"
+#include "experiments/judge/stream_cases.h"
 
 #include <fmt/core.h>
 
 #include <exception>
 #include <thread>
 
-#include "experiments/judge/proceedings.h"
-#include "experiments/judge/waiting.h"
-#include "experiments/methods/process/engine.h"
-#include "experiments/methods/process/interruption.h"
+#include "experiments/judge/pending_cases.h"
+#include "experiments/judge/verdict_reporter.h"
+#include "experiments/methods/process/engine_process.h"
+#include "experiments/methods/process/engine_signals.h"
 
 namespace touchstone::judge {
 namespace {
@@ -22,17 +22,17 @@ constexpr std::size_t kMostUnasked = std::size_t{1} << 20;
 constexpr int kMostForeign = 16;
 
 /// The sender's side: cases go to the engine, and wait for their replies.
-void send_lines(const Order& order, methods::Engine& engine, Waiting& waiting) {
+void send_lines(const Order& order, methods::EngineProcess& engine, PendingCases& pending) {
   bool reads = true;
   cases::read_lines(order.files, [&](cases::Line&& line) {
     const bool asked = reads && line.read && std::holds_alternative<cases::Shapes>(line.read->content);
     const std::string text = asked ? std::move(line.text) + '\n' : std::string();
     line.text.clear();
     // Before it is sent: then output of the engine while nothing waits is output that nobody asked for.
-    if (!waiting.push({std::move(line), asked})) return false;
+    if (!pending.push({std::move(line), asked})) return false;
     if (asked && !engine.send(text)) {  // a program that has gone away is noticed where its reply is missing
       reads = false;
-      waiting.stop_growing();
+      pending.stop_growing();
     }
     return true;
   });
@@ -41,15 +41,15 @@ void send_lines(const Order& order, methods::Engine& engine, Waiting& waiting) {
 /// The receiver's side.
 class Replies {
  public:
-  Replies(methods::Engine& engine, Waiting& waiting, Proceedings& proceedings)
-      : engine_(engine), waiting_(waiting), proceedings_(proceedings) {}
+  Replies(methods::EngineProcess& engine, PendingCases& pending, VerdictReporter& reporter)
+      : engine_(engine), pending_(pending), reporter_(reporter) {}
 
   /// Waits for a line. The engine's output is read meanwhile: it might read no more before it is rid of it.
-  std::optional<Waiting::Entry> next_line() {
-    while (!waiting_.wait_for(100ms)) {
-      if (engine_.read_ahead(kMostUnasked) && !waiting_.wait_for(0ms)) cut_off();
+  std::optional<PendingCases::Entry> next_line() {
+    while (!pending_.wait_for(100ms)) {
+      if (engine_.read_ahead(kMostUnasked) && !pending_.wait_for(0ms)) cut_off();
     }
-    return waiting_.pop();
+    return pending_.pop();
   }
 
   /// The engine's verdict on a case that was sent, or that it gave none: its next verdict is on a case that was sent
@@ -60,12 +60,12 @@ class Replies {
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
       if (next_->id == line.read->id) {
-        proceedings_.give_reply(line, *next_);
+        reporter_.report_reply(line, *next_);
         next_.reset();
         return;
       }
-      if (next_->id ? waiting_.is_asked(*next_->id) : unnamed) break;
-      proceedings_.blame_engine(line, *next_);
+      if (next_->id ? pending_.is_asked(*next_->id) : unnamed) break;
+      reporter_.blame_engine(line, *next_);
       told = true;
       if (next_->id)
         ++foreign;
@@ -74,11 +74,11 @@ class Replies {
       next_.reset();
     }
     if (engine_.too_long() && !had_ended) {
-      proceedings_.blame_engine(line, methods::Engine::kTooLong);
+      reporter_.blame_engine(line, methods::EngineProcess::kTooLong);
       told = true;
     }
     if (told)
-      proceedings_.give_no_reply(line);
+      reporter_.report_missing_reply(line);
     else
       settle_without(line);
   }
@@ -86,8 +86,8 @@ class Replies {
   /// The same for one that was not sent, since the engine read no more.
   void settle_without(const cases::Line& line) {
     ++missing_;
-    proceedings_.blame_engine(line, "no verdict");
-    proceedings_.give_no_reply(line);
+    reporter_.blame_engine(line, "no verdict");
+    reporter_.report_missing_reply(line);
   }
 
   /// On how many cases has it said nothing?
@@ -104,9 +104,9 @@ class Replies {
   /// Waits for its next line, unless there is one that was not settled.
   bool has_next() {
     if (!next_ && !ended_) {
-      waiting_.await_reply(true);
+      pending_.await_reply(true);
       const auto line = engine_.receive();
-      waiting_.await_reply(false);
+      pending_.await_reply(false);
       if (line) next_ = read_reply(*line);
       ended_ = !line;
     }
@@ -118,9 +118,9 @@ class Replies {
     surplus_ = true;
   }
 
-  methods::Engine& engine_;
-  Waiting& waiting_;
-  Proceedings& proceedings_;
+  methods::EngineProcess& engine_;
+  PendingCases& pending_;
+  VerdictReporter& reporter_;
   std::optional<Reply> next_;
   std::size_t missing_ = 0;
   bool ended_ = false, surplus_ = false;
@@ -128,10 +128,10 @@ class Replies {
 
 /// Lets the sender come to its end, however the receiver came to its own.
 struct Release {
-  Waiting& waiting;
-  methods::Engine& engine;
+  PendingCases& pending;
+  methods::EngineProcess& engine;
   ~Release() {
-    waiting.abandon();
+    pending.abandon();
     engine.end_input();
     engine.stop_reading();
   }
@@ -139,32 +139,32 @@ struct Release {
 
 }  // namespace
 
-Status judge_with_engine(const Order& order) {
-  Proceedings proceedings(order);
-  methods::Engine engine(order.engine);
-  Waiting waiting;
+Status judge_stream(const Order& order) {
+  VerdictReporter reporter(order);
+  methods::EngineProcess engine(order.engine);
+  PendingCases pending;
   std::exception_ptr failure;
   std::jthread sender([&] {
-    methods::leave_interruptions_to_others();
+    methods::leave_signals_to_other_threads();
     try {
-      send_lines(order, engine, waiting);
+      send_lines(order, engine, pending);
     } catch (...) {
       failure = std::current_exception();
     }
     engine.end_input();
-    waiting.close();
+    pending.close();
   });
-  const Release release{waiting, engine};
+  const Release release{pending, engine};
 
-  Replies replies(engine, waiting, proceedings);
+  Replies replies(engine, pending, reporter);
   while (const auto entry = replies.next_line()) {
     const cases::Line& line = entry->line;
     if (!line.read) {
-      proceedings.complain(line.complaint);
-      proceedings.worsen(InputRejected);
+      reporter.complain(line.complaint);
+      reporter.worsen(InputRejected);
       continue;
     }
-    proceedings.give_own(line);
+    reporter.report_own_methods(line);
     if (std::holds_alternative<Rejection>(line.read->content)) continue;
     if (entry->sent)
       replies.settle(line);
@@ -175,17 +175,17 @@ Status judge_with_engine(const Order& order) {
   if (failure) std::rethrow_exception(failure);
 
   if (replies.has_surplus()) {
-    proceedings.complain(fmt::format("engine {}: printed more lines than there were cases", order.engine));
-    proceedings.worsen(ExpectationNotMet);
+    reporter.complain(fmt::format("engine {}: printed more lines than there were cases", order.engine));
+    reporter.worsen(ExpectationNotMet);
   }
   std::string ending = engine.wait();
   if (replies.has_surplus() || engine.too_long()) ending.clear();  // it was cut off
   if (replies.missing() > 0 || !ending.empty()) {
-    proceedings.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
-                                     ending.empty() ? "" : "ended with " + ending + "; ", replies.missing()));
-    proceedings.worsen(ExpectationNotMet);
+    reporter.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
+                                  ending.empty() ? "" : "ended with " + ending + "; ", replies.missing()));
+    reporter.worsen(ExpectationNotMet);
   }
-  return proceedings.status();
+  return reporter.status();
 }
 
 }  // namespace touchstone::judge

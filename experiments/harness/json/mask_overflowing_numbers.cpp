@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/harness/json/overflows.h"
+#include "experiments/harness/json/mask_overflowing_numbers.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -32,7 +32,7 @@ std::size_t end_of_number(std::string_view text, std::size_t begin) {
 
 }  // namespace
 
-std::vector<std::size_t> silence_overflows(std::string& text) {
+std::vector<std::size_t> mask_overflowing_numbers(std::string& text) {
   std::vector<std::size_t> replaced;
   bool in_string = false;
   std::size_t count = 0;

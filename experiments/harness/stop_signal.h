@@ -7,12 +7,12 @@ namespace touchstone::harness {
 
 /// While one exists, the first SIGINT or SIGTERM (with which `mpirun` ends its processes) only sets `requested`; a
 /// second one ends the process as ever. One at a time.
-class Interrupt {
+class StopSignal {
  public:
-  Interrupt();
-  Interrupt(const Interrupt&) = delete;
-  Interrupt& operator=(const Interrupt&) = delete;
-  ~Interrupt();
+  StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+  ~StopSignal();
 
   [[nodiscard]] const std::atomic<bool>& requested() const;
 };

@@ -11,7 +11,7 @@ namespace touchstone::methods {
 
 /// Another program that reads cases on its standard input and prints verdicts on its standard output, one a line and
 /// in the same order. Lines may be sent from one thread and received in another.
-class Engine {
+class EngineProcess {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
   static constexpr const char* kTooLong = "printed a line longer than 64 MiB";
@@ -19,11 +19,11 @@ class Engine {
 
   /// Starts `command` in a shell. No process of it outlives this one (see Supervisor). Throws std::system_error if no
   /// process can be had.
-  explicit Engine(const std::string& command);
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
+  explicit EngineProcess(const std::string& command);
+  EngineProcess(const EngineProcess&) = delete;
+  EngineProcess& operator=(const EngineProcess&) = delete;
   /// Ends the program, and those that it has started, at once.
-  ~Engine();
+  ~EngineProcess();
 
   /// Sends a line; false if the program no longer reads.
   bool send(const std::string& line);
