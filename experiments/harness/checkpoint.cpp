@@ -14,7 +14,7 @@
 namespace touchstone::harness {
 namespace {
 
-/// As on the command line: ` --seed 3 --method fast,thesis`.
+/// Returns the option as written on the command line: ` --seed 3 --method fast,thesis`.
 std::string option(const std::string& name, const nlohmann::ordered_json& value) {
   return " --" + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
 }
@@ -61,7 +61,7 @@ void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }
 
 void Checkpoint::refuse(const nlohmann::json::exception& error, std::string_view text) const {
-  refuse("is no checkpoint of this program: " + harness::json_fault(error, text));
+  refuse("is not a checkpoint of this program: " + harness::json_fault(error, text));
 }
 
 }  // namespace touchstone::harness

@@ -11,20 +11,21 @@
 
 namespace touchstone::harness {
 
-/// What has been done of a long run, in a file that always holds one whole state.
+/// The state of a long run, in a file that always holds one complete state.
 class Checkpoint {
  public:
-  /// `settings`: an object of all that the results depend on, by the names of the options (without dashes), and
-  /// `version`, which is raised where the state's form or meaning changes.
+  /// `settings`: an object with everything that affects the results, by the names of the options (without dashes), and
+  /// `version`, which must be raised whenever the form or meaning of the state changes.
   Checkpoint(std::filesystem::path path, nlohmann::ordered_json settings)
       : path_(std::move(path)), settings_(std::move(settings)) {}
 
-  /// `state`: an object; its keys differ from those of the settings. Throws std::runtime_error, which names the file,
-  /// where it cannot be written.
+  /// Writes the state, an object whose keys differ from those of the settings. Throws std::runtime_error, which names
+  /// the file, if it cannot be written.
   void write(const nlohmann::ordered_json& state) const;
 
-  /// The state to go on with (by its from_json); nothing where there is no file yet. Throws std::runtime_error for a
-  /// file that is damaged, of another version, or of other settings: it names those that differ.
+  /// Reads the state from which to continue (by its from_json); nothing if there is no file yet. Throws
+  /// std::runtime_error if the file is damaged, of another version, or of other settings; the message names the
+  /// settings that differ.
   template <class State>
   [[nodiscard]] std::optional<State> read() const {
     const nlohmann::json whole = parsed();
@@ -36,11 +37,11 @@ class Checkpoint {
     }
   }
 
-  /// Renames what stands there, if anything does, to the same name and `.previous`: a run that begins anew loses no
-  /// other. Returns whether it did. Throws std::runtime_error, which names the file, where that cannot be done.
+  /// Renames an existing checkpoint to the same name with `.previous`, so that a new run does not destroy an earlier
+  /// one. Returns whether there was one. Throws std::runtime_error, which names the file, if that fails.
   bool set_aside() const;
 
-  /// Throws std::runtime_error, which names the file, if it holds more items than are asked for.
+  /// Throws std::runtime_error, which names the file, if the checkpoint holds more items than requested.
   void refuse_more(std::uint64_t held, std::uint64_t asked) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -48,9 +49,9 @@ class Checkpoint {
  private:
   /// Throws std::runtime_error, which names the file and says why.
   [[noreturn]] void refuse(const std::string& why) const;
-  /// The same, of what is not the JSON of a checkpoint.
+  /// The same for a text that is not the JSON of a checkpoint.
   [[noreturn]] void refuse(const nlohmann::json::exception& error, std::string_view text = {}) const;
-  /// Null where there is no file.
+  /// Returns the whole file; null if it does not exist.
   [[nodiscard]] nlohmann::json parsed() const;
 
   std::filesystem::path path_;

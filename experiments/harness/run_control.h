@@ -13,16 +13,16 @@
 
 namespace touchstone::harness {
 
-/// How a study is run: none of this changes what comes out.
+/// The control of a run. It does not affect the results.
 template <class State>
 struct RunControl {
   const Processes& processes;
   const std::atomic<bool>& stop;
-  Progress progress;                                             ///< told how many items are done, of all
+  Progress progress;                                             ///< receives the number of finished items
   std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds, at the first process
 };
 
-/// One that shows its progress on a line and is saved in a checkpoint; keeps references to all.
+/// Returns a control that shows progress on a line and saves to a checkpoint; keeps references to all arguments.
 template <class State>
 RunControl<State> run_control(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
                               const Checkpoint& checkpoint) {
@@ -32,10 +32,10 @@ RunControl<State> run_control(const Processes& processes, const std::atomic<bool
           .save = [&checkpoint](const State& now) { checkpoint.write(now); }};
 }
 
-/// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
-/// first process's checkpoint then holds it; one that stood there and is not gone on from is set aside, and stderr says
-/// so. Throws as Checkpoint does, and std::runtime_error where it holds more than the `asked` items, as count(state)
-/// tells.
+/// Returns the initial state of a run: `zero`, or, at the first process with `resume`, the state of the checkpoint.
+/// Afterwards the checkpoint of the first process holds this state; an earlier checkpoint that is not resumed is set
+/// aside, which is reported on stderr. Throws as Checkpoint does, and std::runtime_error if the state holds more than
+/// the `asked` items, as counted by count(state).
 template <class State, class Count>
 State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero,
             const Count& count) {
@@ -44,7 +44,9 @@ State begin(const Checkpoint& checkpoint, const Processes& processes, bool resum
   if (resume) {
     if (auto held = checkpoint.read<State>()) state = std::move(*held);
   } else if (checkpoint.set_aside()) {
-    fmt::print(stderr, "touchstone: begins anew, without --resume; the earlier run's {0} is kept as {0}.previous\n",
+    fmt::print(stderr,
+               "touchstone: starts again from the beginning (no --resume); the {0} of the earlier run is kept as "
+               "{0}.previous\n",
                checkpoint.path().string());
   }
   checkpoint.refuse_more(count(state), asked);

@@ -5,8 +5,8 @@
 
 namespace touchstone::harness {
 
-/// While one exists, the first SIGINT or SIGTERM (with which `mpirun` ends its processes) only sets `requested`; a
-/// second one ends the process as ever. One at a time.
+/// While an object of this class exists, the first SIGINT or SIGTERM (with which `mpirun` ends its processes) only sets
+/// `requested`; a second one ends the process as usual. At most one may exist.
 class StopSignal {
  public:
   StopSignal();

@@ -6,8 +6,9 @@
 
 namespace touchstone::harness {
 
-/// Puts a zero of the same length in the place of every JSON number beyond the finite doubles, such as 1e400. The text
-/// is JSON afterwards if and only if it was before. Returns which of the text's numbers, counted from 0, were replaced.
+/// Replaces every JSON number beyond the finite doubles, such as 1e400, by a zero of the same length. Afterwards the
+/// text is JSON if and only if it was before. Returns the indices of the replaced numbers among all numbers of the
+/// text, from 0.
 [[nodiscard]] std::vector<std::size_t> mask_overflowing_numbers(std::string& text);
 
 }  // namespace touchstone::harness

@@ -13,7 +13,7 @@
 
 namespace touchstone::timing {
 
-/// What the ratio of two times should be: at most (else at least) `ratio`.
+/// The target for the ratio of two times: at most `ratio`, or at least.
 struct Goal {
   double ratio;
   bool at_most = true;
@@ -21,38 +21,38 @@ struct Goal {
   [[nodiscard]] bool met_by(double value) const { return at_most ? value <= ratio : value >= ratio; }
 };
 
-/// Against whom a candidate's time is held.
+/// The candidate with whose time a candidate's time is compared, and the target.
 struct Comparison {
   std::string base;
   std::optional<Goal> goal;
 };
 
-/// One way of answering queries.
+/// A candidate: one way of answering queries.
 struct Candidate {
   std::string name;
   std::size_t queries;
-  /// Answers the first so many of them; returns a sum of the answers, so that no answer is optimised away.
+  /// Answers the first n queries. Returns a sum of the answers, so that no answer is optimised away.
   std::function<std::uint64_t(std::size_t)> ask;
-  /// How many of the first so many answers are wrong; not timed. Empty where there is no wrong answer.
+  /// Returns the number of wrong answers among the first n; not timed. Empty if there are no wrong answers.
   std::function<std::size_t(std::size_t)> count_wrong;
-  /// Makes ready to be asked the first so many; not timed. May be empty.
+  /// Prepares for the first n queries; not timed. May be empty.
   std::function<void(std::size_t)> before;
   std::optional<Comparison> comparison;
-  /// Its wrong answers are counted among so many of those that the benchmark checks, where that is costly.
+  /// The maximal number of answers checked, for candidates whose check is costly.
   std::size_t most_checked = std::numeric_limits<std::size_t>::max();
 };
 
-/// Candidates that answer the same queries.
+/// A benchmark: candidates that answer the same queries.
 struct Benchmark {
-  std::string name;            ///< within its family; empty where there is but one
-  std::string note;            ///< what the queries turned out to be
-  std::string unit = "query";  ///< what is asked for so many times
-  std::size_t checked = 0;     ///< so many answers of each are held against `exact`
-  std::string pool;            ///< benchmarks of a family with the same pool are also reported together; empty: not
+  std::string name;            ///< within its family; empty if it is the only one
+  std::string note;            ///< a description of the drawn queries
+  std::string unit = "query";  ///< the name of one repeated item
+  std::size_t checked = 0;     ///< the number of answers of each candidate that are compared with `exact`
+  std::string pool;            ///< benchmarks of a family with the same non-empty pool are also reported together
   std::vector<Candidate> candidates;
 };
 
-/// Answers of `ask` to a list of queries, compared with the truths of the first of them.
+/// Returns a candidate that applies `ask` to a list of queries and compares the first answers with `truths`.
 template <class Query, class Truth, class Ask>
 Candidate candidate(std::string name, std::shared_ptr<const std::vector<Query>> queries,
                     std::shared_ptr<const std::vector<Truth>> truths, Ask ask,

@@ -9,10 +9,10 @@
 namespace touchstone::timing {
 namespace {
 
-/// Written to, so that sums are computed.
+/// Receives the sums, so that they are computed.
 volatile std::uint64_t sink;
 
-/// Of the first `count` queries.
+/// Returns the time of the first `count` queries.
 double seconds(const Candidate& candidate, std::size_t count) {
   using Clock = std::chrono::steady_clock;
   if (candidate.before) candidate.before(count);
@@ -21,7 +21,8 @@ double seconds(const Candidate& candidate, std::size_t count) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How many queries fit into a repetition; also warms up. The best of three: others may be using the machine.
+/// Returns the number of queries that fit into a repetition; also warms up. Takes the best of three runs: other
+/// processes may be using the machine.
 std::size_t affordable(const Candidate& candidate, double most_seconds) {
   const double long_enough = most_seconds / 10;
   std::size_t count = 1;

@@ -105,7 +105,7 @@ Baseline baseline_of(const std::string& text) {
   check_keys(json, "", {"version", "seed", "samples", "methods", "unsure"});
   for (const char* key : {"seed", "samples"})
     if (!json.at(key).is_number_unsigned())
-      throw std::runtime_error(fmt::format("\"{}\" is no whole number without a sign", key));
+      throw std::runtime_error(fmt::format("\"{}\" is not a whole number without a sign", key));
   Baseline baseline;
   baseline.settings = {json.at("seed").get<std::uint64_t>(), json.at("samples").get<std::size_t>()};
   if (baseline.settings.samples < 1 || baseline.settings.samples > kMostSamples)

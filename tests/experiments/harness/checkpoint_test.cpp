@@ -66,7 +66,7 @@ TEST_F(CheckpointFile, NamesTheSettingsThatDiffer) {
 TEST_F(CheckpointFile, IsRefusedWhereItIsDamaged) {
   for (const char* text : {"", "{", "[]", "{\"version\":1,\"seed\":3,\"method\":\"fast,thesis\"}"}) {
     write_file(path(), text);
-    EXPECT_NE(refusal(kSettings).find("is no checkpoint of this program"), std::string::npos) << text;
+    EXPECT_NE(refusal(kSettings).find("is not a checkpoint of this program"), std::string::npos) << text;
   }
 }
 

@@ -190,12 +190,12 @@ TEST(OutputFolder, IsGoneOnWithOnlyFromACheckpoint) {
   EXPECT_EQ(refusal(scratch.path, {.resume = true}), "") << "a run that was killed at once";
   write_file(scratch.path / "rates.csv", "precious\n");
   EXPECT_EQ(refusal(scratch.path, {.resume = true}),
-            scratch.path.string() + ": has no checkpoint.json to go on from, but rates.csv");
+            scratch.path.string() + ": has no checkpoint.json to continue from, but rates.csv");
   fs::rename(scratch.path / "rates.csv", scratch.path / "checkpoint.json");
   EXPECT_EQ(refusal(scratch.path, {.resume = true}), "");
   EXPECT_EQ(refusal(scratch.path), scratch.path.string() +
                                        ": is not empty (it has checkpoint.json); --force writes over what is there, "
-                                       "--resume goes on with it");
+                                       "--resume continues its run");
 }
 
 TEST(OutputFolder, NamesWhatCannotBeAFolder) {
@@ -209,7 +209,7 @@ TEST(OutputFolder, LeavesAFileAloneThatIsNoLock) {
   write_file(lock, "precious\n");
   for (const bool force : {false, true}) {
     EXPECT_EQ(refusal(folder, {.force = force}),
-              folder.string() + ": has a file .lock that is no lock of this program");
+              folder.string() + ": has a file .lock that is not a lock of this program");
     EXPECT_EQ(run_tests::text_of(lock), "precious\n");
   }
   fs::remove(lock);

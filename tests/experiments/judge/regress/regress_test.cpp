@@ -101,9 +101,9 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
               ": \"methods\" has no method");
   for (const char* number : {"1.7", "-1", "\"1\"", "null"}) {
     EXPECT_EQ(fault(with(R"({"version":1,"seed":%s,"samples":1,"methods":{"fast":{}}})", number)),
-              ": \"seed\" is no whole number without a sign");
+              ": \"seed\" is not a whole number without a sign");
     EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
-              ": \"samples\" is no whole number without a sign");
+              ": \"samples\" is not a whole number without a sign");
   }
   for (const char* number : {"0", "100001"})
     EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
@@ -218,7 +218,7 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const auto refused = run_tests::run_captured(commands::regress_command, arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
-  EXPECT_EQ(refused.err, file + ": is there already; --force writes over it");
+  EXPECT_EQ(refused.err, file + ": exists already; --force overwrites it");
   EXPECT_EQ(run_tests::text_of(file), "mine");
   std::vector<std::string> forced = arguments;
   forced.emplace_back("--force");
