@@ -24,7 +24,7 @@ class Distribution {
   /// too small by less than 1/64 of its value; for shares from 1 on it is exact. Requires at least one number. Cost:
   /// linear in the number of distinct cut values.
   [[nodiscard]] double quantile(double share) const;
-  /// Returns the largest number, exactly; 0 if there is none.
+  /// Returns the largest number, exactly; 0 without numbers.
   [[nodiscard]] double largest() const { return largest_; }
 
   friend bool operator==(const Distribution&, const Distribution&) = default;

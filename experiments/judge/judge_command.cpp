@@ -20,7 +20,7 @@ struct JudgeOptions {
   bool explain = false;
 };
 
-/// Verdicts name the command as their method, and JSON is UTF-8.
+/// Checks the command: verdicts name it as their method, and JSON is UTF-8.
 std::string check_command(const std::string& text) {
   if (text.find_first_not_of(" \t\n") == std::string::npos) return "the command is empty";
   try {

@@ -14,14 +14,14 @@
 namespace touchstone::judge {
 namespace {
 
-/// An engine that is started when it is first asked, and anew after it has failed.
+/// An engine that is started for the first case, and restarted after a failure.
 class SupervisedEngine {
  public:
   explicit SupervisedEngine(const Order& order) : order_(order) {}
   ~SupervisedEngine() { stop(); }
 
-  /// Its reply to one case; nothing, and why, where there is none. One that had ended before it read the case is
-  /// started anew and asked again: `ended_before` says how it ended, where not well.
+  /// Returns its reply to one case, or nothing and a reason. An engine that had ended before it read the case is
+  /// restarted and gets the case again; `ended_before` then says how it ended, unless with exit status 0.
   std::optional<std::string> ask(const std::string& line, std::string& reason, std::string& ended_before) {
     for (;;) {
       const bool fresh = !engine_;
@@ -54,20 +54,20 @@ class SupervisedEngine {
     }
   }
 
-  /// Has it printed more than one line for the last case? Then it is ended, and what it printed is forgotten.
+  /// Returns whether it has printed more than one line for the last case. If so, ends it and discards its output.
   [[nodiscard]] bool has_surplus() {
     const bool surplus = engine_ && engine_->drop_unread();
     if (surplus) stop();
     return surplus;
   }
 
-  /// Ends it; the next case starts it anew.
+  /// Ends it; the next case restarts it.
   void stop() {
     if (engine_) engine_->kill();
     engine_.reset();
   }
 
-  /// How it ended, once it has nothing more to read; it has the time limit for that.
+  /// Closes its input and returns how it ended; it has the time limit to end.
   [[nodiscard]] std::string end() {
     if (!engine_) return {};
     engine_->end_input();
@@ -90,7 +90,7 @@ class SupervisedEngine {
     return std::chrono::steady_clock::now() + *order_.time_limit;
   }
 
-  /// Of one that has closed its output, or will be read no more: it has the time limit to end.
+  /// Returns how an engine ended that has closed its output or will not be read any more; it has the time limit to end.
   [[nodiscard]] std::string ending_of(methods::EngineProcess& engine) const {
     engine.stop_reading();
     const auto ending = engine.wait_within(*order_.time_limit);
@@ -110,7 +110,7 @@ class SupervisedEngine {
 Status judge_in_lockstep(const Order& order) {
   VerdictReporter reporter(order);
   SupervisedEngine engine(order);
-  std::optional<cases::Line> last;  // that the engine was asked about
+  std::optional<cases::Line> last;  // the last case that the engine got
   const auto complain_of_surplus = [&] {
     if (engine.has_surplus()) reporter.blame_engine(*last, "printed more than a line");
   };
@@ -136,7 +136,7 @@ Status judge_in_lockstep(const Order& order) {
       reporter.report_missing_reply(*last);
       return true;
     }
-    // Once out of step, it would be so about every later case.
+    // An engine that is out of step would remain so for every later case.
     if (!reporter.report_reply(*last, read_reply(*text))) engine.stop();
     return true;
   });

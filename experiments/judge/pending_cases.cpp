@@ -7,7 +7,7 @@ namespace touchstone::judge {
 
 namespace {
 
-/// The id of a case about which the engine is asked.
+/// Returns the id of a case that was sent to the engine.
 std::optional<std::string> asked_id(const PendingCases::Entry& entry) {
   return entry.sent && entry.line.read ? entry.line.read->id : std::nullopt;
 }

@@ -16,21 +16,21 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Output that nobody asked for is kept up to this size, then the engine is cut off.
+// Unsolicited output is kept up to this size; then the judge stops reading.
 constexpr std::size_t kMostUnasked = std::size_t{1} << 20;
-// So many verdicts on cases that do not wait are passed over for one that does.
+// The number of verdicts on cases that do not wait that are skipped in search of one on the case that waits.
 constexpr int kMostForeign = 16;
 
-/// The sender's side: cases go to the engine, and wait for their replies.
+/// The sending side: sends cases to the engine and queues them for their replies.
 void send_lines(const Order& order, methods::EngineProcess& engine, PendingCases& pending) {
   bool reads = true;
   cases::read_lines(order.files, [&](cases::Line&& line) {
     const bool asked = reads && line.read && std::holds_alternative<cases::Shapes>(line.read->content);
     const std::string text = asked ? std::move(line.text) + '\n' : std::string();
     line.text.clear();
-    // Before it is sent: then output of the engine while nothing waits is output that nobody asked for.
+    // Queues before sending, so that output of the engine while the queue is empty is unsolicited.
     if (!pending.push({std::move(line), asked})) return false;
-    if (asked && !engine.send(text)) {  // a program that has gone away is noticed where its reply is missing
+    if (asked && !engine.send(text)) {  // the missing reply will reveal a program that has ended
       reads = false;
       pending.stop_growing();
     }
@@ -38,13 +38,14 @@ void send_lines(const Order& order, methods::EngineProcess& engine, PendingCases
   });
 }
 
-/// The receiver's side.
+/// The receiving side.
 class Replies {
  public:
   Replies(methods::EngineProcess& engine, PendingCases& pending, VerdictReporter& reporter)
       : engine_(engine), pending_(pending), reporter_(reporter) {}
 
-  /// Waits for a line. The engine's output is read meanwhile: it might read no more before it is rid of it.
+  /// Waits for a line. Reads the output of the engine meanwhile, as the engine might not read before its output is
+  /// taken.
   std::optional<PendingCases::Entry> next_line() {
     while (!pending_.wait_for(100ms)) {
       if (engine_.read_ahead(kMostUnasked) && !pending_.wait_for(0ms)) cut_off();
@@ -52,9 +53,9 @@ class Replies {
     return pending_.pop();
   }
 
-  /// The engine's verdict on a case that was sent, or that it gave none: its next verdict is on a case that was sent
-  /// later, or it has ended. A line that is a verdict on neither is told with this case; a second one that names no
-  /// case is left for the next.
+  /// Reports the verdict of the engine on a case that was sent, or that there is none: its next verdict is on a case
+  /// that was sent later, or it has ended. A line that is a verdict on neither is reported with this case; a second
+  /// line without an id is left for the next case.
   void settle(const cases::Line& line) {
     const bool had_ended = ended_;
     bool told = false, unnamed = false;
@@ -83,17 +84,17 @@ class Replies {
       settle_without(line);
   }
 
-  /// The same for one that was not sent, since the engine read no more.
+  /// The same for a case that was not sent, because the engine had stopped reading.
   void settle_without(const cases::Line& line) {
     ++missing_;
     reporter_.blame_engine(line, "no verdict");
     reporter_.report_missing_reply(line);
   }
 
-  /// On how many cases has it said nothing?
+  /// Returns the number of cases without any output of the engine.
   [[nodiscard]] std::size_t missing() const { return missing_; }
 
-  /// After the last case: has the engine said more than it was asked?
+  /// After the last case: returns whether the engine has printed surplus output.
   [[nodiscard]] bool has_surplus() {
     const bool had_ended = ended_;
     if (!surplus_ && (has_next() || (engine_.too_long() && !had_ended))) cut_off();
@@ -101,7 +102,7 @@ class Replies {
   }
 
  private:
-  /// Waits for its next line, unless there is one that was not settled.
+  /// Waits for its next line, unless one is left.
   bool has_next() {
     if (!next_ && !ended_) {
       pending_.await_reply(true);
@@ -126,7 +127,7 @@ class Replies {
   bool ended_ = false, surplus_ = false;
 };
 
-/// Lets the sender come to its end, however the receiver came to its own.
+/// Lets the sending thread end, however the receiver ends.
 struct Release {
   PendingCases& pending;
   methods::EngineProcess& engine;

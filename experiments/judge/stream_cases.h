@@ -5,9 +5,9 @@
 
 namespace touchstone::judge {
 
-/// Judges the order's methods and, beside them, its engine, which may read all cases before it answers.
+/// Judges the methods of the order and its engine, which may read all cases before it answers.
 [[nodiscard]] Status judge_stream(const Order& order);
-/// The same, case by case, each within the order's time limit.
+/// The same, but sends one case after the other, each within the time limit of the order.
 [[nodiscard]] Status judge_in_lockstep(const Order& order);
 
 }  // namespace touchstone::judge

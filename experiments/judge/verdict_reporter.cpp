@@ -14,7 +14,7 @@
 namespace touchstone::judge {
 namespace {
 
-/// The case, as complaints name it.
+/// Returns the name of the case in complaints.
 std::string name(const cases::Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
 
 }  // namespace
@@ -55,7 +55,7 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
     cases::PartialAnswer answer;
     try {
       answer = method->prepare(polygon)->ask(ball, cases::QueryKind::Answer);
-    } catch (const std::exception& error) {  // of another's engine, which others' verdicts shall not suffer from
+    } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
@@ -84,7 +84,7 @@ void VerdictReporter::blame_engine(const cases::Line& line, const std::string& r
   worsen(ExpectationNotMet);
 }
 
-/// What the engine answers; nothing where it gives no verdict.
+/// Reports the answer of the engine; an empty object if it gave no verdict.
 void VerdictReporter::report_answer(const cases::Line& line, const cases::Verdict& answer) {
   cases::Verdict verdict = cases::Verdict::object();
   verdict["id"] = *line.read->id;
@@ -102,7 +102,7 @@ void VerdictReporter::print(const cases::Verdict& verdict) {
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
 }
 
-/// Holds a verdict against what the case expects.
+/// Compares a verdict with the expectation of the case.
 void VerdictReporter::compare(const cases::Line& line, const cases::Verdict& verdict) {
   if (!line.read->expected) return;
   for (const std::string& difference : cases::differences(*line.read->expected, verdict)) {

@@ -10,24 +10,25 @@
 
 namespace touchstone::judge {
 
-/// Prints verdicts on lines that are cases, and complaints, and remembers the worst. Throws std::system_error if
-/// verdicts cannot be written.
+/// Prints verdicts on cases and complaints, and keeps the worst status. Throws std::system_error if a verdict cannot be
+/// written.
 class VerdictReporter {
  public:
-  /// Keeps `order`, which must outlive it.
+  /// Keeps a reference to `order`, which must outlive the reporter.
   explicit VerdictReporter(const Order& order) : order_(order) {}
 
   void complain(const std::string& sentence);
   void worsen(Status status);
-  /// The verdicts of the order's own methods, or of a rejection.
+  /// Reports the verdicts of the methods of the order, or the rejection.
   void report_own_methods(const cases::Line& line);
-  /// The verdict of the engine on a case that is not rejected. False, having blamed it, if the reply is none.
+  /// Reports the verdict of the engine on a case that is not rejected. If the reply is not a verdict on it, blames the
+  /// engine and returns false.
   bool report_reply(const cases::Line& line, const Reply& reply);
-  /// The same where the engine gave no verdict: a line without an answer. What it did wrong is to be said besides.
+  /// The same without a verdict: prints a line without an answer. The caller reports the reason.
   void report_missing_reply(const cases::Line& line);
-  /// Says what the engine did wrong with a case that is not rejected.
+  /// Reports a fault of the engine with a case that is not rejected.
   void blame_engine(const cases::Line& line, const std::string& reason);
-  /// The same of a line that is not its verdict on the case.
+  /// The same for a line that is not its verdict on the case.
   void blame_engine(const cases::Line& line, const Reply& reply);
   [[nodiscard]] Status status() const { return status_; }
 

@@ -6,7 +6,7 @@
 
 #include "experiments/cases/method.h"
 
-// The files of this folder, each of which adds its methods.
+// Each file of this folder adds its methods.
 namespace touchstone::methods {
 
 using cases::Method;

@@ -6,7 +6,7 @@
 
 namespace touchstone::methods {
 
-/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not compile need fast_definitions.h.
+/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not instantiate need fast_definitions.h.
 template <class Scalar>
 class PreparedFast final : public PreparedMethod {
  public:

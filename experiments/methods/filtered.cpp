@@ -33,7 +33,7 @@ class Filtered final : public Method {
  public:
   std::string_view name() const override { return "filtered"; }
   std::string_view summary() const override {
-    return "certified: the answers of exact, at the price of fast but near the boundary";
+    return "certified: the answers of exact, at the cost of fast except near the boundary";
   }
   std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<PreparedFiltered>(polygon);

@@ -20,7 +20,7 @@ class PreparedThesis final : public PreparedMethod {
     if (all || kind == QueryKind::EdgesHit) answer.edges_hit = thesis::edges_hit(ball, polygon_);
     if (all || kind == QueryKind::Contact || kind == QueryKind::Relation) {
       answer.contact = thesis::contact(ball, polygon_);
-      // A collision or none: the method does not tell touching from overlapping.
+      // The method reports a collision or not; it does not distinguish touching from overlapping.
       if (kind != QueryKind::Contact) answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
     }
     answer.stage = stage_;

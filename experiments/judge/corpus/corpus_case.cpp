@@ -23,7 +23,7 @@ Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygo
   Verdict given, wrong = Verdict::object();
   try {
     given = cases::object_of(method.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
-  } catch (const std::exception&) {  // of another's engine
+  } catch (const std::exception&) {  // thrown by a third-party engine
     for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;
   }

@@ -35,7 +35,7 @@ struct MakeOptions {
   std::string folder = corpus_folder().string();
   unsigned threads = harness::all_threads();
   bool force = false;
-  std::string line;  ///< that repeats the run
+  std::string line;  ///< the command line that repeats the run
 };
 
 int make(const MakeOptions& options) {
@@ -63,10 +63,10 @@ int check(const std::vector<std::string>& files) {
 
 struct ShrinkOptions {
   std::string file, method;
-  std::string key;  ///< empty: all that are wrong
+  std::string key;  ///< empty: all wrong keys
 };
 
-/// One case, or nothing where it was complained about.
+/// Returns one case, or nothing after a complaint about it.
 std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Method& method,
                                        const std::optional<std::string>& key, const std::atomic<bool>& stop) {
   if (!line.read) {
@@ -150,8 +150,7 @@ harness::Command shrink_command() {
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
   command.text("--method", options->method, "The method that fails").required();
-  command.text("--key", options->key,
-               "The key of the answer that must stay wrong; default: all decisive ones that are");
+  command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys");
   command.runs([options] { return shrink(*options); });
   return command;
 }

@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;  // raised where a case of a seed becomes another one
+constexpr int kVersion = 1;  // raised whenever the case of a seed changes
 
-/// The cases of that outcome.
+/// Returns the digits of the cases with that outcome.
 std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
   std::string digits;
   for (std::size_t i = 0; i < outcomes.size(); i += 4) {
@@ -34,10 +34,10 @@ std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
   return digits;
 }
 
-/// Gives that outcome to the cases that the digits name.
+/// Assigns that outcome to the cases that the digits mark.
 void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes) {
   if (digits.size() != (outcomes.size() + 3) / 4 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
-    throw std::runtime_error("are not the digits of so many cases");
+    throw std::runtime_error(fmt::format("are not the digits of {} cases", outcomes.size()));
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const char digit = digits[i / 4];
     const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
@@ -47,7 +47,7 @@ void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes)
   }
 }
 
-/// Throws where an object has a key that is not known; `where` is empty, or names the object.
+/// Throws if an object has an unknown key; `where` is empty, or names the object.
 void check_keys(const Json& object, const std::string& where, const std::vector<std::string>& known) {
   for (const auto& [key, value] : object.items())
     if (std::ranges::find(known, key) == known.end())
@@ -60,7 +60,7 @@ std::vector<std::string> family_names() {
   return names;
 }
 
-/// Methods by name, each with the digits of every family, go into the standing.
+/// Adds methods, by name, each with the digits of every family, to the table.
 void read_methods(const Json& methods, Outcome outcome, std::size_t cases, OutcomeTable& table) {
   for (const auto& [method, families] : methods.items()) {
     const std::string shown = io::legible(method);
@@ -96,7 +96,7 @@ std::string text_of(const std::filesystem::path& file, std::size_t longest) {
 Baseline baseline_of(const std::string& text) {
   const harness::StrictJson read = harness::read_strict_json(text);
   if (read.duplicate_key)
-    throw std::runtime_error(fmt::format("has the key \"{}\" twice", io::legible(*read.duplicate_key)));
+    throw std::runtime_error(fmt::format("has the duplicate key \"{}\"", io::legible(*read.duplicate_key)));
   const Json json = read.value;
   if (!json.is_object()) throw std::runtime_error("is not an object");
   if (json.at("version") != kVersion)
@@ -145,7 +145,7 @@ Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
     return baseline_of(text_of(file, longest));
   } catch (const harness::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
-  } catch (const nlohmann::json::exception& error) {  // a key that is not there
+  } catch (const nlohmann::json::exception& error) {  // a missing key
     throw std::runtime_error(file.string() + ": " + harness::json_fault(error));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(file.string() + ": there is not enough memory to read it");

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t kMiddle = kExponents.size();
 
-/// By which the radius is multiplied, from the smallest up.
+/// Returns the factor of the radius, in ascending order.
 double factor(std::size_t radius) {
   if (radius == kMiddle) return 1;
   if (radius < kMiddle) return 1 - std::ldexp(1.0, -kExponents[radius]);
   return 1 + std::ldexp(1.0, -kExponents[kRadii - 1 - radius]);
 }
 
-/// The ball and polygon of a block of kRadii cases.
+/// Draws the ball and polygon of a block of kRadii cases.
 workloads::Sample draw(const Settings& settings, workloads::Family family, std::size_t block) {
   return workloads::sample({.family = family, .ball = kPlaces[block / settings.samples]}, settings.seed,
                            block % settings.samples);

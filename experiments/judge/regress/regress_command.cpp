@@ -34,7 +34,7 @@ struct Options {
   bool allow_missing = false, force = false;
   Settings settings;
   unsigned threads = harness::all_threads();
-  std::string line;  ///< that repeats the run
+  std::string line;  ///< the command line that repeats the run
 };
 
 std::string cell(const Summary& summary) {
@@ -74,7 +74,7 @@ std::string csv_of(const OutcomeTable& table) {
   return text;
 }
 
-/// The cases on which methods have become worse, once each, as the judge reads them.
+/// Returns the cases for which methods have become worse, each once, in the form that the judge reads.
 std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
   std::string text;
   for (const auto family : workloads::all_families()) {
@@ -91,7 +91,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
   return text;
 }
 
-/// Says what changed, and returns how many cases are worse.
+/// Prints the changes and returns the number of worse cases.
 std::size_t tell_changes(const std::vector<Change>& changes) {
   std::size_t better = 0, worse = 0;
   for (const Change& change : changes) {
@@ -108,17 +108,17 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
   return worse;
 }
 
-/// Throws where nothing would be held against the baseline, or not a method that the command line names.
+/// Throws if no method could be compared with the baseline, or a method that the command line names could not.
 void refuse_missing(const Options& options, const Baseline& baseline,
                     const std::vector<const cases::Method*>& methods) {
   const auto has = [&](std::string_view method) { return baseline.table.count(std::string(method)) > 0; };
   if (std::ranges::none_of(methods, [&](const cases::Method* method) { return has(method->name()); }))
-    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
+    throw std::runtime_error(options.baseline + ": has none of the methods of this run");
   if (options.allow_missing) return;
   for (const cases::Method* method : methods)
     if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
       throw std::runtime_error(
-          fmt::format("{}: has no method {}, which --method names; --allow-missing goes on without it",
+          fmt::format("{}: has no method {}, which --method names; --allow-missing continues without it",
                       options.baseline, method->name()));
 }
 
@@ -127,7 +127,7 @@ int run(const Options& options) {
   auto methods = methods::find_methods(options.methods);
   std::erase_if(methods, [](const cases::Method* method) {
     if (answers(*method)) return false;
-    fmt::print("{}: does not say whether ball and polygon touch; left out\n", method->name());
+    fmt::print("{}: does not decide contact; left out\n", method->name());
     return true;
   });
   std::optional<Baseline> baseline;
@@ -156,7 +156,7 @@ int run(const Options& options) {
   std::vector<Change> changed;
   if (baseline) {
     for (const auto& [method, families] : baseline->table)
-      if (table->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
+      if (table->count(method) == 0) fmt::print("{}: in the baseline, not in this run\n", io::legible(method));
     for (const auto& [method, families] : *table)
       if (baseline->table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
     changed = changes(baseline->table, *table);
@@ -181,24 +181,24 @@ int run(const Options& options) {
 }  // namespace
 
 harness::Command regress_command() {
-  harness::Command command("regress", "Hold every method's failures against a baseline");
+  harness::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.footer(
-      "Asks the methods whether balls near a face, an edge and a vertex of random polygons touch, with radii at "
-      "relative\n"
-      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
-      "answer\n"
-      "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
-      "unsure,\n"
-      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if\n"
-      "--write names a file that is there and --force is not given.");
-  command.text("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+      "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative\n"
+      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the change of a "
+      "single\n"
+      "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
+      "or\n"
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --method names, or "
+      "if\n"
+      "--write names an existing file without --force.");
+  command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,
-            "A method that --method names need not be in the baseline; it is then not held against anything")
+            "A method that --method names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
-  command.text("--write", options->write, "Write what was found as a baseline");
+  command.text("--write", options->write, "Write the outcomes as a baseline");
   command.names("--method", options->methods, "Methods; `all` for every one of this build");
   command.seed(options->settings.seed).excludes("--baseline");
   command

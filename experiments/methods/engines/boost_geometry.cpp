@@ -14,7 +14,7 @@ namespace bg = boost::geometry;
 using Point2 = bg::model::d2::point_xy<double>;
 using Polygon2 = bg::model::polygon<Point2>;
 
-/// In the plane: where the foot is, by Boost.Geometry; the foot itself, and nothing else, by plain doubles.
+/// The test of the foot in the plane. Boost.Geometry locates the foot; plain doubles compute it.
 class Prepared : public PreparedMethod {
  public:
   explicit Prepared(const Polygon& polygon) {

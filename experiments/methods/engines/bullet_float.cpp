@@ -20,8 +20,8 @@ namespace {
   throw std::system_error(error, std::generic_category(), "bullet-float: " TOUCHSTONE_BULLET_FLOAT);
 }
 
-/// The program of bullet_float_program.cpp, one for all threads. A question is the number of triangles (32 bits), the
-/// ball and the triangles (doubles), as this machine has them; the answer is y or n.
+/// The program of bullet_float_program.cpp, shared by all threads. A query consists of the number of triangles (32
+/// bits), the ball and the triangles (doubles), in the byte order of this machine; the answer is y or n.
 class Program {
  public:
   Program() {
@@ -45,7 +45,7 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program() {
-    close(socket_);  // the end of its input
+    close(socket_);  // ends its input
     waitpid(process_, nullptr, 0);
   }
 
@@ -75,7 +75,7 @@ class Triangles : public TriangleSet {
  public:
   explicit Triangles(const std::vector<Triangle>& triangles) {
     append(static_cast<std::uint32_t>(triangles.size()));
-    for (std::size_t i = 0; i < 4; ++i) append(0.0);  // the ball's place
+    for (std::size_t i = 0; i < 4; ++i) append(0.0);  // placeholder for the ball
     for (const Triangle& t : triangles)
       for (const Eigen::Vector3d& v : {t.a, t.b, t.c})
         for (const double x : v) append(x);

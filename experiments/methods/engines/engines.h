@@ -22,7 +22,7 @@ void add_fcl(MethodList& list);
 void add_libccd(MethodList& list);
 void add_ode(MethodList& list);
 
-/// Those of this build.
+/// Adds the engines of this build.
 void add_engines(MethodList& list);
 
 }  // namespace touchstone::methods

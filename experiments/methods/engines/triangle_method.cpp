@@ -25,7 +25,7 @@ class Prepared : public PreparedMethod {
   std::unique_ptr<TriangleSet> set_;
 };
 
-/// Each triangle by itself.
+/// Tests each triangle separately.
 class EachTriangle : public TriangleSet {
  public:
   EachTriangle(std::vector<Triangle> triangles, TriangleContact touches)

@@ -17,13 +17,13 @@
 namespace touchstone::methods {
 namespace {
 
-/// Rounded up; 0 where it is past.
+/// Returns the time until the deadline, rounded up; 0 if it has passed.
 int milliseconds_until(EngineProcess::Deadline deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
   return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
 }
 
-/// Two descriptors that are closed where they are still here; -1 is none.
+/// Closes two descriptors that were not released; -1 means released.
 struct Ends {
   int* descriptors;
   ~Ends() {
@@ -34,8 +34,8 @@ struct Ends {
 
 }  // namespace
 
-// The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
-// (MSG_NOSIGNAL) and no signal for the whole process.
+// The input is a socket, not a pipe: writing to a program that has ended then fails for this call only (MSG_NOSIGNAL)
+// and does not send a signal to the whole process.
 EngineProcess::EngineProcess(const std::string& command) : input_(-1), output_(-1) {
   int input[2], output[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0)
@@ -83,7 +83,8 @@ bool EngineProcess::send_by(Deadline deadline, const std::string& line, bool& la
 
 void EngineProcess::end_input() { shutdown(input_, SHUT_WR); }
 
-/// The first line of what is unread, whose first bytes, so many, have no end of a line. Drops one that is too long.
+/// Takes the first line of the unread bytes, of which the first `searched` contain no line end. Drops a line that is
+/// too long.
 std::optional<std::string> EngineProcess::take_line(std::size_t& searched) {
   const std::size_t found = unread_.find('\n', received_ + searched);
   const std::size_t end = std::min(found, unread_.size());
@@ -120,7 +121,7 @@ std::optional<std::string> EngineProcess::receive_by(Deadline deadline, bool& la
       late = true;
       return std::nullopt;
     }
-    if (!read_some()) return receive();  // what is left without the end of a line
+    if (!read_some()) return receive();  // the rest, without a line end
   }
 }
 
@@ -132,8 +133,8 @@ bool EngineProcess::drop_unread() {
   return any;
 }
 
-/// Waits no longer than `milliseconds` (-1: for ever) for some of its output, or for its end, which it may share with
-/// others that hold the pipe open. Was there either?
+/// Waits no longer than `milliseconds` (-1: forever) for output, or for the end of the program, even if other processes
+/// hold the pipe open. Returns whether either occurred.
 bool EngineProcess::has_news(int milliseconds) const {
   if (output_ < 0) return false;
   pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
@@ -147,7 +148,7 @@ bool EngineProcess::read_ahead(std::size_t most) {
   return output_ >= 0 && unread_.size() - received_ >= most;
 }
 
-// A socket is reset by who closes it with something unread in it.
+// Closing a socket with unread input resets the connection.
 bool EngineProcess::left_unread() const {
   char byte;
   return recv(input_, &byte, 1, MSG_DONTWAIT) < 0 && errno == ECONNRESET;
@@ -158,12 +159,12 @@ void EngineProcess::stop_reading() {
   output_ = -1;
 }
 
-/// Waits for some of its output; false if there will be none.
+/// Waits for output. Returns false if there will be no more.
 bool EngineProcess::read_some() {
   while (output_ >= 0 && !has_news(-1)) {
   }
   if (output_ < 0) return false;
-  // What it has printed before its end is there; whoever else holds the pipe, or the socket, is not waited for.
+  // The output before its end has arrived; other processes that hold the pipe or the socket are not waited for.
   if (supervisor_->ended_within(std::chrono::milliseconds(0))) {
     fcntl(output_, F_SETFL, O_NONBLOCK);
     end_input();

@@ -3,10 +3,12 @@
 
 namespace touchstone::methods {
 
-/// While one exists, the first SIGINT or SIGTERM ends this process with harness::kInterrupted, though not within a
-/// Writing. A second one ends it as ever. Engines end with this process (see Supervisor). One at a time.
+/// While an object of this class exists, the first SIGINT or SIGTERM ends this process with harness::kInterrupted,
+/// except during a DeferSignals. A second signal ends the process as usual. Engines end with this process (see
+/// Supervisor). At most one may exist.
 ///
-/// It does not wait for the judge to look: that may be reading, from a terminal or an engine, for as long as they like.
+/// The handler does not wait until the judge checks a flag: the judge may block for any time while it reads from a
+/// terminal or an engine.
 class KillEngineOnSignal {
  public:
   KillEngineOnSignal();
@@ -15,7 +17,7 @@ class KillEngineOnSignal {
   ~KillEngineOnSignal();
 };
 
-/// While one exists, an interruption waits, so that what is written is whole. On one thread only.
+/// While an object of this class exists, signals are deferred, so that output is complete. For one thread only.
 class DeferSignals {
  public:
   DeferSignals();
@@ -24,7 +26,7 @@ class DeferSignals {
   ~DeferSignals();
 };
 
-/// Leaves interruptions to the other threads, of which one writes.
+/// Blocks these signals in this thread and leaves them to the other threads, one of which writes.
 void leave_signals_to_other_threads();
 
 }  // namespace touchstone::methods

@@ -186,11 +186,11 @@ harness::Command bench_command() {
   command.names("--family", options->families, "Families of queries, separated by commas, or all");
   command.whole("--samples", options->settings.samples,
                 "Distinct queries, up to 10000000; fewer than 100000 may be learnt by heart", 1, kMostSamples);
-  command.whole("--repetitions", options->repetitions, "How often each contestant takes its turn", 1, 100'000);
+  command.whole("--repetitions", options->repetitions, "Repetitions: turns of each candidate", 1, 100'000);
   command.seed(options->settings.seed, "Any number; the same gives the same queries");
   command.text("--json", options->json, "The file for all numbers; run.json beside it says how they were made");
   command.text("--count", options->count,
-               "Time nothing: have this contestant of one family asked all queries, for a profiler");
+               "Time nothing: let this candidate of one family answer all queries, for a profiler");
   command.force(options->force);
   command.runs([options] {
     return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });

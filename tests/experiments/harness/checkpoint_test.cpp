@@ -79,7 +79,7 @@ TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
   EXPECT_EQ(nlohmann::json::parse(run_tests::text_of(folder_ / "same-file")).at("done"), 4);
 }
 
-// A run that begins anew: what another one had done can be gone on from still, by its old name.
+// A run without --resume keeps the checkpoint of an earlier run, from which that run can continue.
 TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
   EXPECT_FALSE(with(kSettings).set_aside());
   with(kSettings).write({{"done", 4}});
