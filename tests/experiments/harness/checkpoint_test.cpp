@@ -70,7 +70,7 @@ TEST_F(CheckpointFile, IsRefusedWhereItIsDamaged) {
   }
 }
 
-// Killed while it writes: what stands there is still the last whole state.
+// If the process is killed while it writes, the file still holds the last complete state.
 TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
   with(kSettings).write({{"done", 4}});
   fs::create_hard_link(path(), folder_ / "same-file");
@@ -80,7 +80,7 @@ TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
 }
 
 // A run without --resume keeps the checkpoint of an earlier run, from which that run can continue.
-TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
+TEST_F(CheckpointFile, IsKeptByARunWithoutResume) {
   EXPECT_FALSE(with(kSettings).set_aside());
   with(kSettings).write({{"done", 4}});
   EXPECT_TRUE(with(kSettings).set_aside());

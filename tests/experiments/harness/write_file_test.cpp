@@ -29,7 +29,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// What the function's std::runtime_error says; "" without one.
+/// Returns the message of the std::runtime_error of the function; "" without one.
 std::string refusal(const std::function<void()>& function) {
   try {
     function();
@@ -75,7 +75,7 @@ TEST(WriteFile, SaysWhyItCannotWrite) {
   EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"folder"});
 }
 
-// A limit on the size of files stands for a full disk: both let a part be written only.
+// A limit on the size of files simulates a full disk: both allow only a part to be written.
 TEST(WriteFile, KeepsTheEarlierFileWhereTheNewOneDoesNotFit) {
   const Scratch scratch;
   const fs::path file = scratch.path / "checkpoint.json";
@@ -110,7 +110,7 @@ TEST(RefuseOverwrite, AllowsARegularFileWithForceOnly) {
   EXPECT_EQ(refusal([&] { refuse_overwrite(file, true); }), "");
 }
 
-// What came there while the text was made is found out, too.
+// A file that appeared while the text was computed is detected, too.
 TEST(WriteFile, WritesOverWhatIsThereByNowOnlyWithForce) {
   const Scratch scratch;
   const fs::path file = scratch.path / "base.json";

@@ -12,7 +12,7 @@ namespace {
 
 PendingCases::Entry entry() { return {cases::Line{}, true}; }
 
-/// As many lines as are held in any case, so that no push waits.
+/// Pushes as many lines as the queue always holds, so that no push waits.
 void fill(PendingCases& pending) {
   for (std::size_t i = 0; i < PendingCases::kMost; ++i) ASSERT_TRUE(pending.push(entry()));
 }

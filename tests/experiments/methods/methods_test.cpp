@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods that stand beside ours: what is exact is exact, what is sure is right, and asking leaves no trace.
+// The other methods: exact methods are exact, sure answers are right, and queries have no side effects.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -75,7 +75,7 @@ cases::Verdict ask(std::string_view method, const Sample& sample, cases::QueryKi
   return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, kind));
 }
 
-/// By what sums do: fegetround looks at the x87 unit alone.
+/// Determines the rounding mode by sums: fegetround reads only the x87 unit.
 bool rounds_to_nearest() {
   const volatile double one = 1, little = 0x1p-60;
   return one + little == one && one - little == one;
@@ -84,7 +84,7 @@ bool rounds_to_nearest() {
 constexpr std::array kKinds{cases::QueryKind::Contact, cases::QueryKind::Relation, cases::QueryKind::PlaneSide,
                             cases::QueryKind::Foot,    cases::QueryKind::EdgesHit, cases::QueryKind::Answer};
 
-// Every key of every question, off the plane too.
+// Every key of every query, off the plane, too.
 TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
   for (const Sample& sample : all_samples())
     for (const cases::QueryKind kind : kKinds) {
@@ -94,7 +94,7 @@ TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
     }
 }
 
-// Sure answers are right, key by key; a missing key is owned up to, and none is missing without that.
+// Sure answers are right, key by key. A method reports unsure if and only if a key is missing.
 TEST(Interval, IsNeverWrongWhereItIsSure) {
   std::uint64_t sure = 0, unsure = 0;
   for (const Sample& sample : all_samples()) {
@@ -123,14 +123,14 @@ RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
   for (const auto& [key, value] : sure.items()) RC_ASSERT(value == truth[key]);
 }
 
-// Where every product and quotient is a double, intervals are points, and nothing is left open.
+// If every product and quotient is a double, intervals are points, and every answer is sure.
 TEST(Interval, KnowsAllThatDoublesHold) {
   const Polygon u({{0, -1, 0}, {4, -1, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0, 0}, {1, 0, 0}, {1, 4, 0}, {0, 4, 0}});
   const Sample sample{"U", {{1.5, 2, 0}, 0.5}, u};
   EXPECT_EQ(ask("interval", sample), ask("exact", sample));
 }
 
-// 201 bits are right wherever double-doubles are right by a wide margin, and 64 doubles from a threshold both are.
+// 201 bits are right whenever double-doubles are right by a wide margin; 64 doubles from a threshold both are right.
 TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
   const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
@@ -151,7 +151,7 @@ TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
   }
 }
 
-// No scalar is computed in a narrower one on the way: each step up gets more of the thresholds right.
+// No scalar is computed in a narrower one on the way: each wider scalar gets more thresholds right.
 TEST(FastScalars, ErrLessTheWiderTheyAre) {
   std::vector<std::uint64_t> wrong;
   for (const char* name : {"fast-float", "fast", "fast-long-double", "fast-double-double"}) {
@@ -184,7 +184,7 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
       EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, cases::QueryKind::Contact).contact, true) << method->name();
       EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, cases::QueryKind::Contact).contact, false) << method->name();
     }
-    // Engines of others answer one of these questions, ours all.
+    // Third-party engines answer one of these queries, ours all.
     EXPECT_EQ(whole.foot.value_or(PointLocation::Inside), PointLocation::Inside) << method->name();
     EXPECT_EQ(whole.plane.value_or(PlaneSide::Intersects), PlaneSide::Intersects) << method->name();
     EXPECT_EQ(whole.edges_hit.value_or(std::vector<std::size_t>{}), std::vector<std::size_t>{}) << method->name();
@@ -193,7 +193,7 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
 
 // Intervals round upwards while they compute, and only then.
 // Planes, feet and squares of such numbers overflow; exact predicates of what is not finite would end the program.
-TEST(AllMethods, GoOnWhereNumbersOverflow) {
+TEST(AllMethods, ContinueWhenNumbersOverflow) {
   const std::set<std::string_view> exact_ones{"exact", "filtered", "rational", "cgal-epeck"};
   for (const double size : {1e100, 1e155, 1e200, 1e300, 0x1p1022}) {
     const Polygon triangle({{0, 0, 0}, {size, 0, size / 4}, {0, size, 0}});
@@ -217,7 +217,7 @@ TEST(AllMethods, LeaveTheRoundingModeAsItWas) {
     }
 }
 
-// What one thread asks of a prepared polygon does not disturb another: lazy numbers are shared, and change.
+// Queries of one thread do not disturb another, although they share lazy numbers, which change.
 TEST(AllMethods, MayBeAskedFromSeveralThreads) {
   workloads::Workload workload{.placement = Placement::Rotated, .ball = BallPlace::NearEdge};
   const auto sample = workloads::sample(workload, 1, 0);
