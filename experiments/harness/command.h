@@ -93,8 +93,8 @@ class Command {
   void allow_one_of(const std::vector<std::string>& names);
 
   // Options that several commands share.
-  Option seed(std::uint64_t& value, const std::string& about = "Any number; the same gives the same bytes");
-  Option threads(unsigned& value, const std::string& about = "They do not change the results");
+  Option seed(std::uint64_t& value, const std::string& about = "Seed; equal seeds give equal bytes");
+  Option threads(unsigned& value, const std::string& about = "Number of threads; does not affect the results");
   Option methods(std::vector<std::string>& values,
                  const std::string& about = "Method names, separated by commas, or all");
   Option families(std::vector<std::string>& values);

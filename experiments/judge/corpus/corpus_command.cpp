@@ -131,7 +131,7 @@ harness::Command make_command() {
   auto options = std::make_shared<MakeOptions>();
   command.keep_line(options->line);
   command.text("FOLDER", options->folder, "Where to");
-  command.threads(options->threads, "They do not change the files");
+  command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);
   command.runs([options] { return make(*options); });
   return command;
