@@ -26,7 +26,7 @@ Outcome compare_relations(Relation answer, Relation truth) {
   return contact == Outcome::Right ? Outcome::BoundaryMissed : contact;
 }
 
-/// Both ascending.
+/// Compares lists of edges, both ascending.
 Outcome compare_edges(const Edges& answer, const Edges& truth) {
   if (answer == truth) return Outcome::Right;
   const bool none_too_many = std::includes(truth.begin(), truth.end(), answer.begin(), answer.end());

@@ -7,7 +7,7 @@
 namespace touchstone::timing {
 namespace {
 
-/// Three digits or so.
+/// Formats a number with about three digits.
 std::string number(double value) {
   if (value >= 99.95) return fmt::format("{:.0f}", value);
   if (value >= 9.995) return fmt::format("{:.1f}", value);

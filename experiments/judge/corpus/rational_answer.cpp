@@ -27,7 +27,7 @@ using RationalPolygon = methods::PlainPolygon<UnroundedRationals>;
 
 mpq_class rational(const CGAL::Gmpq& x) { return mpq_class(x.mpq()); }
 
-/// Returns the ends of the interval that rounds to x > 0 or to 0; it includes both if the significand of x is even.
+/// The interval of the numbers that round to x > 0 or to 0; it includes its ends if the significand of x is even.
 struct Rounded {
   mpq_class low, high;
   bool with_ends;
@@ -58,7 +58,7 @@ struct Point2 {
   friend bool operator==(const Point2&, const Point2&) = default;
 };
 
-/// > 0 if c lies to the left of the line from a to b.
+/// Returns a number > 0 if c lies to the left of the line from a to b.
 int side(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
 }

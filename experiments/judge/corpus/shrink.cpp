@@ -22,7 +22,7 @@ namespace {
 using cases::Verdict;
 using Eigen::Vector3d;
 
-/// |x| = significand 2^exponent with an odd significand; both 0 for 0.
+/// A number |x| = significand 2^exponent with an odd significand; both are 0 for 0.
 struct Parts {
   std::uint64_t significand = 0;
   int exponent = 0;

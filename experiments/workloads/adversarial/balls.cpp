@@ -36,7 +36,7 @@ Corner random_corner(Random& random, const Polygon& polygon) {
   return c;
 }
 
-/// A share of [0, 1], often of few bits.
+/// Draws a share from [0, 1], often of few bits.
 double random_share(Random& random) {
   return random.coin() ? random.unit() : static_cast<double>(random.integer(0, 16)) / 16;
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<Unit, 6> kUnits{
     {{"um", 1}, {"mm", 1000}, {"cm", 10'000}, {"m", 1'000'000}, {"inch", 25'400}, {"foot", 304'800}}};
 
-/// length * times / over, rounded once.
+/// Returns length * times / over, rounded once.
 double rational_quotient(double length, double times, double over) {
   const mpq_class quotient = mpq_class(length) * mpq_class(times) / mpq_class(over);
   return exact::nearest_double(quotient.get_num(), quotient.get_den());
