@@ -49,10 +49,10 @@ class Program {
     waitpid(process_, nullptr, 0);
   }
 
-  bool ask(const std::vector<char>& question) {
+  bool ask(const std::vector<char>& query) {
     const std::lock_guard lock(mutex_);
-    for (std::size_t sent = 0; sent < question.size();) {
-      const ssize_t some = ::send(socket_, question.data() + sent, question.size() - sent, MSG_NOSIGNAL);
+    for (std::size_t sent = 0; sent < query.size();) {
+      const ssize_t some = ::send(socket_, query.data() + sent, query.size() - sent, MSG_NOSIGNAL);
       if (some < 0 && errno != EINTR) fail(errno);
       if (some > 0) sent += static_cast<std::size_t>(some);
     }
@@ -84,19 +84,19 @@ class Triangles : public TriangleSet {
   [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
     static Program program;
     const double sphere[]{ball.center.x(), ball.center.y(), ball.center.z(), ball.radius};
-    std::vector<char> question = question_;
-    std::memcpy(question.data() + sizeof(std::uint32_t), sphere, sizeof sphere);
-    return program.ask(question);
+    std::vector<char> query = query_;
+    std::memcpy(query.data() + sizeof(std::uint32_t), sphere, sizeof sphere);
+    return program.ask(query);
   }
 
  private:
   template <class Number>
   void append(Number number) {
     const char* bytes = reinterpret_cast<const char*>(&number);
-    question_.insert(question_.end(), bytes, bytes + sizeof number);
+    query_.insert(query_.end(), bytes, bytes + sizeof number);
   }
 
-  std::vector<char> question_;
+  std::vector<char> query_;
 };
 
 }  // namespace
