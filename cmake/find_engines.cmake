@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Contact engines of other projects: methods, and contestants of the study of scenes. Each that is found becomes a target
+# Contact engines of other projects: methods, and candidates of the study of scenes. Each that is found becomes a target
 # engine::NAME and an entry of `engines_found`; the program names those that it was built without.
 set(engines_found "")
 

@@ -22,18 +22,18 @@ class Reader {
   void check_form() const {
     if (!text_.value.is_object()) malformed("the case is not an object");
     if (text_.too_deep) malformed("nested deeper than " + std::to_string(harness::kMostLevels) + " levels");
-    if (text_.duplicate_key) malformed("key \"" + *text_.duplicate_key + "\" stands twice in one object");
+    if (text_.duplicate_key) malformed("duplicate key \"" + *text_.duplicate_key + "\" in one object");
     if (const json& id = member(text_.value, "id", "the case"); !id.is_string()) malformed("id is not a string");
     (void)expected();
     check_tags();
   }
 
-  /// What the case expects; null if it says nothing of that.
+  /// Returns what the case expects; null if the key is missing.
   [[nodiscard]] const json* expected() const {
     const auto expected = text_.value.find("expected");
     if (expected == text_.value.end()) return nullptr;
     if (!expected->is_object()) malformed("expected is not an object");
-    if (text_.ambiguous.contains("expected")) malformed("expected has, or is, a key that stands twice");
+    if (text_.ambiguous.contains("expected")) malformed("expected is, or contains, a duplicate key");
     if (const auto error = expected->find("error"); error != expected->end()) {
       if (expected->size() != 1) malformed("expected has other keys beside \"error\"");
       if (*error != json(true) && !is_code(*error))
@@ -136,7 +136,8 @@ Shapes read_shapes(const harness::StrictJson& text) {
     if (const auto rejection = exact::validate(polygon)) throw Rejected(*rejection);
     return {ball, std::move(polygon)};
   } catch (const Rejected& rejected) {
-    // A negative radius comes before all that is wrong with the loops but numbers that are not finite.
+    // In the order of rejections, a negative radius precedes every fault of the loops except numbers that are not
+    // finite.
     if (fault && rejected.rejection().code != RejectionCode::NotFinite) throw Rejected(*fault);
     throw;
   }
@@ -153,7 +154,7 @@ Case read_case(std::string_view line) {
     try {
       if (const json* expected = Reader(text).expected()) result.expected = *expected;
     } catch (const Rejected&) {
-      // Malformed: it expects nothing, least of all this rejection, which read_shapes finds again in its order.
+      // A malformed `expected` expects nothing. read_shapes reports this rejection in its turn.
     }
   }
   try {

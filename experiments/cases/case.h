@@ -14,25 +14,25 @@
 
 namespace touchstone::cases {
 
-/// A ball and a polygon that every method may be asked about.
+/// A valid ball and polygon: input for every method.
 struct Shapes {
   Ball ball;
   Polygon polygon;
 };
 
-/// One line of a file of cases, as the contract reads it.
+/// One line of a file of cases, read according to the contract.
 struct Case {
   std::optional<std::string> id;            ///< absent only from malformed cases
-  std::optional<nlohmann::json> expected;   ///< an object: any of an answer's keys, or `error`; absent if malformed
-  std::variant<Shapes, Rejection> content;  ///< the rejection's message names the loop, vertex or edge
+  std::optional<nlohmann::json> expected;   ///< an object: keys of an answer, or `error`; absent if malformed
+  std::variant<Shapes, Rejection> content;  ///< the message of the rejection names the loop, vertex or edge
 };
 
-/// Reads one case and decides every rejection of the contract, the first that applies in its order.
+/// Reads one case and reports the first rejection of the contract that applies, in the order of the contract.
 ///
-/// Numbers are read as the nearest doubles; one beyond the finite doubles is `not-finite`. Keys that the contract does
-/// not know are allowed beside `id`, `ball`, `polygon`, `expected` and `tags` and mean nothing; in `expected` they make
-/// the case malformed, as do a duplicate key anywhere and more than kMostLevels arrays and objects within each other.
-/// Throws NotJson. Cost: that of exact::validate, and linear in the length of the line.
+/// Numbers are read as the nearest doubles; a number beyond the finite doubles is `not-finite`. Besides `id`, `ball`,
+/// `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. Within `expected`, an unknown key makes the
+/// case malformed. A duplicate key anywhere, or arrays and objects nested deeper than kMostLevels, also make it
+/// malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length of the line.
 [[nodiscard]] Case read_case(std::string_view line);
 
 }  // namespace touchstone::cases

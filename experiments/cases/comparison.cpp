@@ -26,7 +26,7 @@ Outcome compare_relations(Relation answer, Relation truth) {
   return contact == Outcome::Right ? Outcome::BoundaryMissed : contact;
 }
 
-/// Both ascending.
+/// Compares lists of edges, both ascending.
 Outcome compare_edges(const Edges& answer, const Edges& truth) {
   if (answer == truth) return Outcome::Right;
   const bool none_too_many = std::includes(truth.begin(), truth.end(), answer.begin(), answer.end());
@@ -46,15 +46,15 @@ std::string_view word(Test test) {
   return "";
 }
 
-cases::Question question(Test test) {
+cases::QueryKind query_kind(Test test) {
   switch (test) {
-    case Test::Plane: return cases::Question::PlaneSide;
-    case Test::Foot: return cases::Question::Foot;
-    case Test::Edges: return cases::Question::EdgesHit;
-    case Test::Relation: return cases::Question::Relation;
+    case Test::Plane: return cases::QueryKind::PlaneSide;
+    case Test::Foot: return cases::QueryKind::Foot;
+    case Test::Edges: return cases::QueryKind::EdgesHit;
+    case Test::Relation: return cases::QueryKind::Relation;
     case Test::Contact: break;
   }
-  return cases::Question::Contact;
+  return cases::QueryKind::Contact;
 }
 
 std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, const cases::PartialAnswer& truth,
@@ -81,7 +81,7 @@ std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer, co
 
 bool knows_boundary(const cases::Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::Question::Foot).foot == PointLocation::Boundary;
+  return method.prepare(square)->ask({{1, 0, 0}, 1}, cases::QueryKind::Foot).foot == PointLocation::Boundary;
 }
 
 }  // namespace touchstone::cases

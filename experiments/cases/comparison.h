@@ -9,35 +9,37 @@
 
 namespace touchstone::cases {
 
-/// What is compared: the contract's three tests, each by itself, and the final answer, with or without touching.
+/// The parts of an answer that studies compare: the contract's three tests, contact, and the relation.
 enum class Test { Plane, Foot, Edges, Contact, Relation };
-/// Those that every study counts.
+/// The tests that every study counts.
 inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact};
 
 [[nodiscard]] std::string_view word(Test test);
-[[nodiscard]] cases::Question question(Test test);
+/// Returns the query that yields the key of the test.
+[[nodiscard]] cases::QueryKind query_kind(Test test);
 
-/// An answer beside the truth. `In` is the larger answer: the plane intersected, the foot not outside, an edge hit, a
+/// An answer compared with the truth. `In` is the larger answer: plane intersected, foot not outside, edge hit,
 /// contact.
 enum class Outcome {
   Right,
   WronglyIn,
   WronglyOut,
-  BoundaryMissed,  ///< foot: inside and boundary confused; relation: touching and overlapping
+  BoundaryMissed,  ///< foot: confuses inside and boundary; relation: confuses touching and overlapping
 };
 
-/// The one place where the studies compare answers. Nothing where the method has not answered that test.
-///  - Plane: intersects or not. In front and behind count alike, since the thesis's normal, from the first three
+/// Compares an answer with the truth, for all studies. Returns nothing if the method did not answer that test.
+///  - Plane: intersects or not. In front and behind count alike, because the normal of the thesis, from the first three
 ///    vertices, swaps them.
-///  - Foot: all three words, if the method knows them; a method without the word boundary is right on a boundary
-///    whether it says inside or outside.
-///  - Edges: the whole list. WronglyIn where an edge is listed that is not hit, else WronglyOut.
+///  - Foot: all three words, if the method distinguishes the boundary. Otherwise, on a boundary both inside and outside
+///    are right.
+///  - Edges: the whole list. WronglyIn if the answer lists an edge that is not hit, else WronglyOut.
 ///  - Contact: yes or no.
 ///  - Relation: all three words.
 [[nodiscard]] std::optional<Outcome> compare(Test test, const cases::PartialAnswer& answer,
                                              const cases::PartialAnswer& truth, bool knows_boundary);
 
-/// Does the method say boundary in the plainest case: in the plane of a square, at the middle of an edge?
+/// Returns whether the method reports the boundary in the simplest case: in the plane of a square, at the midpoint of
+/// an edge.
 [[nodiscard]] bool knows_boundary(const cases::Method& method);
 
 }  // namespace touchstone::cases

@@ -27,7 +27,7 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
     }
     if (!take(std::move(line))) return false;
   }
-  // What goes wrong with it is known to C's stream alone.
+  // Only the C stream records errors of standard input.
   const bool failed = &stream == &std::cin ? std::ferror(stdin) != 0 : stream.bad();
   if (!failed) return true;
   return take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read to its end", name)});

@@ -10,15 +10,16 @@
 
 namespace touchstone::cases {
 
-/// A line of input: a case, or why there is none.
+/// A line of input: a case, or the reason why it could not be read.
 struct Line {
   std::string text;
   std::string place;  ///< `FILE: line NUMBER`; empty for a file that cannot be read
   std::optional<Case> read;
-  std::string complaint;  ///< a line that is not JSON, a file that cannot be read
+  std::string complaint;  ///< set if the line is not JSON or the file cannot be read
 };
 
-/// Calls `take` with every line of the files (none: standard input) that is not white space, until it returns false.
+/// Calls `take` with every line of the files that is not blank, until it returns false. Without files, reads standard
+/// input.
 void read_lines(const std::vector<std::string>& files, const std::function<bool(Line&&)>& take);
 
 }  // namespace touchstone::cases

@@ -12,10 +12,10 @@
 
 namespace touchstone::cases {
 
-/// What can be asked of a method: one of the contract's tests alone, or all of its keys.
-enum class Question { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
+/// The kinds of queries: a single test of the contract, or all keys of the answer.
+enum class QueryKind { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 
-/// The keys of the contract, each present where the method computes it and knows it.
+/// An answer with the keys of the contract; a key is absent if the method does not compute it or could not decide it.
 struct PartialAnswer {
   std::optional<PlaneSide> plane;
   std::optional<bool> plane_tangent;
@@ -27,30 +27,30 @@ struct PartialAnswer {
   std::optional<Eigen::Vector3d> point;
   std::optional<double> distance;
   std::optional<double> off_plane;
-  bool unsure = false;     ///< a key that was asked for, and that the method computes, is absent: it could not decide
-  std::string_view stage;  ///< which stage decided, for --explain
+  bool unsure = false;     ///< the method computes a requested key, but could not decide it
+  std::string_view stage;  ///< the stage that decided, for --explain
 
-  /// All keys of a whole answer.
+  /// Returns a partial answer with all keys of `answer`.
   static PartialAnswer of(const Answer& answer, std::string_view stage);
 };
 
-/// A polygon as one method has prepared it. Asking changes nothing and is safe from several threads.
+/// A polygon prepared by one method. Queries do not change it; several threads may query it at once.
 class PreparedMethod {
  public:
   virtual ~PreparedMethod() = default;
-  /// At least the key that the question names, if the method computes it; with Question::Answer all that it computes.
-  [[nodiscard]] virtual PartialAnswer ask(const Ball& ball, Question question) const = 0;
+  /// Returns at least the key of the query, if the method computes it; for QueryKind::Answer all keys that it computes.
+  [[nodiscard]] virtual PartialAnswer ask(const Ball& ball, QueryKind kind) const = 0;
 };
 
-/// One way to answer: ours, a historical one, or another engine. One file a method.
+/// A way to answer queries: one of ours, a historical one, or a third-party engine. Each method has its own file.
 ///
-/// Requires polygons that `exact::validate` accepts and balls that `find_fault` accepts.
+/// Requires polygons that `exact::validate` accepts and balls for which `find_fault` finds nothing.
 class Method {
  public:
   virtual ~Method() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual std::string_view summary() const = 0;  ///< one line
-  /// Does a question take tens of microseconds? Studies may ask such a method less than others.
+  /// Returns whether a query takes tens of microseconds. Studies may ask such a method fewer queries.
   [[nodiscard]] virtual bool slow() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const = 0;
 };

@@ -17,7 +17,7 @@ namespace {
 
 using cases::PartialAnswer;
 using cases::PreparedMethod;
-using cases::Question;
+using cases::QueryKind;
 using workloads::BallPlace;
 using workloads::Placement;
 
@@ -42,8 +42,8 @@ bool same_answer(const PartialAnswer& a, const PartialAnswer& b) {
   return a.plane == b.plane && a.edges_hit == b.edges_hit && a.contact == b.contact;
 }
 
-/// Fills values[low + 1 .. high - 1], given the two ends, where value i is ask(i) and the values grow with i in some
-/// order: equal ends then have nothing else between them. Otherwise asks in the middle.
+/// Fills values[low + 1 .. high - 1] with ask(i), given the values at both ends. Requires values that are monotonic in
+/// i, so that equal ends have only equal values in between. Otherwise asks in the middle.
 template <class Ask>
 void fill_growing(std::vector<PartialAnswer>& values, std::size_t low, std::size_t high, const Ask& ask) {
   if (high - low < 2) return;
@@ -58,7 +58,7 @@ void fill_growing(std::vector<PartialAnswer>& values, std::size_t low, std::size
   fill_growing(values, middle, high, ask);
 }
 
-/// ask(i) of every i below count, values growing with i.
+/// Returns ask(i) for every i below count; requires values that grow with i.
 template <class Ask>
 std::vector<PartialAnswer> growing(std::size_t count, const Ask& ask) {
   std::vector<PartialAnswer> values(count);
@@ -69,10 +69,10 @@ std::vector<PartialAnswer> growing(std::size_t count, const Ask& ask) {
 }
 
 std::vector<PartialAnswer> truths_by_radius(const std::vector<Ball>& balls, const PreparedMethod& oracle) {
-  auto truths = ask_growing(balls, Question::Foot, oracle);
-  const auto planes = ask_growing(balls, Question::PlaneSide, oracle);
-  const auto edges = ask_growing(balls, Question::EdgesHit, oracle);
-  const auto contacts = ask_growing(balls, Question::Contact, oracle);
+  auto truths = ask_growing(balls, QueryKind::Foot, oracle);
+  const auto planes = ask_growing(balls, QueryKind::PlaneSide, oracle);
+  const auto edges = ask_growing(balls, QueryKind::EdgesHit, oracle);
+  const auto contacts = ask_growing(balls, QueryKind::Contact, oracle);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     truths[i].plane = planes[i].plane;
     truths[i].edges_hit = edges[i].edges_hit;
@@ -83,15 +83,15 @@ std::vector<PartialAnswer> truths_by_radius(const std::vector<Ball>& balls, cons
 
 PartialAnswer truth_of(const Ball& ball, const PreparedMethod& oracle) {
   PartialAnswer truth;
-  truth.plane = oracle.ask(ball, Question::PlaneSide).plane;
-  truth.foot = oracle.ask(ball, Question::Foot).foot;
-  truth.edges_hit = oracle.ask(ball, Question::EdgesHit).edges_hit;
+  truth.plane = oracle.ask(ball, QueryKind::PlaneSide).plane;
+  truth.foot = oracle.ask(ball, QueryKind::Foot).foot;
+  truth.edges_hit = oracle.ask(ball, QueryKind::EdgesHit).edges_hit;
   truth.contact =
       (truth.plane == PlaneSide::Intersects && truth.foot != PointLocation::Outside) || !truth.edges_hit->empty();
   return truth;
 }
 
-/// Balls whose radius grows across that of `middle`.
+/// Returns balls whose radii grow across the radius of `middle`.
 std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
   if (workloads::move_by_doubles(middle.radius, all_offsets().front()) < 0) return std::nullopt;
   std::vector<Ball> balls;
@@ -100,12 +100,12 @@ std::optional<std::vector<Ball>> move_radius(const Ball& middle) {
   return balls;
 }
 
-/// Balls whose centre moves along an axis, so that the foot leaves the polygon behind offset 0. Nothing if it does so
-/// nowhere within 1024 doubles.
+/// Returns balls whose centre moves along an axis so that the foot leaves the polygon after offset 0. Returns nothing
+/// if it does not leave within 1024 doubles.
 std::optional<std::vector<Ball>> move_foot(const Ball& drawn, int axis, const PreparedMethod& oracle) {
   constexpr std::int64_t kReach = 1024;
   const auto crossing = find_foot_crossing(drawn, axis, kReach, [&](const Ball& ball) {
-    return oracle.ask(ball, Question::Foot).foot == PointLocation::Outside;
+    return oracle.ask(ball, QueryKind::Foot).foot == PointLocation::Outside;
   });
   if (!crossing) return std::nullopt;
   std::vector<Ball> balls;
@@ -181,7 +181,7 @@ const std::vector<std::int64_t>& all_offsets() {
 
 std::optional<FootCrossing> find_foot_crossing(const Ball& ball, int axis, std::int64_t reach,
                                                const std::function<bool(const Ball&)>& is_outside) {
-  constexpr double kSmall = 1e-100;  // about a coordinate of zero the doubles are too dense for `fast`
+  constexpr double kSmall = 1e-100;  // near zero the doubles are too dense for `fast`
   if (std::abs(ball.center[axis]) < kSmall) return std::nullopt;
 
   const auto outside = [&](std::int64_t doubles) { return is_outside(moved(ball, axis, doubles)); };
@@ -205,13 +205,12 @@ std::string id(const SamplePlace& place) {
                      place.shape.vertices, place.shape.holes, place.shape.origin_distance, place.seed, place.n);
 }
 
-// The foot does not depend on r. The others compare r with distances that do not: the plane is intersected from
-// r = |s|/|N| on, edge i is hit from r = d_i on, there is a contact from r = d on. So each of them grows with r (the
-// edges in the order of inclusion), and what holds for two radii holds for those between.
-std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, Question question,
-                                       const PreparedMethod& oracle) {
-  if (question == Question::Foot) return {balls.size(), oracle.ask(balls.front(), question)};
-  return growing(balls.size(), [&](std::size_t i) { return oracle.ask(balls[i], question); });
+// The foot does not depend on r. The other answers compare r with distances that do not depend on r: the ball
+// intersects the plane if r >= |s|/|N|, hits edge i if r >= d_i, and has contact if r >= d. So each answer grows with r
+// (edges by inclusion), and an answer that two radii share holds for every radius in between.
+std::vector<PartialAnswer> ask_growing(const std::vector<Ball>& balls, QueryKind kind, const PreparedMethod& oracle) {
+  if (kind == QueryKind::Foot) return {balls.size(), oracle.ask(balls.front(), kind)};
+  return growing(balls.size(), [&](std::size_t i) { return oracle.ask(balls[i], kind); });
 }
 
 std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Method& truth) {

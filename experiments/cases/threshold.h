@@ -15,44 +15,45 @@
 
 namespace touchstone::cases {
 
-/// What a ball is moved across, double by double.
+/// The threshold across which a ball is moved, one double after the other.
 enum class Threshold {
-  Face,        ///< the radius across the distance to the polygon, the nearest feature being its face
-  Edge,        ///< the same, an edge
-  Vertex,      ///< the same, a vertex
-  Tangent,     ///< the same, where that distance is exactly a double; the nearest feature is any
-  FootEdge,    ///< the centre, along one axis, so that its foot crosses an edge; ample radius
-  FootVertex,  ///< the same, past a vertex
+  Face,        ///< moves the radius across the distance to the polygon, whose nearest feature is the face
+  Edge,        ///< the same, nearest feature an edge
+  Vertex,      ///< the same, nearest feature a vertex
+  Tangent,     ///< the same, for a distance that is exactly a double; any nearest feature
+  FootEdge,    ///< moves the centre along an axis so that its foot crosses an edge; ample radius
+  FootVertex,  ///< the same, the foot passing a vertex
 };
 
 [[nodiscard]] std::string_view word(Threshold threshold);
-/// Is the radius moved (else the centre)?
+/// Returns whether the radius is moved (otherwise the centre).
 [[nodiscard]] bool moves_radius(Threshold threshold);
 
-/// What is sampled apart from the rest.
+/// A stratum of the samples: each is sampled separately.
 struct Stratum {
   workloads::Family family;
   workloads::Placement placement;
   Threshold threshold;
 };
 
-/// All of them; exactly tangent balls need the lattice.
+/// Returns all strata. Exactly tangent balls exist only on the lattice.
 [[nodiscard]] const std::vector<Stratum>& all_strata();
 [[nodiscard]] const std::vector<Threshold>& all_thresholds();
 
-/// How far balls are moved, in doubles, ascending: every double from -8 to 8, then powers of 4 up to 2^32.
+/// Returns the offsets by which balls are moved, in doubles, ascending: every integer from -8 to 8, then powers of 4 up
+/// to 2^32.
 [[nodiscard]] const std::vector<std::int64_t>& all_offsets();
 
-/// What polygons have in common besides their stratum.
+/// The properties of polygons besides their stratum.
 struct Shape {
-  std::size_t vertices = 24;   ///< as near as the family allows
-  std::size_t holes = 0;       ///< of each polygon; what has no room for them is missing
-  double origin_distance = 0;  ///< of each polygon from the origin, in its sizes
+  std::size_t vertices = 24;   ///< as close to this number as the family allows
+  std::size_t holes = 0;       ///< of each polygon; samples without room for them are missing
+  double origin_distance = 0;  ///< of each polygon from the origin, in multiples of its size
 
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// Where a sample is drawn: everything that it is a function of.
+/// The coordinates of a sample: it is a function of them alone.
 struct SamplePlace {
   std::size_t stratum;
   Shape shape;
@@ -60,37 +61,38 @@ struct SamplePlace {
   std::uint64_t n;
 };
 
-/// The name of a sample: names all that is needed to draw it again.
+/// Returns the name of a sample, which holds all that is needed to draw it again.
 [[nodiscard]] std::string id(const SamplePlace& place);
 
-/// A polygon, and balls across a threshold: one an offset.
+/// A polygon and balls across a threshold: one ball for each offset.
 ///
-/// Radius: offset 0 is the double nearest to the exact distance, larger radii are positive.
-/// Foot: offset 0 is the last centre whose foot is not outside; offset 1, the next double, is outside.
+/// Radius: offset 0 is the double nearest to the exact distance; positive offsets are larger radii.
+/// Foot: offset 0 is the last centre whose foot is not outside; for offset 1, the next double, the foot is outside.
 struct Crossing {
   Polygon polygon;
   std::vector<Ball> balls;
-  std::vector<cases::PartialAnswer> truths;  ///< of each ball: plane, foot, edges_hit, contact
+  std::vector<cases::PartialAnswer> truths;  ///< for each ball: plane, foot, edges_hit, contact
 };
 
-/// The sample of that place, with the truth by a method that is right (`exact` or `filtered`: the same bits). Nothing
-/// where none was found.
+/// Draws the sample at that place. `truth` must be a correct method (`exact` or `filtered`; both give the same bits).
+/// Returns nothing if no such sample was found.
 [[nodiscard]] std::optional<Crossing> draw_crossing(const SamplePlace& place, const cases::Method& truth);
 
-/// Where a foot leaves the polygon: not outside at `last`, outside one double further.
+/// The point where a foot leaves the polygon: not outside at `last`, outside one double further.
 struct FootCrossing {
   Ball last;
   std::int64_t outward;  ///< 1 or -1: the direction of doubles in which the foot leaves
 };
 
-/// Looks for one at most `reach` doubles from a ball, its centre moved along an axis: at powers of two to either side,
-/// then by bisection. Nothing where the foot does not change at those, or the coordinate is almost zero.
+/// Searches for a crossing within `reach` doubles of a ball whose centre moves along an axis: first at powers of two on
+/// both sides, then by bisection. Returns nothing if the foot does not change at the powers of two, or if the
+/// coordinate is almost zero.
 [[nodiscard]] std::optional<FootCrossing> find_foot_crossing(const Ball& ball, int axis, std::int64_t reach,
                                                              const std::function<bool(const Ball&)>& is_outside);
 
-/// What one question has for answers about the balls of a crossing whose radius is moved, by a method that is right:
-/// answers do not change between two radii with the same one.
-[[nodiscard]] std::vector<cases::PartialAnswer> ask_growing(const std::vector<Ball>& balls, cases::Question question,
+/// Returns the answers of a correct method to one query about each ball of a crossing whose radius is moved. Uses that
+/// answers are monotonic: two radii with the same answer have it in between, too.
+[[nodiscard]] std::vector<cases::PartialAnswer> ask_growing(const std::vector<Ball>& balls, cases::QueryKind kind,
                                                             const cases::PreparedMethod& oracle);
 
 }  // namespace touchstone::cases

@@ -17,10 +17,10 @@ Verdict number(double value) {
   return value == 0 ? 0.0 : value;  // exact: drops the sign of zero
 }
 
-/// Do numbers below this key stand for the doubles nearest to them? Those of other keys are indices.
+/// Returns whether numbers below this key denote their nearest doubles. Numbers below other keys are indices.
 bool holds_doubles(std::string_view key) { return key == "point" || key == "distance" || key == "off_plane"; }
 
-/// The same for every number within a value; integers are kept where they are no doubles.
+/// The same for every number within a value; keeps integers that are not doubles.
 Verdict plain(const nlohmann::json& value, bool doubles) {
   if (value.is_number_float() || (doubles && value.is_number())) return number(value.get<double>());
   if (!value.is_structured()) return value;
@@ -38,7 +38,7 @@ bool is_negative_integer(const nlohmann::json& value) {
   return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() < 0;
 }
 
-/// The library takes integers of either sign for equal that have the same bits.
+/// The library treats a signed and an unsigned integer with the same bits as equal.
 bool same_number(const nlohmann::json& a, const nlohmann::json& b, bool doubles) {
   if (doubles) return a.get<double>() == b.get<double>();
   return is_negative_integer(a) == is_negative_integer(b) && a == b;

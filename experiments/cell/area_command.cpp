@@ -15,13 +15,13 @@
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 
 namespace touchstone::cell {
@@ -81,13 +81,13 @@ int run(const AreaOptions& options) {
   const Grid plan{multiples(-180, 180 - options.angle_step, options.angle_step), radii, {cell.storage.height}};
   const Grid heights{{cell.storage.angle}, radii, multiples(lowest, reach.height + reach.outer, step)};
 
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
     harness::ProgressLine line("places of the storage", plan.size() + heights.size());
-    in_plan = try_places(cell, parts, covered, plan, options.threads, interrupt.requested(), std::ref(line));
+    in_plan = try_places(cell, parts, covered, plan, options.threads, stop_signal.requested(), std::ref(line));
     if (in_plan)
-      in_height = try_places(cell, parts, covered, heights, options.threads, interrupt.requested(),
+      in_height = try_places(cell, parts, covered, heights, options.threads, stop_signal.requested(),
                              [&](std::uint64_t done) { line(plan.size() + done); });
   }
   if (!in_height) {

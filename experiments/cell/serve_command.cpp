@@ -11,10 +11,10 @@
 #include "experiments/cell/browser/routes.h"
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/run_options.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 
 namespace touchstone::cell {
 namespace {
@@ -26,7 +26,7 @@ struct ServeOptions {
 };
 
 int run(const ServeOptions& options) {
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   RunOptions chosen = options.run;
   if (chosen.file.empty()) chosen.file = (harness::source_folder() / "experiments/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
@@ -38,7 +38,7 @@ int run(const ServeOptions& options) {
     fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
   harness::flush_standard_output();
-  server.run(interrupt.requested());
+  server.run(stop_signal.requested());
   return 0;
 }
 

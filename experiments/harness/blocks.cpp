@@ -21,7 +21,7 @@ std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atom
   const auto run = [&](std::uint64_t block) {
     work(static_cast<unsigned>(tbb::this_task_arena::current_thread_index()), block);
   };
-  // The number itself means nothing here: blocks end in any order.
+  // Only the count matters: blocks end in any order.
   const auto end = [&](int) { progress(++done); };
 
   const tbb::global_control as_many(tbb::global_control::max_allowed_parallelism, threads);

@@ -7,14 +7,15 @@
 
 namespace touchstone::harness {
 
-/// Told, by one thread at a time, how many blocks are done.
+/// Receives the number of finished blocks. Calls never overlap.
 using Progress = std::function<void(std::uint64_t done)>;
 
-/// Runs work(thread, block), thread < threads, for the blocks 0, 1, 2, ... until all are done or `stop` is set; returns
-/// how many were.
+/// Runs work(thread, block), thread < threads, for the blocks 0, 1, 2, ... until all are done or `stop` is set. Returns
+/// the number of finished blocks.
 ///
-/// Blocks are begun in order and always ended, so those done are the first ones, whatever the number of threads. The
-/// first exception ends the run and is thrown again. Threads are TBB's; more than the machine has cores are legal.
+/// Blocks begin in order and are always finished, so the finished ones are the first ones for any number of threads.
+/// The first exception ends the run and is rethrown. The threads are those of TBB; there may be more than the machine
+/// has cores.
 std::uint64_t run_blocks(std::uint64_t blocks, unsigned threads, const std::atomic<bool>& stop,
                          const Progress& progress,
                          const std::function<void(unsigned thread, std::uint64_t block)>& work);

@@ -50,7 +50,7 @@ class Checkpoint {
   /// one. Throws std::runtime_error, which names the file, where that cannot be done.
   bool set_aside() const;
 
-  /// Throws std::runtime_error, which names the file, if it holds more items than are asked for.
+  /// Throws std::runtime_error, which names the file, if the checkpoint holds more items than requested.
   void refuse_more(std::uint64_t held, std::uint64_t asked) const;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -18,7 +18,7 @@ namespace {
 
 const std::string kProgram = "touchstone";
 
-/// An option as it is written back: the words of its value, none where it has none.
+/// An option, and the words of its value as the command line would hold them; empty if it has no value.
 struct Declared {
   std::string name;
   const CLI::Option* option;
@@ -28,19 +28,19 @@ struct Declared {
 
 bool is_positional(const std::string& name) { return !name.starts_with("--"); }
 
-/// A word of a shell command, in quotes only where it needs them.
+/// Returns a word of a shell command, quoted only if needed.
 std::string quoted_where_needed(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789,.:/_=+-";
   return word.find_first_not_of(kPlain) == std::string::npos ? word : shell_quoted(word);
 }
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that reads back as the same number.
 std::string shortest(double number) {
   std::array<char, 32> text;
   return {text.begin(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
-/// A complaint about the command line, which it may quote.
+/// Makes an error about the command line printable: it may quote the command line.
 std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
   const std::string sentence = io::all_legible(error.what());
   return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));

@@ -18,14 +18,14 @@ class Option;
 
 namespace touchstone::harness {
 
-/// A command line that is wrong; the message names the option.
+/// A faulty command line; the message names the option.
 class UsageError : public std::runtime_error {
  public:
   UsageError(const std::string& option, const std::string& reason) : std::runtime_error(option + ": " + reason) {}
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// An option that was declared. Others are named as on the command line; they have been declared before it.
+/// A declared option. Other options are named as on the command line and must be declared before.
 class Option {
  public:
   Option(CLI::App& app, CLI::Option& option) : app_(&app), option_(&option) {}
@@ -38,25 +38,26 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A subcommand of the program: its options, each declared once, and what it runs.
+/// A subcommand of the program: its options, each declared once, and the function that it runs.
 ///
-/// An option is bound to a variable, whose value when it is declared is the default. The variables must live as long as
+/// An option is bound to a variable, whose value at the declaration is the default. The variables must live as long as
 /// the command, for example in a struct that the function given to `runs` shares. Names begin with `--`; other names
-/// are positional arguments. From the declarations come parsing, its errors, the help, and the line that repeats a run.
+/// are positional arguments. The declarations yield the parser, its errors, the help, and the command line that repeats
+/// a run.
 class Command {
  public:
   Command(const std::string& name, const std::string& about);
-  /// One that only groups its subcommands, of which one must be given.
+  /// A command that only groups subcommands, one of which must be given.
   Command(const std::string& name, const std::string& about, const std::vector<Command>& subcommands);
 
   Option flag(const std::string& name, bool& value, const std::string& about);
-  /// `check` returns what is wrong with a text, or nothing.
+  /// Returns the fault of a text, or an empty string.
   using Check = std::function<std::string(const std::string&)>;
   Option text(const std::string& name, std::string& value, const std::string& about, const Check& check = {});
-  /// One of these words.
+  /// A choice of one of these words.
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                 const std::string& about);
-  /// One of the words of these enumerators, as word(enumerator) tells them.
+  /// A choice of one of these enumerators, by word(enumerator).
   template <class Enumerator>
   requires std::is_enum_v<Enumerator> Option choice(const std::string& name, Enumerator& value,
                                                     const std::vector<Enumerator>& all, const std::string& about) {
@@ -68,10 +69,10 @@ class Command {
   }
   /// Values separated by commas.
   Option names(const std::string& name, std::vector<std::string>& values, const std::string& about);
-  /// Positional: all remaining arguments. With `--`: the option may be given several times, with one value each.
+  /// For a positional name, takes all remaining arguments. With `--`, the option may be repeated, with one value each.
   Option texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
                const Check& check = {});
-  /// An integer from `lowest` to `highest`. A default outside of this range means that there is none.
+  /// An integer from `lowest` to `highest`. A default outside this range means that the option has no default.
   template <std::unsigned_integral T>
   Option whole(const std::string& name, T& value, const std::string& about, std::uint64_t lowest = 0,
                std::uint64_t highest = std::numeric_limits<T>::max()) {
@@ -80,20 +81,20 @@ class Command {
         about, lowest, highest);
   }
   Option integer(const std::string& name, int& value, const std::string& about);
-  /// A decimal number whose nearest double is from `lowest` to `highest`. A default outside of this range means that
-  /// there is none.
+  /// A decimal number whose nearest double is from `lowest` to `highest`. A default outside this range means that the
+  /// option has no default.
   Option real(const std::string& name, double& value, const std::string& about,
               double lowest = std::numeric_limits<double>::lowest(),
               double highest = std::numeric_limits<double>::max());
   /// A finite number above 0.
   Option positive(const std::string& name, double& value, const std::string& about);
-  /// Exactly one of these options must be given, or at most one.
+  /// Requires exactly one of these options, or allows at most one.
   void require_one_of(const std::vector<std::string>& names);
   void allow_one_of(const std::vector<std::string>& names);
 
-  // Options that several commands have.
-  Option seed(std::uint64_t& value, const std::string& about = "Any number; the same gives the same bytes");
-  Option threads(unsigned& value, const std::string& about = "They do not change the results");
+  // Options that several commands share.
+  Option seed(std::uint64_t& value, const std::string& about = "Seed; equal seeds give equal bytes");
+  Option threads(unsigned& value, const std::string& about = "Number of threads; does not affect the results");
   Option methods(std::vector<std::string>& values,
                  const std::string& about = "Method names, separated by commas, or all");
   Option families(std::vector<std::string>& values);
@@ -103,16 +104,16 @@ class Command {
   Option resume(bool& value);
   Option force(bool& value);
 
-  /// Printed behind the options in the help.
+  /// Sets a text that the help prints after the options.
   void footer(const std::string& text);
-  /// Sets what it runs; `run` returns the exit status.
+  /// Sets the function that the command runs; `run` returns the exit status.
   void runs(std::function<int()> run);
-  /// Sets the variable that receives, before it runs, the command line that repeats the run: every option that has a
-  /// default or was given, except --force.
+  /// Sets a variable that receives, before the command runs, the command line that repeats the run: every option that
+  /// has a default or was given, except --force.
   void keep_line(std::string& line);
 
-  /// Parses the arguments behind the command's name and runs it. Returns the exit status. Throws UsageError, and what
-  /// it throws itself.
+  /// Parses the arguments after the name of the command and runs it. Returns the exit status. Throws UsageError, and
+  /// the exceptions of the run.
   int operator()(std::vector<std::string> arguments) const;
 
  private:
@@ -130,11 +131,11 @@ class Command {
   std::shared_ptr<Parts> parts_;
 };
 
-/// Threads of this machine, the default of --threads.
+/// Returns the number of threads of this machine, the default of --threads.
 [[nodiscard]] unsigned all_threads();
 
-/// Parses the program's command line and runs the command that it names. Prints help and, on stderr, what is wrong with
-/// the line. Returns the exit status.
+/// Parses the command line of the program and runs the command that it names. Prints help, and faults of the command
+/// line to stderr. Returns the exit status.
 int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv);
 
 }  // namespace touchstone::harness

@@ -8,22 +8,23 @@
 
 namespace touchstone::statistics {
 
-/// Many numbers from 0 to infinity, of which quantiles are asked, in memory that does not grow with their count: each
-/// is cut to seven significant bits, which keeps zero, infinity and whole numbers up to 128 as they are.
+/// A distribution of numbers from 0 to infinity, for quantiles, in memory that does not grow with the count. Each
+/// number is cut to seven significant bits, which keeps zero, infinity and whole numbers up to 128 exact.
 class Distribution {
  public:
-  /// Requires a number that is neither negative nor NaN.
+  /// Adds a number, which must not be negative or NaN.
   void add(double number);
-  /// Sums do not depend on their order.
+  /// Adds all numbers of `other`. The order of summation does not affect the result.
   Distribution& operator+=(const Distribution& other);
 
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] std::uint64_t zeros() const;
   [[nodiscard]] std::uint64_t infinite() const;
-  /// The smallest number that at least this share does not exceed, as it was cut: short of it by less than 1/64 of it;
-  /// from share 1 on exact. Requires a number. Cost: linear in the distinct ones.
+  /// Returns the smallest number, as cut, such that at least the given share of the numbers does not exceed it. It is
+  /// too small by less than 1/64 of its value; for shares from 1 on it is exact. Requires at least one number. Cost:
+  /// linear in the number of distinct cut values.
   [[nodiscard]] double quantile(double share) const;
-  /// Exact; 0 where there is no number.
+  /// Returns the largest number, exactly; 0 without numbers.
   [[nodiscard]] double largest() const { return largest_; }
 
   auto members() { return std::tie(counts_, largest_); }

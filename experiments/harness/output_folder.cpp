@@ -24,18 +24,18 @@ namespace touchstone::harness {
 namespace {
 
 constexpr const char* kLock = ".lock";
-constexpr std::string_view kHolder = "process ";  // how its text begins
+constexpr std::string_view kHolder = "process ";  // the beginning of its text
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// What the holder of a lock wrote there.
+/// Returns the text that the holder of the lock wrote.
 std::string holder(int descriptor) {
   std::array<char, 1000> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
   return length > 0 ? ": " + io::legible({text.data(), static_cast<std::size_t>(length)}) : "";
 }
 
-/// Is it empty, or what an ended holder wrote, and known by this name alone?
+/// Returns whether the file is empty or was written by a holder that has ended, and has only this name.
 bool is_lock(int descriptor) {
   struct stat file {};
   std::array<char, kHolder.size()> begin{};
@@ -74,7 +74,7 @@ OutputFolder::OutputFolder(std::filesystem::path folder, const std::string& comm
 OutputFolder::~OutputFolder() { release(); }
 
 void OutputFolder::lock() {
-  // The file is removed by its holder: what was locked may have lost its name meanwhile.
+  // The holder removes the file, so the locked file may have lost its name meanwhile.
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = ::open(lock_file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -91,13 +91,13 @@ void OutputFolder::lock() {
   } while (!is_same_file(descriptor_, lock_file_));
   if (!is_lock(descriptor_)) {
     ::close(std::exchange(descriptor_, -1));
-    refuse(std::string("has a file ") + kLock + " that is no lock of this program");
+    refuse(std::string("has a file ") + kLock + " that is not a lock of this program");
   }
 }
 
 void OutputFolder::sign(const std::string& command) {
   const std::string text = fmt::format("{}{} on {} since {}: {}", kHolder, ::getpid(), host(), utc_now(), command);
-  // Where this fails the others are not told who, and the first result that is written says that the disk is full.
+  // If this fails, other runs cannot name the holder; a full disk is reported by the first result.
   if (::ftruncate(descriptor_, 0) == 0) (void)!::pwrite(descriptor_, text.data(), text.size(), 0);
 }
 
@@ -111,9 +111,9 @@ void OutputFolder::refuse_content(Existing existing) const {
   names.erase(kLock);
   if (names.empty()) return;
   const std::string name = io::legible(*names.begin());
-  if (existing.resume) refuse("has no checkpoint.json to go on from, but " + name);
+  if (existing.resume) refuse("has no checkpoint.json to continue from, but " + name);
   refuse(fmt::format("is not empty (it has {}); --force writes over what is there{}", name,
-                     has_checkpoint ? ", --resume goes on with it" : ""));
+                     has_checkpoint ? ", --resume continues its run" : ""));
 }
 
 void OutputFolder::share() const {

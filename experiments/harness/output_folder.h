@@ -6,24 +6,24 @@
 
 namespace touchstone::harness {
 
-/// What a run may do in a folder that is not empty: nothing, unless one of these is set.
+/// The permissions of a run in a folder that is not empty. Without any, the run is refused.
 struct Existing {
-  bool force = false;   ///< write over what is there
-  bool resume = false;  ///< go on from the checkpoint that is there
+  bool force = false;   ///< overwrite existing files
+  bool resume = false;  ///< continue from the existing checkpoint
 };
 
-/// The folder that a run writes, locked for as long as this lives.
+/// The output folder of a run, locked during the lifetime of this object.
 ///
-/// The lock is one of the operating system (flock) on the file `.lock` in the folder, which says who holds it. It ends
-/// with the process, however that ends; processes that this one starts have no part in it, except by `share`. Where
-/// several processes work together, the first one, which writes, holds it.
+/// The lock is a lock of the operating system (flock) on the file `.lock` in the folder; the file names the holder. The
+/// lock ends with the process, however the process ends. Child processes do not hold it, unless `share` is called. If
+/// several processes work together, the first one, which writes, holds the lock.
 class OutputFolder {
  public:
-  /// Makes the folder if it is not there. `command`: the run, as it is told to others.
+  /// Creates the folder if it does not exist. `command`: the description of this run for other runs.
   ///
-  /// Throws std::runtime_error, which names the folder and says why: it cannot be made or written to; another run holds
-  /// it; it has a file `.lock` that is none; it is not empty, and `existing` does not allow that. A folder that was
-  /// there is then as it was. On a file system that has no locks, stderr says so, and the run goes on.
+  /// Throws std::runtime_error, which names the folder and the reason: it cannot be created or written to; another run
+  /// holds it; it has a file `.lock` that is not a lock; it is not empty, and `existing` does not allow that. An
+  /// existing folder is then unchanged. On a file system without locks, prints a warning to stderr and continues.
   OutputFolder(std::filesystem::path folder, const std::string& command, Existing existing);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
@@ -31,8 +31,8 @@ class OutputFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// From now on, processes that this one starts hold the lock too, until all of them have ended: for those that write
-  /// to the folder themselves.
+  /// From now on, child processes also hold the lock, until all of them have ended. For children that write to the
+  /// folder themselves.
   void share() const;
 
  private:

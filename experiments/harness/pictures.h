@@ -7,9 +7,9 @@
 
 namespace touchstone::harness {
 
-/// Draws what lies in a folder by experiments/report/pictures/<name>.py, with the first interpreter that has what that
-/// takes: Debian's own, else the one on the path. Says on standard error why there are no pictures where there are
-/// none. Are there?
+/// Draws the data of a folder by experiments/report/pictures/<name>.py, with the first Python interpreter that has the
+/// required packages: that of Debian, else the one on the path. Returns whether the pictures were drawn; if not,
+/// reports the reason on standard error.
 bool draw_pictures(const std::string& name, const OutputFolder& folder);
 
 }  // namespace touchstone::harness

@@ -95,7 +95,7 @@ int run_together(const std::function<int(const Processes&)>& work) {
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   const Processes processes = all_processes();
-  if (processes.count() == 1) {  // an error ends it as ever
+  if (processes.count() == 1) {  // the caller handles its errors
     MPI_Finalize();
     return work(processes);
   }

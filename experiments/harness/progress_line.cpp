@@ -12,7 +12,7 @@
 namespace touchstone::harness {
 namespace {
 
-/// `40 s`, `12 min`, `3.5 h`.
+/// Formats a duration: `40 s`, `12 min`, `3.5 h`.
 std::string duration_text(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);

@@ -7,21 +7,22 @@
 
 namespace touchstone::harness {
 
-/// What the line says after `seconds` of work that led from `before` to `done` of `total` things: the share of the
-/// whole that is done, and the time left at this pace. What was done before does not count for the pace.
+/// Returns the text of the line after `seconds` of work, which raised the finished items from `before` to `done` of
+/// `total`: the share of the whole that is done, and the time left at this pace. Work done before does not count
+/// towards the pace.
 [[nodiscard]] std::string progress_text(const std::string& what, std::uint64_t before, std::uint64_t done,
                                         std::uint64_t total, double seconds);
 
-/// One line on standard error, if that is a terminal: what is being done, percentage and time left; wiped at the end.
+/// A line on standard error, if that is a terminal: the task, percentage and time left. The line is erased at the end.
 class ProgressLine {
  public:
-  /// `before`: things that an earlier run has done.
+  /// `before`: the items that an earlier run finished.
   ProgressLine(std::string what, std::uint64_t total, std::uint64_t before = 0);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// `done`: of all, those of an earlier run included.
+  /// `done`: the finished items, including those of an earlier run.
   void operator()(std::uint64_t done);
 
  private:

@@ -6,8 +6,9 @@
 
 namespace touchstone::harness {
 
-/// A check for options of the command line: the empty string where the text is a decimal number whose nearest double is
-/// from `lowest` to `highest`, and 0 only where the number is, else what is wrong.
+/// Returns a check for options of the command line. The check returns an empty string if the text is a decimal number
+/// whose nearest double is from `lowest` to `highest`, and which does not round to 0 without being 0; otherwise it
+/// returns the fault.
 [[nodiscard]] std::function<std::string(const std::string&)> real_number(double lowest, double highest);
 
 }  // namespace touchstone::harness

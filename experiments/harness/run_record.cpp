@@ -33,13 +33,13 @@ constexpr const char* kCompiler = "clang++ " __clang_version__;
 constexpr const char* kCompiler = "g++ " __VERSION__;
 #endif
 
-/// Of the sources that the program was built from; null where git or a commit was missing then. `+`: they differed.
+/// Returns the commit of the sources of this build; null if git or a commit was missing. `+`: the sources had changes.
 nlohmann::ordered_json commit() {
   constexpr std::string_view commit = TOUCHSTONE_COMMIT;
   return commit.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(commit);
 }
 
-/// The libraries of others that the program was built with, where they are not needed to build it.
+/// Returns the optional third-party libraries of this build.
 std::vector<std::string> engines() {
   std::istringstream names(TOUCHSTONE_ENGINES);
   return {std::istream_iterator<std::string>(names), {}};

@@ -9,7 +9,7 @@
 
 namespace touchstone::harness {
 
-/// What a sidecar says of a run besides the compiler, the flags, the commit, the machine and the date.
+/// The facts that run.json records about a run besides the compiler, the flags, the commit, the machine and the date.
 struct Run {
   std::string command;
   std::uint64_t seed = 0;
@@ -17,19 +17,19 @@ struct Run {
   unsigned threads = 1;  ///< of each process
   double seconds = 0;
   unsigned processes = 1;
-  std::optional<bool> interrupted{};  ///< where a study says so
+  std::optional<bool> interrupted{};  ///< only for studies that report it
 };
 
-/// Writes run.json. Throws std::runtime_error where it cannot be written.
+/// Writes run.json. Throws std::runtime_error if it cannot be written.
 void write_run_record(const std::filesystem::path& folder, const Run& run);
 
-/// The folder of the sources: $TOUCHSTONE_SOURCE_DIR, else where the program was built from.
+/// Returns the folder of the sources: $TOUCHSTONE_SOURCE_DIR, else the folder from which the program was built.
 [[nodiscard]] std::filesystem::path source_folder();
-/// As in `2026-11-23T03:19:51Z`.
+/// Returns the current time as `2026-11-23T03:19:51Z`.
 [[nodiscard]] std::string utc_now();
-/// As one word of a shell command.
+/// Quotes a text as one word of a shell command.
 [[nodiscard]] std::string shell_quoted(const std::string& word);
-/// As the value of an option: words separated by commas.
+/// Joins words with commas, as the value of an option.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
 }  // namespace touchstone::harness

@@ -6,14 +6,14 @@
 
 namespace touchstone::harness {
 
-/// Writes what standard output still holds back: at the end of every command, and before others write there or to
-/// standard error.
+/// Flushes standard output: at the end of every command, and before others write there or to standard error.
 ///
-/// Throws std::runtime_error, `standard output: cannot be written: No space left on device`, where that fails, and
-/// where anything failed that was printed before. The error stays: once lost, output is not whole again.
+/// Throws std::runtime_error, `standard output: cannot be written: No space left on device`, if that fails or if any
+/// earlier output failed. The error persists: once output is lost, the rest is incomplete.
 void flush_standard_output();
 
-/// What an exception that ended a command says. `fmt::print` names no file; this names standard output.
+/// Returns the message of an exception that ended a command. `fmt::print` does not name the file; this names standard
+/// output.
 [[nodiscard]] std::string message_of(const std::exception& error);
 
 }  // namespace touchstone::harness

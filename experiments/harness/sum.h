@@ -5,8 +5,8 @@
 
 namespace touchstone::harness {
 
-/// Adds the other value to the sum, member by member: numbers are added, arrays and vectors element by element (an empty
-/// vector is zero), maps key by key. A type that has an operator += is added by it; another one has `members()`.
+/// Adds the other value to the sum, member by member: numbers are added, arrays and vectors element by element (an
+/// empty vector is zero), maps key by key. A type that has an operator += is added by it; another one has `members()`.
 /// Requires vectors of the same size, or an empty one.
 template <class T>
 void add(T& sum, const T& other) {
@@ -25,9 +25,8 @@ void add(T& sum, const T& other) {
     // members() may hand out references to members that are not const: these are only read.
     auto to = sum.members();
     const auto from = const_cast<T&>(other).members();
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (add(std::get<I>(to), std::as_const(std::get<I>(from))), ...);
-    }(std::make_index_sequence<std::tuple_size_v<decltype(to)>>());
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (add(std::get<I>(to), std::as_const(std::get<I>(from))), ...); }
+    (std::make_index_sequence<std::tuple_size_v<decltype(to)>>());
   }
 }
 

@@ -13,25 +13,26 @@
 
 namespace touchstone::harness {
 
-/// Many items, each asked about by itself, and what is known of who asks.
+/// A study of many independent items, and how it is run.
 struct Sweep {
   std::uint64_t items = 1;     ///< 0, 1, ..., items - 1
-  std::uint64_t block = 1;     ///< so many at once by one thread: at least a millisecond's work
-  unsigned threads = 1;        ///< of each process; they do not change the sum
-  const Processes& processes;  ///< nor do these
+  std::uint64_t block = 1;     ///< items that one thread processes at once: at least a millisecond of work
+  unsigned threads = 1;        ///< of each process; the sum does not depend on them
+  const Processes& processes;  ///< the sum does not depend on them, either
   const std::atomic<bool>& stop;
-  Progress progress;   ///< told, at the first process, about how many items of all are done
-  double seconds = 3;  ///< between checkpoints: more where one is large
+  Progress progress;   ///< at the first process: about how many items are done
+  double seconds = 3;  ///< between checkpoints; more if a checkpoint is large
 };
 
-/// Legs, between which processes meet and a checkpoint is written: about as long as asked, whatever an item costs.
+/// The length of legs, between which the processes meet and a checkpoint is written: about as long as requested, for
+/// items of any cost.
 class LegLength {
  public:
   explicit LegLength(const Sweep& sweep)
       : blocks_(std::uint64_t{sweep.processes.count()} * sweep.threads), seconds_(sweep.seconds) {}
 
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
-  /// After a leg that took so long.
+  /// Adapts to a leg that took this long.
   void adapt(double seconds);
 
  private:
@@ -39,14 +40,14 @@ class LegLength {
   double seconds_;
 };
 
-/// One leg of at most `blocks` blocks from item `begin` on; block i falls to process i mod their count. Returns the
-/// item behind its last one: where one process is stopped, the others finish the blocks before the furthest that any
-/// of them began, so that those done are the first.
+/// Runs one leg of at most `blocks` blocks from item `begin` on; process i mod their count takes block i. Returns the
+/// end of the finished items: if one process is stopped, the others finish the blocks before the furthest one that any
+/// of them began, so that the finished items are the first ones.
 std::uint64_t run_leg(const Sweep& sweep, std::uint64_t begin, LegLength& length,
                       const std::function<void(unsigned thread, std::uint64_t item)>& work);
 
-/// work(item, part) for the items from `done` on, each part `zero` at first and added to `sum` in the end, until all
-/// are done or one process is stopped; returns how many items the sum then holds: always the first ones.
+/// Calls work(item, part) for the items from `done` on, until all are done or one process is stopped. Each part starts
+/// as `zero` and is added to `sum`. Returns the number of items in the sum; they are always the first ones.
 ///
 /// After each leg save(done, sum) is called, at the first process; only its sum and only its `done` count. Requires
 /// that parts may be added in any order (see `add`) and archived (see Archive).

@@ -44,7 +44,7 @@ struct Column {
 /// What is known of a table without its rows.
 struct TableDescription {
   std::string file;
-  std::string rows;  ///< what a row is, as in `a method and a test`
+  std::string rows;                                          ///< what a row is, as in `a method and a test`
   std::vector<std::pair<std::string, std::string>> columns;  ///< names and meanings
 };
 

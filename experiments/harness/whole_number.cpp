@@ -15,7 +15,7 @@ std::function<std::string(const std::string&)> whole_number(std::uint64_t lowest
     if (error == std::errc() && end == text.data() + text.size() && number >= lowest && number <= highest) return {};
     const std::string last =
         highest == std::numeric_limits<std::uint64_t>::max() ? "2^64 - 1" : std::to_string(highest);
-    return fmt::format("\"{}\" is no whole number from {} to {}", text, lowest, last);
+    return fmt::format("\"{}\" is not a whole number from {} to {}", text, lowest, last);
   };
 }
 

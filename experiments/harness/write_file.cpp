@@ -14,13 +14,13 @@
 namespace touchstone::harness {
 namespace {
 
-/// A file that vanishes unless it takes its final name.
+/// A temporary file that is deleted unless it takes its final name.
 class NewFile {
  public:
   explicit NewFile(const std::filesystem::path& final_name)
-      // The number keeps two processes that write the same file from writing into each other's.
+      // The process number separates the temporary files of two processes that write the same file.
       : final_name_(final_name), name_(final_name.string() + fmt::format(".new-{}", ::getpid())) {
-    ::unlink(name_.c_str());  // of a killed process that had this number
+    ::unlink(name_.c_str());  // left by a killed process of this number
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0) cannot_write();
   }
@@ -43,17 +43,17 @@ class NewFile {
     if (std::rename(name_.c_str(), final_name_.c_str()) != 0) cannot_write();
     kept_ = true;
   }
-  /// The same where nothing has the final name; else throws what refuse_overwrite does.
+  /// The same if no file has the final name; otherwise throws like refuse_overwrite.
   void take_free_name() {
     close();
-    if (::link(name_.c_str(), final_name_.c_str()) == 0) return;  // the other name goes away
+    if (::link(name_.c_str(), final_name_.c_str()) == 0) return;  // the destructor removes the other name
     if (errno != EEXIST && errno != EPERM && errno != EOPNOTSUPP) cannot_write();
     refuse_overwrite(final_name_, false);
-    take_name();  // a file system without links
+    take_name();  // the file system has no links
   }
 
  private:
-  /// Some file systems tell only now that there is no space.
+  /// Some file systems report a full disk only now.
   void close() {
     const int descriptor = std::exchange(descriptor_, -1);
     if (descriptor >= 0 && ::close(descriptor) != 0) cannot_write();
@@ -81,7 +81,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   // Replacing a link harms nothing; replacing /dev/null would.
   std::error_code error;
   if (std::filesystem::is_other(std::filesystem::symlink_status(path, error)))
-    throw std::runtime_error(path.string() + ": cannot be written: it is no regular file");
+    throw std::runtime_error(path.string() + ": cannot be written: it is not a regular file");
   NewFile file(path);
   file.write(text);
   file.take_name();
@@ -90,11 +90,11 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 void refuse_overwrite(const std::filesystem::path& file, bool force) {
   std::error_code error;
   const auto type = std::filesystem::symlink_status(file, error).type();
-  // What cannot be looked at cannot be written either, and writing it says why.
+  // A file whose status cannot be read cannot be written, either; writing will report the reason.
   if (type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::none) return;
   if (type != std::filesystem::file_type::regular)
-    throw std::runtime_error(file.string() + ": is there already, and is no regular file");
-  if (!force) throw std::runtime_error(file.string() + ": is there already; --force writes over it");
+    throw std::runtime_error(file.string() + ": exists already, and is not a regular file");
+  if (!force) throw std::runtime_error(file.string() + ": exists already; --force overwrites it");
 }
 
 std::string csv_field(const std::string& text) {
@@ -108,7 +108,7 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
-    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is no folder"));
+    throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is not a folder"));
 }
 
 }  // namespace touchstone::harness

@@ -15,10 +15,10 @@
 namespace touchstone::commands {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 using cases::Verdict;
 
-// A method that never fails must not make the search for failures run for ever.
+// Bounds the search for failures of a method that never fails.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
 
 struct CasesOptions {
@@ -29,10 +29,10 @@ struct CasesOptions {
 };
 
 Verdict ask(const cases::Method& method, const workloads::Sample& sample) {
-  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, Question::Answer));
+  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, QueryKind::Answer));
 }
 
-/// Does one of the methods give a key whose value is not that of the truth, the roundings of point and distance aside?
+/// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of point and distance.
 bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample, const Verdict& truth) {
   for (const auto* method : methods) {
     const Verdict given = ask(*method, sample);
@@ -79,11 +79,11 @@ harness::Command cases_command() {
   command.choice("--family", workload.family, workloads::all_families(), "Outline");
   command.choice("--placement", workload.placement,
                  std::vector{workloads::Placement::LatticeFrame, workloads::Placement::Rotated},
-                 "How the outline comes into space");
+                 "Placement of the outline in space");
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
   command.whole("--holes", workload.holes, "Holes", 0);
-  command.integer("--doubles", workload.doubles, "Move the radius by so many doubles from the threshold");
+  command.integer("--doubles", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   command.seed(options->seed);

@@ -2,24 +2,24 @@
 #include "experiments/judge/judge.h"
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/judge/engine_trial.h"
-#include "experiments/judge/proceedings.h"
+#include "experiments/judge/stream_cases.h"
+#include "experiments/judge/verdict_reporter.h"
 
 namespace touchstone::judge {
 
 Status judge(const Order& order) {
-  if (!order.engine.empty()) return order.time_limit ? judge_one_by_one(order) : judge_with_engine(order);
-  Proceedings proceedings(order);
+  if (!order.engine.empty()) return order.time_limit ? judge_in_lockstep(order) : judge_stream(order);
+  VerdictReporter reporter(order);
   cases::read_lines(order.files, [&](cases::Line&& line) {
     if (line.read) {
-      proceedings.give_own(line);
+      reporter.report_own_methods(line);
     } else {
-      proceedings.complain(line.complaint);
-      proceedings.worsen(InputRejected);
+      reporter.complain(line.complaint);
+      reporter.worsen(InputRejected);
     }
     return true;
   });
-  return proceedings.status();
+  return reporter.status();
 }
 
 }  // namespace touchstone::judge

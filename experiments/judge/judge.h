@@ -11,31 +11,34 @@
 
 namespace touchstone::judge {
 
-/// What is judged and where it is printed.
+/// A task for the judge: inputs, methods, and output streams.
 struct Order {
-  std::vector<std::string> files;             ///< JSON Lines; none: standard input
-  std::vector<const cases::Method*> methods;  ///< asked about each case, in this order
-  std::string engine;                         ///< a command that reads cases and prints verdicts; asked last
-  /// For each verdict of the engine; none: it may read all cases before it answers.
+  std::vector<std::string> files;             ///< JSON Lines; empty: standard input
+  std::vector<const cases::Method*> methods;  ///< answer each case, in this order
+  std::string engine;                         ///< a command that reads cases and prints verdicts; answers last
+  /// The limit for each verdict of the engine. Without a limit, the engine may read all cases before it answers.
   std::optional<std::chrono::milliseconds> time_limit{};
   bool explain = false;
   std::FILE* verdicts = stdout;
   std::FILE* complaints = stderr;
 };
 
-/// Exit status of the judge: the worst that was met.
+/// Exit status of the judge: the worst one that occurred.
 enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 
 /// Judges every case and prints one line for each case and method, in input order, as soon as it is known.
 ///
-/// A rejected case gets its verdict and the rest go on. Lines that are not JSON and files that cannot be read are
-/// complaints; lines of white space are skipped. Memory does not grow with the number of lines (an engine that holds
-/// its replies back, or answers about other cases, makes the cases wait in memory). Ids are not checked for being
-/// unique. An engine's replies are told apart by their ids, in the order of the cases: one on a later case means that
-/// those before it got none. A case without a verdict is a complaint, and its line has no answer. With a time limit the
-/// engine is sent one case after the other: one that is late, ends, or prints anything but one line that is a verdict
-/// on the case, is reported with the case, ended with what it started, and started anew for the next. Throws
-/// std::system_error if the verdicts cannot be written. The engine's command must be UTF-8.
+/// A rejected case gets its verdict, and the judge continues. Lines that are not JSON and files that cannot be read are
+/// reported as complaints; blank lines are skipped. Memory does not grow with the number of lines, except while an
+/// engine holds its replies back or answers about other cases: the cases then wait in memory. The judge does not check
+/// whether ids are unique. It assigns the replies of an engine by their ids, in the order of the cases: a reply to a
+/// later case means that the cases before it got none. A case without a verdict is a complaint, and its line has no
+/// answer.
+///
+/// With a time limit, the engine gets one case after the other. If it is late, ends, or prints anything except one line
+/// that is a verdict on the case, the judge reports this with the case, ends the engine and the processes that it has
+/// started, and restarts it for the next case. Throws std::system_error if the verdicts cannot be written. The command
+/// of the engine must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

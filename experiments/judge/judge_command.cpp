@@ -7,7 +7,7 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/judge/judge.h"
-#include "experiments/methods/process/interruption.h"
+#include "experiments/methods/process/engine_signals.h"
 #include "experiments/methods/registry.h"
 
 namespace touchstone::commands {
@@ -20,7 +20,7 @@ struct JudgeOptions {
   bool explain = false;
 };
 
-/// Verdicts name the command as their method, and JSON is UTF-8.
+/// Checks the command: verdicts name it as their method, and JSON is UTF-8.
 std::string check_command(const std::string& text) {
   if (text.find_first_not_of(" \t\n") == std::string::npos) return "the command is empty";
   try {
@@ -56,7 +56,7 @@ harness::Command judge_command() {
     if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
     if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
     order.methods = methods::find_methods(options->methods);
-    const methods::Interruption interruption;
+    const methods::KillEngineOnSignal kill_engine_on_signal;
     return static_cast<int>(judge::judge(order));
   });
   return command;

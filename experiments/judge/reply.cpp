@@ -14,11 +14,11 @@ Reply read_reply(const std::string& line) {
     const auto id = read.value.find("id");
     if (id != read.value.end() && id->is_string() && !read.ambiguous.contains("id")) reply.id = id->get<std::string>();
     if (read.duplicate_key)
-      reply.echo = "the key \"" + io::legible(*read.duplicate_key) + "\" stands twice in one object: " + reply.echo;
+      reply.echo = "duplicate key \"" + io::legible(*read.duplicate_key) + "\" in one object: " + reply.echo;
     else if (reply.id && !read.too_deep)
       reply.answer = cases::answer_in(read.value);
   } catch (const harness::NotJson&) {
-    // It is echoed as it stands.
+    // The reply echoes the line.
   }
   return reply;
 }

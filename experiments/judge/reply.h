@@ -10,9 +10,9 @@ namespace touchstone::judge {
 
 /// A line that an engine printed, read by the rules for cases.
 struct Reply {
-  std::optional<std::string> id;  ///< of the case that it is about; nothing where it names none, or names it twice
-  std::optional<cases::Verdict> answer;  ///< nothing where it is no verdict
-  std::string echo;  ///< the legible beginning of the line, and what is wrong with it if that can be told
+  std::optional<std::string> id;         ///< of its case; nothing if the key is missing or duplicate
+  std::optional<cases::Verdict> answer;  ///< nothing if the line is not a verdict
+  std::string echo;                      ///< the beginning of the line, printable, preceded by its fault if known
 };
 
 [[nodiscard]] Reply read_reply(const std::string& line);

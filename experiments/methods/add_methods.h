@@ -6,13 +6,13 @@
 
 #include "experiments/cases/method.h"
 
-// The files of this folder, each of which adds its methods.
+// Each file of this folder adds its methods.
 namespace touchstone::methods {
 
 using cases::Method;
 using cases::PartialAnswer;
 using cases::PreparedMethod;
-using cases::Question;
+using cases::QueryKind;
 
 void add_cgal_epeck(std::vector<std::unique_ptr<Method>>& list);
 void add_cgal_inexact(std::vector<std::unique_ptr<Method>>& list);

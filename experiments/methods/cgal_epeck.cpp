@@ -10,7 +10,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
-/// CGAL::to_double would do with five digits of a lazy number.
+/// CGAL::to_double guarantees only five digits of a lazy number.
 struct ExactNumbers {
   static mpq_class rational(const Kernel::FT& x) { return mpq_class(x.exact().backend().data()); }
   static double nearest_double(const Kernel::FT& x) {

@@ -6,8 +6,8 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// From the closest point of the triangle to the centre. Vertices first, as they are the cheapest to be sure of; the
-/// areas opposite to vertices, in the projection, are found from dot products alone.
+/// Returns the vector from the closest point of the triangle to the centre. Tests vertices first, as their regions are
+/// the cheapest to decide; computes the areas opposite to vertices, in the projection, from dot products alone.
 Vector from_closest_point(const Vector& center, const Triangle& triangle) {
   const Vector ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   Vector from_a = center - triangle.a;

@@ -10,15 +10,15 @@ class PreparedExact final : public PreparedMethod {
  public:
   explicit PreparedExact(const Polygon& polygon) : polygon_(polygon) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     PartialAnswer answer;
-    switch (question) {
-      case Question::Contact: answer.contact = exact::contact(ball, polygon_); break;
-      case Question::Relation: answer.relation = exact::relation(ball, polygon_); break;
-      case Question::PlaneSide: answer.plane = exact::plane_side(ball, polygon_); break;
-      case Question::Foot: answer.foot = exact::foot(ball, polygon_); break;
-      case Question::EdgesHit: answer.edges_hit = exact::edges_hit(ball, polygon_); break;
-      case Question::Answer: answer = PartialAnswer::of(exact::answer(ball, polygon_), ""); break;
+    switch (kind) {
+      case QueryKind::Contact: answer.contact = exact::contact(ball, polygon_); break;
+      case QueryKind::Relation: answer.relation = exact::relation(ball, polygon_); break;
+      case QueryKind::PlaneSide: answer.plane = exact::plane_side(ball, polygon_); break;
+      case QueryKind::Foot: answer.foot = exact::foot(ball, polygon_); break;
+      case QueryKind::EdgesHit: answer.edges_hit = exact::edges_hit(ball, polygon_); break;
+      case QueryKind::Answer: answer = PartialAnswer::of(exact::answer(ball, polygon_), ""); break;
     }
     answer.stage = "exact";
     return answer;

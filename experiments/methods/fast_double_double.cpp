@@ -7,8 +7,9 @@
 
 namespace touchstone::methods {
 
-// As Debian configures QD: sums that cancel keep the error of their larger term, quotients are not fully rounded. The
-// range is that of double. Round to nearest is assumed; x87 would also need fpu_fix_start, but FLT_EVAL_METHOD is 0.
+// With QD as configured by Debian, sums that cancel keep the error of their larger term, and quotients are not fully
+// rounded. The range is that of double. QD assumes rounding to nearest; x87 would also need fpu_fix_start, but
+// FLT_EVAL_METHOD is 0.
 void add_fast_double_double(std::vector<std::unique_ptr<Method>>& list) {
   list.push_back(std::make_unique<Fast<dd_real>>("fast-double-double", "double-double",
                                                  "the code of fast over double-doubles (QD), 104 bits"));

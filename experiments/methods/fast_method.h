@@ -6,21 +6,21 @@
 
 namespace touchstone::methods {
 
-/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not compile need fast_definitions.h.
+/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not instantiate need fast_definitions.h.
 template <class Scalar>
 class PreparedFast final : public PreparedMethod {
  public:
   PreparedFast(const Polygon& polygon, std::string_view stage) : polygon_(polygon), stage_(stage) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     PartialAnswer answer;
-    switch (question) {
-      case Question::Contact: answer.contact = fast::contact(ball, polygon_); break;
-      case Question::Relation: answer.relation = fast::relation(ball, polygon_); break;
-      case Question::PlaneSide: answer.plane = fast::plane_side(ball, polygon_); break;
-      case Question::Foot: answer.foot = fast::foot(ball, polygon_); break;
-      case Question::EdgesHit: answer.edges_hit = fast::edges_hit(ball, polygon_); break;
-      case Question::Answer: answer = PartialAnswer::of(fast::answer(ball, polygon_), ""); break;
+    switch (kind) {
+      case QueryKind::Contact: answer.contact = fast::contact(ball, polygon_); break;
+      case QueryKind::Relation: answer.relation = fast::relation(ball, polygon_); break;
+      case QueryKind::PlaneSide: answer.plane = fast::plane_side(ball, polygon_); break;
+      case QueryKind::Foot: answer.foot = fast::foot(ball, polygon_); break;
+      case QueryKind::EdgesHit: answer.edges_hit = fast::edges_hit(ball, polygon_); break;
+      case QueryKind::Answer: answer = PartialAnswer::of(fast::answer(ball, polygon_), ""); break;
     }
     answer.stage = stage_;
     return answer;

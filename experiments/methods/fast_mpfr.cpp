@@ -11,7 +11,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// Numbers of fixed precision without memory of their own on the heap.
+/// Numbers of fixed precision, stored without heap memory.
 template <unsigned decimal_digits>
 using Mpfr = mp::number<mp::mpfr_float_backend<decimal_digits, mp::allocate_stack>, mp::et_off>;
 

@@ -10,16 +10,16 @@ class PreparedFiltered final : public PreparedMethod {
  public:
   explicit PreparedFiltered(const Polygon& polygon) : polygon_(polygon) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     filtered::StageCounts counts;
     PartialAnswer answer;
-    switch (question) {
-      case Question::Contact: answer.contact = filtered::contact(ball, polygon_, counts); break;
-      case Question::Relation: answer.relation = filtered::relation(ball, polygon_, counts); break;
-      case Question::PlaneSide: answer.plane = filtered::plane_side(ball, polygon_, counts); break;
-      case Question::Foot: answer.foot = filtered::foot(ball, polygon_, counts); break;
-      case Question::EdgesHit: answer.edges_hit = filtered::edges_hit(ball, polygon_, counts); break;
-      case Question::Answer: answer = PartialAnswer::of(filtered::answer(ball, polygon_, counts), ""); break;
+    switch (kind) {
+      case QueryKind::Contact: answer.contact = filtered::contact(ball, polygon_, counts); break;
+      case QueryKind::Relation: answer.relation = filtered::relation(ball, polygon_, counts); break;
+      case QueryKind::PlaneSide: answer.plane = filtered::plane_side(ball, polygon_, counts); break;
+      case QueryKind::Foot: answer.foot = filtered::foot(ball, polygon_, counts); break;
+      case QueryKind::EdgesHit: answer.edges_hit = filtered::edges_hit(ball, polygon_, counts); break;
+      case QueryKind::Answer: answer = PartialAnswer::of(filtered::answer(ball, polygon_, counts), ""); break;
     }
     answer.stage = word(counts.last());
     return answer;
@@ -33,7 +33,7 @@ class Filtered final : public Method {
  public:
   std::string_view name() const override { return "filtered"; }
   std::string_view summary() const override {
-    return "certified: the answers of exact, at the price of fast but near the boundary";
+    return "certified: the answers of exact, at the cost of fast except near the boundary";
   }
   std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<PreparedFiltered>(polygon);

@@ -8,7 +8,7 @@ namespace touchstone::methods {
 namespace {
 
 struct Intervals {
-  using Number = CGAL::Interval_nt_advanced;  // rounds upwards only while guarded
+  using Number = CGAL::Interval_nt_advanced;  // rounds upwards only within a Guard
   using Guard = Number::Protector;
   static constexpr std::string_view kName = "interval", kStage = "interval",
                                     kSummary = "the contract's formulas over intervals of doubles: sure, or don't know";

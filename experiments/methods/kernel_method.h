@@ -13,12 +13,13 @@
 
 namespace touchstone::methods {
 
-/// The questions as a user of a CGAL kernel writes them: its planes, segments, distances and predicates.
+/// The queries as a user of a CGAL kernel writes them: with the planes, segments, distances and predicates of the
+/// kernel.
 ///
-/// Where the kernel constructs exactly, loops are lifted onto their plane as the contract wants it; where it does not,
-/// they are taken as they are (lifting would move vertices of planar loops by rounding errors), and the plane goes
-/// through the first vertex. `Numbers` has nearest_double(x) and nearest_root(x), for the point and the distance.
-/// Source: [cgal2022].
+/// If the kernel constructs exactly, loops are lifted onto their plane as the contract requires. Otherwise they are
+/// used as given (lifting would move the vertices of planar loops by rounding errors), and the plane passes through the
+/// first vertex. `Numbers` provides nearest_double(x) and nearest_root(x), for the point and the distance. Source:
+/// [cgal2022].
 template <class Kernel, class Numbers>
 class KernelPolygon {
   using FT = typename Kernel::FT;
@@ -78,8 +79,8 @@ class KernelPolygon {
     return hit;
   }
 
-  /// Can the ball be asked about? EPICK's exact predicates end the program at a number that is not finite, as planes,
-  /// feet and squares of large doubles may be.
+  /// Returns whether the kernel can handle the ball. The exact predicates of EPICK end the program for a number that is
+  /// not finite; planes, feet and squares of large doubles may be infinite.
   [[nodiscard]] bool can_be_asked(const Ball& ball) const {
     if constexpr (Kernel::Has_filtered_predicates && !kConstructsExactly) {
       const Point foot = plane_.projection(point(ball.center));
@@ -122,7 +123,7 @@ class KernelPolygon {
             .distance = Numbers::nearest_root(CGAL::squared_distance(point(ball.center), nearest)),
             .off_plane = Numbers::nearest_double(off_plane_)};
   }
-  /// Is `off_plane` of an answer more than a placeholder?
+  /// Returns whether `off_plane` of an answer is more than a placeholder.
   [[nodiscard]] static constexpr bool knows_off_plane() { return kConstructsExactly; }
 
  private:
@@ -131,13 +132,13 @@ class KernelPolygon {
     return {p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]};
   }
 
-  /// Of the distance to a plane or a segment. Inexact kernels get the rounded square of r.
+  /// Compares the distance to a plane or a segment with the radius. Inexact kernels use the rounded square of r.
   template <class Object>
   static CGAL::Comparison_result against_radius(const Ball& ball, const Object& object) {
     return Kernel().compare_squared_distance_3_object()(point(ball.center), object, CGAL::square(FT(ball.radius)));
   }
 
-  /// Returns the largest move.
+  /// Lifts the vertices onto the plane. Returns the largest move.
   [[nodiscard]] FT lift(std::vector<Point>& vertices, const Vector& normal) const {
     FT farthest(0);
     for (Point& vertex : vertices) {
@@ -184,18 +185,18 @@ class PreparedKernel final : public PreparedMethod {
  public:
   PreparedKernel(const Polygon& polygon, std::string_view stage) : polygon_(polygon), stage_(stage) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     PartialAnswer answer;
     answer.stage = stage_;
     answer.unsure = !polygon_.can_be_asked(ball);
     if (answer.unsure) return answer;
-    switch (question) {
-      case Question::Contact: answer.contact = polygon_.contact(ball); break;
-      case Question::Relation: answer.relation = polygon_.relation(ball); break;
-      case Question::PlaneSide: answer.plane = polygon_.plane_side(ball); break;
-      case Question::Foot: answer.foot = polygon_.foot(ball); break;
-      case Question::EdgesHit: answer.edges_hit = polygon_.edges_hit(ball); break;
-      case Question::Answer:
+    switch (kind) {
+      case QueryKind::Contact: answer.contact = polygon_.contact(ball); break;
+      case QueryKind::Relation: answer.relation = polygon_.relation(ball); break;
+      case QueryKind::PlaneSide: answer.plane = polygon_.plane_side(ball); break;
+      case QueryKind::Foot: answer.foot = polygon_.foot(ball); break;
+      case QueryKind::EdgesHit: answer.edges_hit = polygon_.edges_hit(ball); break;
+      case QueryKind::Answer:
         answer = PartialAnswer::of(polygon_.answer(ball), "");
         answer.stage = stage_;
         if (!polygon_.knows_off_plane()) answer.off_plane.reset();

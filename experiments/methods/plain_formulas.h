@@ -12,12 +12,12 @@
 
 namespace touchstone::methods {
 
-/// The contract's formulas as they stand there, with its divisions, over a field of numbers.
+/// The formulas of the contract, literally, with their divisions, over a field of numbers.
 ///
-/// Comparisons of numbers may be unsure (CGAL::Uncertain), as those of intervals are: an answer is given only where it
-/// follows from comparisons that are sure. Nothing is filtered, kept between questions, or done more cleverly.
-/// Arithmetic has its Number, a Guard that is alive while numbers are computed with, `nearest_double(x)` and
-/// `nearest_root(x)` (the double nearest to x, or to its root, if that is known), and what the method says of itself.
+/// Comparisons of numbers may be uncertain (CGAL::Uncertain), as those of intervals are. An answer is given only if it
+/// follows from certain comparisons. The class filters nothing, caches nothing between queries, and uses no shortcuts.
+/// Arithmetic provides its Number, a Guard that lives during computations, `nearest_double(x)` and `nearest_root(x)`
+/// (the double nearest to x, or to its root, if that is known), and the name and summary of the method.
 template <class Arithmetic>
 class PlainPolygon {
  public:
@@ -47,7 +47,7 @@ class PlainPolygon {
   [[nodiscard]] bool known() const { return known_; }
   [[nodiscard]] const Number& off_plane() const { return off_plane_; }
 
-  /// A ball beside the polygon.
+  /// A query: a ball and the polygon.
   class Query {
    public:
     Query(const Ball& ball, const PlainPolygon& polygon)
@@ -67,7 +67,7 @@ class PlainPolygon {
     }
     [[nodiscard]] std::optional<bool> plane_tangent() const { return known(plane_distance() == radius_squared_); }
 
-    /// By the crossings of a ray from the foot along u.
+    /// Counts the crossings of a ray from the foot along u.
     [[nodiscard]] std::optional<PointLocation> foot() const {
       const int u = (p_.axis_ + 1) % 3, v = (p_.axis_ + 2) % 3;
       const Number zero(0);
@@ -79,7 +79,8 @@ class PlainPolygon {
         };
         const auto positive = [&](const Number& x) { return x > zero; };
         const auto negative = [&](const Number& x) { return x < zero; };
-        if (both(v, positive) || both(v, negative) || both(u, negative)) continue;  // neither boundary nor crossing
+        if (both(v, positive) || both(v, negative) || both(u, negative))
+          continue;  // neither on the boundary nor a crossing
         const Number side = start[u] * end[v] - start[v] * end[u];
         if (CGAL::certainly(side == zero)) {
           const auto on_edge = known(start * end <= zero);  // the foot lies between the ends
@@ -156,7 +157,7 @@ class PlainPolygon {
 
     [[nodiscard]] Number plane_distance() const { return CGAL::square(height_) / p_.normal_squared_; }
     [[nodiscard]] Number vertex_distance(std::size_t i) const { return (center_ - p_.vertices_[i]).squared_length(); }
-    /// Within the closed or the open ball.
+    /// Returns whether the point lies within the closed or the open ball.
     [[nodiscard]] Unsure within(const Number& distance_squared, bool closed) const {
       return closed ? Unsure(distance_squared <= radius_squared_) : Unsure(distance_squared < radius_squared_);
     }
@@ -179,7 +180,7 @@ class PlainPolygon {
       return any;
     }
 
-    /// The nearest of those that may be; sure if none of the others may be nearer.
+    /// Returns the nearest candidate; certain if no other candidate may be nearer.
     [[nodiscard]] std::optional<Candidate> nearest_on_boundary() const {
       std::vector<Candidate> candidates;  // in the order of the contract: edges first
       for (std::size_t i = 0; i < p_.vertices_.size(); ++i)
@@ -210,7 +211,7 @@ class PlainPolygon {
  private:
   static Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
 
-  /// The dropped axis, if sure; else nothing is known of the polygon.
+  /// The dropped axis, if certain; otherwise nothing is known about the polygon.
   int largest_component() {
     for (int axis = 0; axis < 3; ++axis) {
       bool largest = true;
@@ -250,7 +251,7 @@ class PreparedPlain final : public PreparedMethod {
  public:
   explicit PreparedPlain(const Polygon& polygon) : polygon_(prepare(polygon)) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
     [[maybe_unused]] const typename Arithmetic::Guard guard;
     PartialAnswer answer;
     answer.stage = Arithmetic::kStage;
@@ -263,12 +264,12 @@ class PreparedPlain final : public PreparedMethod {
       if (!value) answer.unsure = true;
       key = std::move(value);
     };
-    const bool all = question == Question::Answer;
-    if (all || question == Question::Contact) give(answer.contact, query.contact());
-    if (all || question == Question::Relation) give(answer.relation, query.relation());
-    if (all || question == Question::PlaneSide) give(answer.plane, query.plane_side());
-    if (all || question == Question::Foot) give(answer.foot, query.foot());
-    if (all || question == Question::EdgesHit) give(answer.edges_hit, query.edges_hit());
+    const bool all = kind == QueryKind::Answer;
+    if (all || kind == QueryKind::Contact) give(answer.contact, query.contact());
+    if (all || kind == QueryKind::Relation) give(answer.relation, query.relation());
+    if (all || kind == QueryKind::PlaneSide) give(answer.plane, query.plane_side());
+    if (all || kind == QueryKind::Foot) give(answer.foot, query.foot());
+    if (all || kind == QueryKind::EdgesHit) give(answer.edges_hit, query.edges_hit());
     if (!all) return answer;
 
     give(answer.plane_tangent, query.plane_tangent());

@@ -12,7 +12,7 @@ struct Rationals {
   using Number = CGAL::Gmpq;
   struct Guard {};
   static constexpr std::string_view kName = "rational", kStage = "rational",
-                                    kSummary = "the contract's formulas over GMP's rationals: exact without a thought";
+                                    kSummary = "the contract's formulas over GMP's rationals: exact by construction";
   static constexpr bool kSlow = true;
 
   static std::optional<double> nearest_double(const Number& x) {

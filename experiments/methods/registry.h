@@ -12,14 +12,14 @@ namespace touchstone::methods {
 
 using cases::Method;
 
-/// Every method of this build, in the order in which `touchstone methods` lists them.
+/// Returns every method of this build, in the order of `touchstone methods`.
 [[nodiscard]] const std::vector<std::unique_ptr<Method>>& all_methods();
 
-/// The method of that name, or nullptr.
+/// Returns the method of that name, or nullptr.
 [[nodiscard]] const Method* find_method(std::string_view name);
 
-/// The methods of these names, in this order; `all` stands for every one.
-/// Throws std::invalid_argument, which names the one that is unknown.
+/// Returns the methods of these names, in this order; `all` selects every method. Throws std::invalid_argument, which
+/// names the first unknown one.
 [[nodiscard]] std::vector<const Method*> find_methods(const std::vector<std::string>& names);
 
 }  // namespace touchstone::methods

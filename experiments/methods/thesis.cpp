@@ -12,16 +12,16 @@ class PreparedThesis final : public PreparedMethod {
   PreparedThesis(const Polygon& polygon, const thesis::Options& options, std::string_view stage)
       : polygon_(polygon, options), stage_(stage) {}
 
-  PartialAnswer ask(const Ball& ball, Question question) const override {
-    const bool all = question == Question::Answer;
+  PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
+    const bool all = kind == QueryKind::Answer;
     PartialAnswer answer;
-    if (all || question == Question::PlaneSide) answer.plane = thesis::plane_side(ball, polygon_);
-    if (all || question == Question::Foot) answer.foot = thesis::foot(ball, polygon_);
-    if (all || question == Question::EdgesHit) answer.edges_hit = thesis::edges_hit(ball, polygon_);
-    if (all || question == Question::Contact || question == Question::Relation) {
+    if (all || kind == QueryKind::PlaneSide) answer.plane = thesis::plane_side(ball, polygon_);
+    if (all || kind == QueryKind::Foot) answer.foot = thesis::foot(ball, polygon_);
+    if (all || kind == QueryKind::EdgesHit) answer.edges_hit = thesis::edges_hit(ball, polygon_);
+    if (all || kind == QueryKind::Contact || kind == QueryKind::Relation) {
       answer.contact = thesis::contact(ball, polygon_);
-      // A collision or none: the method does not tell touching from overlapping.
-      if (question != Question::Contact) answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
+      // The method reports a collision or not; it does not distinguish touching from overlapping.
+      if (kind != QueryKind::Contact) answer.relation = *answer.contact ? Relation::Overlapping : Relation::Separate;
     }
     answer.stage = stage_;
     return answer;

@@ -22,14 +22,14 @@ constexpr int kUnseen = -1;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-/// Of a face: how many edges of the polygon lie between it and the outside.
+/// The depth of a face: the number of edges of the polygon between it and the outside.
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
-/// From the infinite face inwards, a face's depth is one more behind each edge of the polygon.
+/// Computes depths from the infinite face inwards; each edge of the polygon adds one.
 void measure_depths(Triangulation& triangulation) {
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
     face->info() = kUnseen;

@@ -6,12 +6,12 @@
 namespace touchstone::statistics {
 namespace {
 
-/// a log(a / b), continuous at a = 0.
+/// Returns a log(a / b), continuous at a = 0.
 double term(double a, double b) { return a == 0 ? 0 : a * std::log(a / b); }
 
 double relative_entropy(double mean, double other) { return term(mean, other) + term(1 - mean, 1 - other); }
 
-/// Between the mean, where the entropy is 0, and `end`, where it is infinite.
+/// Solves for the limit between the mean, where the entropy is 0, and `end`, where it is infinite.
 double limit(double mean, double end, double entropy) {
   double near = mean, far = end;
   constexpr int kEnough = 100;

@@ -7,12 +7,12 @@
 
 namespace touchstone::statistics {
 
-/// Two-sided confidence limits of the mean of a random variable in [0, 1], after `samples` independent draws of it with
-/// this mean: such as the share of wrong answers where a sample is many questions that hang together.
+/// Returns two-sided confidence limits of the mean of a random variable in [0, 1], given the mean of `samples`
+/// independent draws. Example: the share of wrong answers where each sample consists of several dependent queries.
 ///
-/// The true mean lies between them in at least the share `confidence` of all experiments, whatever the distribution:
-/// each limit m' is where exp(-samples KL(mean || m')) = (1 - confidence) / 2, KL the relative entropy.
-///  (1) at means 0 and 1 equal to the limits of `clopper_pearson`, elsewhere wider;
+/// The true mean lies within the limits in at least the share `confidence` of all experiments, for every distribution:
+/// each limit m' solves exp(-samples KL(mean || m')) = (1 - confidence) / 2, where KL is the relative entropy.
+///  (1) For means 0 and 1 the limits equal those of `clopper_pearson`; otherwise they are wider.
 ///  (2) lower <= mean <= upper.
 /// Requires 0 <= mean <= 1 and 0 < confidence < 1. Source: [hoeffding1963, theorem 1].
 [[nodiscard]] Limits bounded_mean(double mean, std::uint64_t samples, double confidence = 0.95);

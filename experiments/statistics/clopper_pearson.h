@@ -5,16 +5,16 @@
 
 namespace touchstone::statistics {
 
-/// Limits between which a probability lies.
+/// Confidence limits of a probability.
 struct Limits {
   double lower, upper;
 };
 
-/// The exact two-sided confidence limits of a probability after `failures` in `trials` independent trials.
+/// Returns the exact two-sided confidence limits of a probability after `failures` in `trials` independent trials.
 ///
-/// Each limit is the probability at which so many failures, or more extreme ones, have the chance (1 - confidence) / 2;
-/// so the true probability lies between them in at least the share `confidence` of all experiments.
-///  (1) no failure: lower is 0; nothing but failures: upper is 1; no trial: 0 and 1;
+/// At each limit, the observed number of failures or a more extreme one has the probability (1 - confidence) / 2. The
+/// true probability therefore lies within the limits in at least the share `confidence` of all experiments.
+///  (1) Without failures, lower is 0; if every trial failed, upper is 1; without trials, the limits are 0 and 1.
 ///  (2) lower <= failures / trials <= upper.
 /// Requires failures <= trials and 0 < confidence < 1.
 /// Source: [clopper1934].

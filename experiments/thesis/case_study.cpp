@@ -23,7 +23,7 @@ struct AskedFace {
   }
 
   [[nodiscard]] bool contact(std::size_t method, const Ball& ball) const {
-    return prepared[method]->ask(ball, cases::Question::Contact).contact.value();
+    return prepared[method]->ask(ball, cases::QueryKind::Contact).contact.value();
   }
 
   filtered::PreparedPolygon truth;

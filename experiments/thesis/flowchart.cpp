@@ -12,18 +12,18 @@ namespace touchstone::thesis_figures {
 namespace {
 
 using cases::PreparedMethod;
-using cases::Question;
+using cases::QueryKind;
 
 std::unique_ptr<PreparedMethod> prepare(std::string_view name, const Polygon& polygon) {
   return methods::find_method(name)->prepare(polygon);
 }
 
 End end_of(const PreparedMethod& method, const Ball& ball) {
-  const PlaneSide side = method.ask(ball, Question::PlaneSide).plane.value();
+  const PlaneSide side = method.ask(ball, QueryKind::PlaneSide).plane.value();
   if (side == PlaneSide::InFront) return End::InFront;
   if (side == PlaneSide::Behind) return End::Behind;
-  if (method.ask(ball, Question::Foot).foot.value() != PointLocation::Outside) return End::Inside;
-  return method.ask(ball, Question::EdgesHit).edges_hit.value().empty() ? End::Neither : End::Edge;
+  if (method.ask(ball, QueryKind::Foot).foot.value() != PointLocation::Outside) return End::Inside;
+  return method.ask(ball, QueryKind::EdgesHit).edges_hit.value().empty() ? End::Neither : End::Edge;
 }
 
 End turned(End end) {

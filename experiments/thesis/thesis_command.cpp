@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
 
@@ -45,10 +45,10 @@ int run_thesis(const Options& options) {
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
   const Settings settings = options.settings();
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   const auto study = [&] {
     std::optional<harness::ProgressLine> line;
-    return run_study(settings, options.threads, interrupt.requested(), [&](std::uint64_t done, std::uint64_t total) {
+    return run_study(settings, options.threads, stop_signal.requested(), [&](std::uint64_t done, std::uint64_t total) {
       if (!line) line.emplace("thesis: parts", total);
       (*line)(done);
     });

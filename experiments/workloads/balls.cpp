@@ -19,7 +19,7 @@ using Kind = Feature::Kind;
 
 constexpr auto kSize = static_cast<double>(kLatticeRadius);
 
-/// A point of the lattice's space.
+/// A point of the space of the lattice.
 struct Position {
   double x, y, h;
 };
@@ -28,21 +28,22 @@ struct Direction {
   double x, y;
 };
 
-/// A part (of 1024 steps) of the lattice's size: ample or small. Few bits, so that sums with lattice points stay exact.
+/// Returns a length: a multiple of 1/1024 of the size of the lattice, ample or small. It has few bits, so that sums
+/// with lattice points stay exact.
 double random_length(Random& random) {
   const bool ample = random.coin();
   const auto exponent = static_cast<int>(ample ? random.integer(-2, 0) : random.integer(-30, -3));
   return std::ldexp(kSize / 1024 * static_cast<double>(random.integer(512, 1024)), exponent);
 }
 
-/// Zero in one draw of eight, in the others a length of either sign.
+/// Returns a height: zero in one draw of eight, otherwise a length of either sign.
 double random_height(Random& random) {
   if (random.integer(0, 7) == 0) return 0;
   const double length = random_length(random);
   return random.coin() ? length : -length;
 }
 
-/// A lattice point inside the outline, if one was found.
+/// Returns a lattice point inside the outline, if one was found.
 std::optional<LatticePoint> inner_point(Random& random, const Outline& outline) {
   constexpr int kTries = 50;
   const LatticeBox box = bounding_box(outline.outer);
@@ -58,7 +59,7 @@ Corner random_corner(Random& random, const Outline& outline) {
   return corner(outline, static_cast<std::size_t>(random.integer(0, last)));
 }
 
-/// The vector from a to b, turned away from the region and of length 1.
+/// Returns the direction perpendicular to the edge from a to b that points away from the region, of length 1.
 Direction outward(LatticePoint a, LatticePoint b, bool region_on_left) {
   const LatticePoint along = b - a;
   const double length = std::sqrt(static_cast<double>(dot(along, along)));
@@ -66,14 +67,14 @@ Direction outward(LatticePoint a, LatticePoint b, bool region_on_left) {
   return region_on_left ? Direction{x, y} : Direction{-x, -y};
 }
 
-/// The point of the edge from `here` to `next` at the given share of its length; exact for a share of few bits.
+/// Returns the point of the edge from `here` to `next` at the given share of its length; exact for a share of few bits.
 Position along_edge(const Corner& c, double share, double h) {
   const LatticePoint along = c.next - c.here;
   return {static_cast<double>(c.here.x) + share * static_cast<double>(along.x),
           static_cast<double>(c.here.y) + share * static_cast<double>(along.y), h};
 }
 
-/// From `foot` a random length in a direction between `out` (of length 1, in the plane) and the two normals.
+/// Moves from `foot` by a random length in a direction between `out` (of length 1, in the plane) and the two normals.
 Position away_from(Random& random, Position foot, Direction out) {
   const double length = random_length(random);
   const double t = random.integer(0, 7) == 0 ? 0 : 2 * random.unit() - 1;  // rational points of the half circle
@@ -107,7 +108,7 @@ std::optional<Position> off_vertex(Random& random, const Outline& outline) {
   return away_from(random, along_edge(c, 0, 0), {x / length, y / length});
 }
 
-/// A centre that should have its nearest point on a feature of this kind.
+/// Draws a centre that is meant to have its nearest point on a feature of this kind.
 std::optional<Position> off_feature(Random& random, const Outline& outline, Kind kind) {
   switch (kind) {
     case Kind::Face: return above_face(random, outline);
@@ -117,7 +118,7 @@ std::optional<Position> off_feature(Random& random, const Outline& outline, Kind
   return std::nullopt;
 }
 
-/// In the outline's bounding box, enlarged by half of its size on every side, and as high.
+/// Draws a ball in the bounding box of the outline, enlarged by half of its size on every side, and of the same height.
 Ball ball_anywhere(Random& random, const PlacedOutline& placed) {
   const LatticeBox box = bounding_box(placed.outline.outer);
   const std::int64_t margin = box.size() / 2;
@@ -132,7 +133,7 @@ Ball ball_anywhere(Random& random, const PlacedOutline& placed) {
   return {placed.frame.at(x, y, h), share * static_cast<double>(box.size()) * placed.frame.unit};
 }
 
-/// Straight above (or at) a point of an edge or a vertex, but for -3 to 3 doubles in one coordinate.
+/// Draws a ball straight above (or at) a point of an edge or a vertex, up to -3 to 3 doubles in one coordinate.
 Ball foot_near(Random& random, const PlacedOutline& placed, Kind kind) {
   const Corner c = random_corner(random, placed.outline);
   const auto share = static_cast<double>(kind == Kind::Edge ? random.integer(1, 1023) : 0) / 1024;
@@ -158,7 +159,7 @@ std::int64_t random_magnitude(Random& random) {
   return random.integer(1, std::int64_t{1} << bits);
 }
 
-/// Integers x^2 + y^2 + z^2 = length^2, scaled by a power of two; z = 0 for a triple.
+/// Integers with x^2 + y^2 + z^2 = length^2, scaled by a power of two; z = 0 for a triple.
 struct Quadruple {
   std::int64_t x, y, z, length;
 };
@@ -181,7 +182,7 @@ std::optional<Tangent> tangent_above_face(Random& random, const Outline& outline
   return Tangent{*point, random.coin() ? radius : -radius, radius, Kind::Face};
 }
 
-/// Straight above a vertex, or above a lattice point inside an edge if it has one.
+/// Draws a position straight above a vertex, or above a lattice point inside an edge if there is one.
 std::optional<Tangent> tangent_above_boundary(Random& random, const Outline& outline, Kind kind) {
   const Corner c = random_corner(random, outline);
   LatticePoint foot = c.here;
@@ -196,7 +197,7 @@ std::optional<Tangent> tangent_above_boundary(Random& random, const Outline& out
   return Tangent{foot, random.coin() ? radius : -radius, radius, kind};
 }
 
-/// Off an edge along an axis of the lattice, by a Pythagorean triple.
+/// Draws a position off an edge along an axis of the lattice, by a Pythagorean triple.
 std::optional<Tangent> tangent_off_edge(Random& random, const Outline& outline) {
   const Corner c = random_corner(random, outline);
   const LatticePoint along = c.next - c.here;
@@ -213,7 +214,7 @@ std::optional<Tangent> tangent_off_edge(Random& random, const Outline& outline) 
                  Kind::Edge};
 }
 
-/// Off a vertex where the region is convex, by a Pythagorean quadruple.
+/// Draws a position off a vertex where the region is convex, by a Pythagorean quadruple.
 std::optional<Tangent> tangent_off_vertex(Random& random, const Outline& outline) {
   const Corner c = random_corner(random, outline);
   const Quadruple q = pythagorean(random, false);
@@ -232,7 +233,7 @@ std::optional<Tangent> tangent(Random& random, const Outline& outline) {
   }
 }
 
-/// Asks about one polygon, prepared when the first question comes.
+/// Queries one polygon, which is prepared for the first query.
 class Oracle {
  public:
   explicit Oracle(const Polygon& polygon) : polygon_(polygon) {}

@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned long kTurn = 360;
 
-/// What `f`, one correctly rounded function of MPFR, leaves in a number of 53 bits that is `value` at first.
+/// Applies `f`, a correctly rounded function of MPFR, in place to a number of 53 bits that starts as `value`.
 template <class F>
 double rounded(double value, const F& f) {
   mpfr_t number;
@@ -20,7 +20,7 @@ double rounded(double value, const F& f) {
   return result == 0 ? 0.0 : result;  // no -0
 }
 
-/// A function of, or to, angles of which a turn has kTurn.
+/// A function of angles, or to angles, in units of which a turn has kTurn.
 double of_turn(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t), double value) {
   return rounded(value, [&](mpfr_ptr x) { function(x, x, kTurn, MPFR_RNDN); });
 }

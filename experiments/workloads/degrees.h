@@ -7,11 +7,11 @@ namespace touchstone::workloads {
 
 [[nodiscard]] double sine(double degrees);
 [[nodiscard]] double cosine(double degrees);
-/// From -90 to 90. Requires |value| <= 1.
+/// Returns an angle from -90 to 90. Requires |value| <= 1.
 [[nodiscard]] double arc_sine(double value);
-/// From 0 to 180. Requires |value| <= 1.
+/// Returns an angle from 0 to 180. Requires |value| <= 1.
 [[nodiscard]] double arc_cosine(double value);
-/// The angle of (x, y), more than -180 to 180; 0 for the origin.
+/// Returns the angle of (x, y), greater than -180 and at most 180; 0 for the origin.
 [[nodiscard]] double arc_tangent(double y, double x);
 
 }  // namespace touchstone::workloads

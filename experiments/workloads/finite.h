@@ -7,13 +7,14 @@
 
 namespace touchstone::workloads {
 
-/// The finite double nearest to x: what has overflowed becomes the largest of its sign. Requires that x is no NaN.
+/// Returns the finite double nearest to x; an overflow becomes the largest double of its sign. Requires that x is not a
+/// NaN.
 [[nodiscard]] inline double finite(double x) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   return std::clamp(x, -kLargest, kLargest);
 }
 
-/// Coordinate by coordinate.
+/// The same for each coordinate.
 [[nodiscard]] inline Eigen::Vector3d finite(const Eigen::Vector3d& point) {
   return {finite(point.x()), finite(point.y()), finite(point.z())};
 }

@@ -13,7 +13,7 @@ struct Point {
   double x, y;
 };
 
-/// 4^(-1/dimension), the same double on every machine.
+/// Returns 4^(-1/dimension), the same double on every machine.
 double koch_ratio(double dimension) {
   mpfr_t value;
   mpfr_init2(value, 200);
@@ -26,7 +26,7 @@ double koch_ratio(double dimension) {
   return ratio;
 }
 
-/// A counterclockwise square or triangle about the origin, all vertices at the given distance from it.
+/// Returns a counterclockwise square or triangle about the origin, all vertices at the given distance from it.
 std::vector<Point> base(Random& random, bool square, double radius) {
   const double half = std::sqrt(0.5), tall = std::sqrt(0.75);
   std::vector<Point> points = square ? std::vector<Point>{{half, half}, {-half, half}, {-half, -half}, {half, -half}}
@@ -41,7 +41,7 @@ std::vector<Point> base(Random& random, bool square, double radius) {
   return points;
 }
 
-/// Every edge by four of `ratio` times its length, the middle two pointing to its right.
+/// Replaces every edge by four of `ratio` times its length, the middle two pointing to its right.
 std::vector<Point> refined(const std::vector<Point>& points, double ratio) {
   const double height = std::sqrt(ratio - 0.25);
   std::vector<Point> result;

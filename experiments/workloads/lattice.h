@@ -7,7 +7,8 @@
 
 namespace touchstone::workloads {
 
-/// Outlines keep |x| and |y| within this: products of differences, and thousands of such products, fit in 64 bits.
+/// The bound of |x| and |y| in outlines: products of differences, and sums of thousands of such products, fit in 64
+/// bits.
 inline constexpr std::int64_t kLatticeRadius = std::int64_t{1} << 20;
 
 /// A point, or the difference of two, in the plane of the integers.
@@ -22,10 +23,10 @@ struct LatticePoint {
 [[nodiscard]] inline std::int64_t cross(LatticePoint a, LatticePoint b) { return a.x * b.y - a.y * b.x; }
 [[nodiscard]] inline std::int64_t dot(LatticePoint a, LatticePoint b) { return a.x * b.x + a.y * b.y; }
 
-/// The vertices of a closed loop in order; the last is joined to the first.
+/// The vertices of a closed loop in order; an edge joins the last to the first.
 using LatticeLoop = std::vector<LatticePoint>;
 
-/// An outer loop with holes strictly inside it, disjoint and none inside another.
+/// An outer loop with disjoint holes strictly inside it; no hole lies inside another.
 struct Outline {
   LatticeLoop outer;
   std::vector<LatticeLoop> holes;
@@ -43,22 +44,23 @@ struct Corner {
   LatticePoint previous, here, next;
   bool region_on_left;  ///< of the edge from `here` to `next`
 
-  /// Does the region turn by less than 180 degrees here?
+  /// Returns whether the interior angle of the region is less than 180 degrees here.
   [[nodiscard]] bool convex() const;
 };
 
 [[nodiscard]] LatticeBox bounding_box(const LatticeLoop& loop);
-/// Twice the signed area; positive for a counterclockwise loop.
+/// Returns twice the signed area; positive for a counterclockwise loop.
 [[nodiscard]] std::int64_t twice_area(const LatticeLoop& loop);
-/// Does a simple loop bound a convex region? Straight runs are allowed.
+/// Returns whether a simple loop bounds a convex region; straight runs are allowed.
 [[nodiscard]] bool is_convex(const LatticeLoop& loop);
 
 [[nodiscard]] std::size_t vertex_count(const Outline& outline);
-/// Vertex `i` of the outline, the outer loop's first, then the holes'.
+/// Returns vertex `i` of the outline; the vertices of the outer loop precede those of the holes.
 [[nodiscard]] Corner corner(const Outline& outline, std::size_t i);
-/// Inside the outer loop and outside the holes (even-odd). Points of an edge may be given to either side.
+/// Returns whether the point lies inside the outer loop and outside the holes (even-odd rule). A point of an edge may
+/// count as either.
 [[nodiscard]] bool contains(const Outline& outline, LatticePoint point);
-/// Distance from a point to the nearest edge, in doubles.
+/// Returns the distance from a point to the nearest edge, in doubles.
 [[nodiscard]] double clearance(const Outline& outline, LatticePoint point);
 
 }  // namespace touchstone::workloads

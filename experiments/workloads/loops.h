@@ -7,9 +7,9 @@
 
 namespace touchstone::workloads {
 
-/// The loops of a polygon, the outer one first; and back.
+/// Returns the loops of a polygon, the outer one first.
 [[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
-/// Throws Rejected where neighbouring vertices are equal or a number is not finite.
+/// Returns the polygon of these loops. Throws Rejected if neighbouring vertices are equal or a number is not finite.
 [[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
 
 }  // namespace touchstone::workloads

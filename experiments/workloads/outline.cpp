@@ -17,7 +17,7 @@ constexpr std::int64_t kSide = 2 * kLatticeRadius;
 
 std::int64_t signed_count(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-/// The loop with the centre of its bounding box at the origin.
+/// Moves the loop so that the centre of its bounding box is the origin.
 LatticeLoop centred(LatticeLoop loop) {
   const LatticeBox box = bounding_box(loop);
   const LatticePoint centre{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
@@ -25,7 +25,7 @@ LatticeLoop centred(LatticeLoop loop) {
   return loop;
 }
 
-/// Increasing numbers from 0 to at most `total`, the steps random within a factor of 8.
+/// Draws increasing numbers from 0 to at most `total`, whose steps are random within a factor of 8.
 std::vector<std::int64_t> random_marks(Random& random, std::size_t steps, std::int64_t total) {
   const std::int64_t step = total / signed_count(steps);
   std::vector<std::int64_t> marks{0};
@@ -33,7 +33,7 @@ std::vector<std::int64_t> random_marks(Random& random, std::size_t steps, std::i
   return marks;
 }
 
-/// Heights above which teeth end, and below which the gaps between them do.
+/// The heights above which teeth end and below which the gaps between them end.
 struct Heights {
   std::int64_t total;
 
@@ -63,8 +63,8 @@ LatticeLoop saw(Random& random, std::size_t vertices) {
   return centred(loop);
 }
 
-/// The n steps along one axis of a closed walk: from the least of n random marks to the greatest over some of them,
-/// back over the others.
+/// Draws the n steps along one axis of a closed walk: from the least of n random marks to the greatest over some of
+/// them, and back over the others.
 std::vector<std::int64_t> closed_steps(Random& random, std::size_t n) {
   std::vector<std::int64_t> marks;
   for (std::size_t i = 0; i < n; ++i) marks.push_back(random.integer(0, kSide));
@@ -85,14 +85,14 @@ std::vector<std::int64_t> closed_steps(Random& random, std::size_t n) {
   return steps;
 }
 
-/// Counterclockwise from the positive x axis, exactly.
+/// Returns whether a precedes b counterclockwise from the positive x axis, exactly.
 bool before_in_angle(LatticePoint a, LatticePoint b) {
   const auto lower_half = [](LatticePoint p) { return p.y < 0 || (p.y == 0 && p.x < 0); };
   if (lower_half(a) != lower_half(b)) return lower_half(b);
   return cross(a, b) > 0;
 }
 
-/// The point at `t` in [0, 8 r) on the boundary of the square |x|, |y| <= r, counterclockwise.
+/// Returns the point at `t` in [0, 8 r) on the boundary of the square |x|, |y| <= r, counterclockwise.
 LatticePoint on_square(std::int64_t t, std::int64_t r) {
   const std::int64_t along = t % (2 * r) - r;
   switch (t / (2 * r)) {
@@ -103,7 +103,7 @@ LatticePoint on_square(std::int64_t t, std::int64_t r) {
   }
 }
 
-/// Star-shaped about the origin if no sector of 180 degrees stays empty.
+/// Draws a star, star-shaped about the origin if no sector of 180 degrees is empty.
 LatticeLoop star_of_radius(Random& random, std::size_t vertices, std::int64_t radius) {
   constexpr std::int64_t kShares = 1 << 20;
   const std::int64_t perimeter = 8 * radius, n = signed_count(vertices);
@@ -119,7 +119,7 @@ LatticeLoop star_of_radius(Random& random, std::size_t vertices, std::int64_t ra
   return loop;
 }
 
-/// A triangle, an upright square or a star within `radius` of a point.
+/// Draws a triangle, an upright square or a star within `radius` of a point.
 LatticeLoop hole(Random& random, LatticePoint centre, std::int64_t radius) {
   const std::int64_t half = std::max<std::int64_t>(1, radius * 2 / 3);
   LatticeLoop loop{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
@@ -129,7 +129,7 @@ LatticeLoop hole(Random& random, LatticePoint centre, std::int64_t radius) {
   return loop;
 }
 
-/// One more hole, clear of all loops; false if no room was found.
+/// Adds a hole, disjoint from all loops. Returns false if no room was found.
 bool add_hole(Random& random, Outline& outline) {
   constexpr int kTries = 400;
   const LatticeBox box = bounding_box(outline.outer);
@@ -176,7 +176,7 @@ LatticeLoop draw_loop(Random& random, const Workload& workload) {
   throw std::invalid_argument("unknown family");
 }
 
-/// A random symmetry of the square; a random first vertex; a random orientation.
+/// Applies a random symmetry of the square, a random first vertex and a random orientation.
 void rearrange(Random& random, LatticeLoop& loop) {
   const std::int64_t x_sign = random.coin() ? 1 : -1, y_sign = random.coin() ? 1 : -1;
   const bool exchange = random.coin();

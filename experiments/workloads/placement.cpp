@@ -14,7 +14,7 @@
 namespace touchstone::workloads {
 namespace {
 
-/// |q|^2 times the rotation of the quaternion q, column by column: integers.
+/// The integer matrix |q|^2 times the rotation of the quaternion q, column by column.
 struct IntegerRotation {
   std::array<std::array<std::int64_t, 3>, 3> columns;
   std::int64_t unit;
@@ -28,7 +28,7 @@ IntegerRotation integer_rotation(const std::array<std::int64_t, 4>& q) {
           a * a + b * b + c * c + d * d};
 }
 
-/// Not all zero; each part is zero in about half of the draws if `often_zero`.
+/// Draws a quaternion that is not zero; each part is zero in about half of the draws if `often_zero`.
 std::array<std::int64_t, 4> quaternion(Random& random, std::int64_t largest, bool often_zero) {
   std::array<std::int64_t, 4> q{};
   while (q == std::array<std::int64_t, 4>{})
@@ -36,7 +36,7 @@ std::array<std::int64_t, 4> quaternion(Random& random, std::int64_t largest, boo
   return q;
 }
 
-/// At `distance` from zero in a random direction, then moved by up to half of `size` in every coordinate.
+/// Draws a point at `distance` from zero in a random direction, then moved by up to half of `size` in every coordinate.
 Eigen::Vector3d random_origin(Random& random, double distance, double size) {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   double length2 = 0;
@@ -61,7 +61,7 @@ Polygon placed(const Outline& outline, const Frame& frame) {
   return Polygon(placed(outline.outer, frame), holes);
 }
 
-/// Nothing if rounding broke the outline.
+/// Returns the polygon in doubles; nothing if rounding broke the outline.
 std::optional<Polygon> rounded(const Outline& outline, const Frame& frame) {
   try {
     Polygon polygon = placed(outline, frame);

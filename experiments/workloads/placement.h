@@ -11,10 +11,10 @@
 
 namespace touchstone::workloads {
 
-/// Where the lattice lies in space: (x, y) at height h is origin + x u + y v + h w, in doubles.
+/// The position of the lattice in space: (x, y) at height h is origin + x u + y v + h w, in doubles.
 ///
-/// u, v and w are orthogonal, right-handed and of equal length `unit`: exactly so in a lattice frame, where all of
-/// them are integers below 2^53 in every coordinate of the polygon and near it; but for roundings in a rotated one.
+/// u, v and w are orthogonal, right-handed and of equal length `unit`: exactly in a lattice frame, where the
+/// coordinates of the polygon and of points near it are integers below 2^53; up to rounding in a rotated frame.
 struct Frame {
   Eigen::Vector3d origin, u, v, w;
   double unit;
@@ -26,13 +26,13 @@ struct Frame {
   }
 };
 
-/// An integer frame: for the quaternion q of small random integers, |q|^2 times its rotation, so that `unit` is the
-/// integer |q|^2; the origin an integer point about `origin_distance` x `size` lattice units x `unit` from zero.
+/// Draws an integer frame: for a quaternion q of small random integers, |q|^2 times its rotation, so that `unit` is the
+/// integer |q|^2. The origin is an integer point at about `origin_distance` x `size` lattice units x `unit` from zero.
 /// Throws std::invalid_argument beyond 2^51.
 [[nodiscard]] Frame lattice_frame(Random& random, std::int64_t size, double origin_distance);
 
-/// A rational rotation, evaluated in doubles; a random scale; and a translation by about `origin_distance` times the
-/// scaled size.
+/// Draws a rational rotation, evaluated in doubles, with a random scale and a translation by about `origin_distance`
+/// times the scaled size.
 [[nodiscard]] Frame rotated_frame(Random& random, std::int64_t size, double origin_distance);
 
 /// An outline in space.
@@ -42,8 +42,8 @@ struct PlacedOutline {
   Polygon polygon;
 };
 
-/// Sample `index` of the workload's outlines, placed: accepted by `exact::validate`, with off_plane 0 in a lattice
-/// frame. Throws std::invalid_argument where rounding broke every attempt (origin_distance too large).
+/// Places outline `index` of the workload. `exact::validate` accepts the polygon; off_plane is 0 in a lattice frame.
+/// Throws std::invalid_argument if rounding broke every attempt (origin_distance too large).
 [[nodiscard]] PlacedOutline draw_placed_outline(const Workload& workload, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::workloads

@@ -5,23 +5,23 @@
 
 namespace touchstone::workloads {
 
-/// Random numbers that are a function of (seed, sample, stream) alone: a counter-based generator (Philox 4x64), so
-/// that any sample can be drawn again by itself, in any order, on any machine, with the same bits.
+/// Random numbers that are a function of (seed, sample, stream) alone, from a counter-based generator (Philox 4x64).
+/// Any sample can be drawn again by itself, in any order, on any machine, with the same bits.
 ///
-/// Only integer and correctly rounded operations; no function of the C or C++ library's distributions.
+/// Uses only integer and correctly rounded operations, and no distributions of the C or C++ library.
 /// Source: [salmon2011].
 class Random {
  public:
-  /// Streams keep the parts of one sample apart, so that drawing more of one never changes another.
+  /// Streams separate the parts of one sample: drawing more numbers of one part never changes another.
   Random(std::uint64_t seed, std::uint64_t sample, std::uint64_t stream = 0);
 
-  /// 64 independent bits.
+  /// Returns 64 independent bits.
   std::uint64_t bits();
-  /// Uniform in [0, 1), a multiple of 2^-53.
+  /// Returns a multiple of 2^-53, uniform in [0, 1).
   double unit();
-  /// Uniform in [lowest, highest], both included, without bias. Requires lowest <= highest.
+  /// Returns an integer, uniform in [lowest, highest], both included, without bias. Requires lowest <= highest.
   std::int64_t integer(std::int64_t lowest, std::int64_t highest);
-  /// Plus or minus 2^e (1 + unit()), e uniform in [lowest, highest].
+  /// Returns plus or minus 2^e (1 + unit()), with e uniform in [lowest_exponent, highest_exponent].
   double log_uniform(int lowest_exponent, int highest_exponent);
   bool coin() { return (bits() & 1) != 0; }
 

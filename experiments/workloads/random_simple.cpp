@@ -27,8 +27,8 @@ constexpr std::uint64_t kPatience = 4;
 
 struct GoesInCircles {};
 
-/// The kernel, until it has been asked for so many orientations. Where three points are collinear, CGAL's moves need
-/// not make the polygon shorter: they may come back to where they were, and never end.
+/// A kernel that gives up after a number of orientations. If three points are collinear, the moves of CGAL need not
+/// make the polygon shorter: they may return to an earlier state and never end.
 class PatientKernel : public Kernel {
  public:
   explicit PatientKernel(std::uint64_t& patience) : patience_(patience) {}
@@ -57,7 +57,7 @@ std::vector<Kernel::Point_2> random_points(Random& random, std::size_t count) {
   return points;
 }
 
-/// A simple polygon with these vertices; none where CGAL does not come to one.
+/// Returns a simple polygon with these vertices; nothing if CGAL does not find one.
 std::optional<std::vector<Kernel::Point_2>> polygon_through(const std::vector<Kernel::Point_2>& points) try {
   std::uint64_t patience = kPatience * points.size() * points.size() * points.size();
   std::vector<Kernel::Point_2> polygon;

@@ -5,10 +5,10 @@
 
 namespace touchstone::workloads {
 
-/// The parts of a sample that are drawn apart: changing one never changes the numbers of another.
+/// The parts of a sample that are drawn independently: changing one never changes the numbers of another.
 enum class Part : std::uint64_t { Outline, Holes, Placement, Ball };
 
-/// The random numbers of a part; what was rejected is drawn again with the next attempt.
+/// Returns the random numbers of a part. A rejected draw is repeated with the next attempt.
 [[nodiscard]] inline Random part_of_sample(std::uint64_t seed, std::uint64_t index, Part part, std::uint64_t attempt) {
   return {seed, index, 4 * attempt + static_cast<std::uint64_t>(part)};
 }

@@ -12,16 +12,16 @@
 
 namespace touchstone::workloads {
 
-/// Outlines of simple polygons; every one but Triangle and Convex is non-convex.
+/// Families of outlines of simple polygons; all but Triangle and Convex are non-convex.
 enum class Family { Triangle, Convex, Star, Comb, Spiral, RandomSimple, Koch, U, L, E };
 
-/// How an outline on the integer lattice comes into space.
+/// The placement of an outline of the integer lattice in space.
 enum class Placement {
   LatticeFrame,  ///< by an integer frame: every vertex exact, the loop exactly planar
-  Rotated,       ///< by a rational rotation, rounded to doubles: off its plane by roundings
+  Rotated,       ///< by a rational rotation, rounded to doubles: off its plane by rounding errors
 };
 
-/// Where the ball is.
+/// The position of the ball.
 enum class BallPlace {
   Anywhere,        ///< centre in the outline's enlarged bounding box, at any height; radius log-uniform
   NearFace,        ///< radius the double nearest to the exact distance, moved by `doubles`; closest feature the face
@@ -36,34 +36,34 @@ struct Workload {
   Family family = Family::Star;
   Placement placement = Placement::LatticeFrame;
   BallPlace ball = BallPlace::Anywhere;
-  std::size_t vertices = 24;  ///< of the outer loop, as near as the family allows; at most 2^17
+  std::size_t vertices = 24;  ///< of the outer loop, as close to this number as the family allows; at most 2^17
   std::size_t holes = 0;
-  int doubles = 0;               ///< how far a Near* or LatticeTangent radius is moved from the distance's double
+  int doubles = 0;  ///< by how many doubles a Near* or LatticeTangent radius differs from the double of the distance
   double koch_dimension = 1.26;  ///< in (1, 2)
   double origin_distance = 0;    ///< distance of the polygon from the origin, in units of its size
 };
 
 struct Sample {
-  std::string id;  ///< names workload, seed and index: all that is needed to draw it again
+  std::string id;  ///< holds workload, seed and index: all that is needed to draw it again
   Ball ball;
   Polygon polygon;
   std::vector<std::string> tags;
 };
 
-/// Sample number `index` of a workload: a function of (workload, seed, index) alone. Every polygon is one that
-/// `exact::validate` accepts. Ball and polygon are drawn apart: workloads that differ in `ball` and `doubles` alone
-/// have the same polygons, in `doubles` alone the same centres.
+/// Draws sample number `index` of a workload: a function of (workload, seed, index) alone. `exact::validate` accepts
+/// every polygon. Ball and polygon are drawn independently: workloads that differ only in `ball` and `doubles` have the
+/// same polygons; those that differ only in `doubles` have the same centres.
 ///
 /// Requires rounding to nearest. Cost: 5 to 200 us at 24 vertices.
-/// Throws std::invalid_argument if the workload asks for what the family cannot give.
+/// Throws std::invalid_argument if the family cannot provide what the workload asks for.
 [[nodiscard]] Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index);
 
 [[nodiscard]] std::string_view word(Family family);
 [[nodiscard]] std::string_view word(Placement placement);
 [[nodiscard]] std::string_view word(BallPlace place);
 [[nodiscard]] const std::vector<Family>& all_families();
-/// The families of these names, in the order of all_families; `all` stands for every one.
-/// Throws std::invalid_argument, which names the one that is unknown.
+/// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
+/// std::invalid_argument, which names the first unknown one.
 [[nodiscard]] std::vector<Family> find_families(const std::vector<std::string>& names);
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();
 

@@ -8,13 +8,13 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/first_contact/missed_study.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 
 namespace touchstone::cell {
 namespace {
@@ -31,10 +31,10 @@ int run_missed(const Options& options) {
   const std::filesystem::path folder = options.output;
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   const auto study = [&] {
     harness::ProgressLine line("moves", kinematics::blocks_of(options.samples));
-    return kinematics::study_missed(options.seed, options.samples, options.threads, interrupt.requested(),
+    return kinematics::study_missed(options.seed, options.samples, options.threads, stop_signal.requested(),
                                     std::ref(line));
   }();
   kinematics::write_missed(folder, study);

@@ -8,13 +8,13 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/kinematics/layout_output.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 
 namespace touchstone::cell {
 namespace {
@@ -29,11 +29,11 @@ int run_layout(const Options& options) {
   const std::filesystem::path folder = options.output;
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   std::optional<kinematics::LayoutStudy> study;
   {
     harness::ProgressLine line("layouts", kinematics::layout_work());
-    study = kinematics::study_layout(interrupt.requested(), std::ref(line));
+    study = kinematics::study_layout(stop_signal.requested(), std::ref(line));
   }
   if (!study) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");

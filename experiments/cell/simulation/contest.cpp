@@ -69,7 +69,7 @@ class Jury {
       Score& score = result.scores[i];
       if (!met && score.method->slow()) continue;
       if (!face.prepared[i]) face.prepared[i] = score.method->prepare(face.polygon);
-      const auto answer = face.prepared[i]->ask(sphere, cases::Question::Contact);
+      const auto answer = face.prepared[i]->ask(sphere, cases::QueryKind::Contact);
       ++score.asked;
       const auto outcome = cases::compare(cases::Test::Contact, answer, truth, true);
       if (!outcome) ++score.unsure;

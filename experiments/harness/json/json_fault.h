@@ -7,9 +7,9 @@
 
 namespace touchstone::harness {
 
-/// What the library found wrong with a text, without the library's tag: `line 2, column 5: reason`, or
-/// `column 5: reason` where the text is given and is one line. Columns count bytes, from 1. A reason that has no place,
-/// such as a key that is missing, stands alone. Legible, and cut where it quotes something long.
+/// Returns the fault that the JSON library found in a text, without the library's tag: `line 2, column 5: reason`, or
+/// `column 5: reason` if the text is given and has one line. Columns count bytes, from 1. A reason without a place,
+/// such as a missing key, stands alone. The result is printable, and long quotations are cut.
 [[nodiscard]] std::string json_fault(const nlohmann::json::exception& error, std::string_view text = {});
 
 }  // namespace touchstone::harness

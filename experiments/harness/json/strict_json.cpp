@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/harness/json/json_fault.h"
-#include "experiments/harness/json/overflows.h"
+#include "experiments/harness/json/mask_overflowing_numbers.h"
 
 namespace touchstone::harness {
 namespace {
@@ -16,14 +16,14 @@ using Event = json::parse_event_t;
 
 constexpr int kNumberOverflow = 406;  // the library's id of that error
 
-/// `overflows`: which of the text's numbers, counted from 0 and ascending, are beyond the finite doubles.
+/// `overflows`: the ascending indices, from 0, of the numbers of the text that are beyond the finite doubles.
 StrictJson parse(std::string_view text, const std::vector<std::size_t>& overflows) {
   StrictJson result;
   std::vector<std::set<std::string>> open_objects;
   std::string member;
   std::size_t numbers = 0;
   result.value = json::parse(text, [&](int levels, Event event, json& parsed) {
-    // The library asks about what lies within a refused value as well.
+    // The library also calls this for the content of a refused value.
     const bool opens = event == Event::object_start || event == Event::array_start;
     if (levels + (opens ? 1 : 0) > kMostLevels) {
       result.too_deep = true;
@@ -50,7 +50,7 @@ StrictJson parse(std::string_view text, const std::vector<std::size_t>& overflow
 }  // namespace
 
 StrictJson read_strict_json(std::string_view text) {
-  // The library takes this byte for the end of the text, and passes over a mark.
+  // The library would take this byte as the end of the text, and would skip a mark.
   if (text.find('\0') != std::string_view::npos) throw NotJson("a NUL byte");
   if (text.starts_with("\xEF\xBB\xBF")) throw NotJson("a byte order mark");
   try {
@@ -60,9 +60,9 @@ StrictJson read_strict_json(std::string_view text) {
   } catch (const json::exception& error) {
     throw NotJson(json_fault(error, text));
   }
-  // The library refuses a text with a number like 1e400 whole: read it again without them.
+  // The library refuses any text with a number like 1e400: mask these numbers and read it again.
   std::string finite(text);
-  const std::vector<std::size_t> overflows = silence_overflows(finite);
+  const std::vector<std::size_t> overflows = mask_overflowing_numbers(finite);
   try {
     return parse(finite, overflows);
   } catch (const json::exception& error) {

@@ -16,19 +16,19 @@ class NotJson : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A JSON value, with what the usual reading of JSON keeps silent about.
+/// A JSON value, and faults that usual JSON readers do not report.
 struct StrictJson {
-  nlohmann::json value;                      ///< infinite where a number is beyond the finite doubles
-  std::optional<std::string> duplicate_key;  ///< the first key that an object has twice
+  nlohmann::json value;                      ///< numbers beyond the finite doubles are infinite
+  std::optional<std::string> duplicate_key;  ///< the first duplicate key of an object
   std::set<std::string> ambiguous;           ///< members of the outermost object that are, or hold, a duplicate key
-  bool too_deep = false;                     ///< nested deeper than kMostLevels: what lies below is left out of `value`
+  bool too_deep = false;                     ///< nested deeper than kMostLevels; `value` omits the deeper levels
 };
 
-/// Arrays and objects within each other. A bound, because values are copied, written and freed by recursion.
+/// The limit of nested arrays and objects, because values are copied, written and freed by recursion.
 inline constexpr int kMostLevels = 64;
 
-/// Reads one JSON text; numbers become the nearest doubles or integers.
-/// Throws NotJson. Takes a stack of fixed size and memory linear in the length of the text.
+/// Reads one JSON text; numbers become the nearest doubles or integers. Throws NotJson. Uses a stack of fixed size and
+/// memory linear in the length of the text.
 [[nodiscard]] StrictJson read_strict_json(std::string_view text);
 
 }  // namespace touchstone::harness

@@ -14,7 +14,7 @@ Json summary(const std::vector<double>& values) {
           {"minimum", q.minimum}, {"maximum", q.maximum},      {"repetitions", values}};
 }
 
-Json contestant(const Measured& m) {
+Json candidate(const Measured& m) {
   Json json = {{"name", m.name}, {"asked", m.queries}, {"nanoseconds", summary(m.nanoseconds)}};
   if (m.wrong) json["wrong"] = {{"count", m.wrong->count}, {"of", m.wrong->of}};
   if (m.ratios.empty()) return json;
@@ -31,14 +31,14 @@ Json contestant(const Measured& m) {
 Json json(const std::vector<Result>& results) {
   Json list = Json::array();
   for (const Result& result : results) {
-    Json contest = {{"family", result.family},
-                    {"name", result.name},
-                    {"note", result.note},
-                    {"unit", result.unit},
-                    {"contestants", Json::array()}};
-    for (const Measured& m : result.contestants)
-      if (!m.nanoseconds.empty()) contest["contestants"].push_back(contestant(m));
-    list.push_back(std::move(contest));
+    Json benchmark = {{"family", result.family},
+                      {"name", result.name},
+                      {"note", result.note},
+                      {"unit", result.unit},
+                      {"contestants", Json::array()}};
+    for (const Measured& m : result.candidates)
+      if (!m.nanoseconds.empty()) benchmark["contestants"].push_back(candidate(m));
+    list.push_back(std::move(benchmark));
   }
   return list;
 }

@@ -9,36 +9,37 @@
 namespace touchstone::timing {
 namespace {
 
-/// Written to, so that sums are computed.
+/// Receives the sums, so that they are computed.
 volatile std::uint64_t sink;
 
-/// Of the first `count` queries.
-double seconds(const Contestant& contestant, std::size_t count) {
+/// Returns the time of the first `count` queries.
+double seconds(const Candidate& candidate, std::size_t count) {
   using Clock = std::chrono::steady_clock;
-  if (contestant.before) contestant.before(count);
+  if (candidate.before) candidate.before(count);
   const auto begin = Clock::now();
-  sink = contestant.ask(count);
+  sink = candidate.ask(count);
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How many queries fit into a repetition; also warms up. The best of three: others may be using the machine.
-std::size_t affordable(const Contestant& contestant, double most_seconds) {
+/// Returns the number of queries that fit into a repetition; also warms up. Takes the best of three runs: other
+/// processes may be using the machine.
+std::size_t affordable(const Candidate& candidate, double most_seconds) {
   const double long_enough = most_seconds / 10;
   std::size_t count = 1;
-  double spent = seconds(contestant, count);
-  while (spent < long_enough && count < contestant.queries) {
-    count = std::min(2 * count, contestant.queries);
-    spent = seconds(contestant, count);
+  double spent = seconds(candidate, count);
+  while (spent < long_enough && count < candidate.queries) {
+    count = std::min(2 * count, candidate.queries);
+    spent = seconds(candidate, count);
   }
-  for (int again = 0; again < 2; ++again) spent = std::min(spent, seconds(contestant, count));
-  const double all = spent * static_cast<double>(contestant.queries) / static_cast<double>(count);
-  if (all <= most_seconds) return contestant.queries;
+  for (int again = 0; again < 2; ++again) spent = std::min(spent, seconds(candidate, count));
+  const double all = spent * static_cast<double>(candidate.queries) / static_cast<double>(count);
+  if (all <= most_seconds) return candidate.queries;
   return std::max<std::size_t>(1, static_cast<std::size_t>(most_seconds / spent * static_cast<double>(count)));
 }
 
 const Measured& find(const std::vector<Measured>& measured, const std::string& name) {
   const auto found = std::ranges::find(measured, name, &Measured::name);
-  if (found == measured.end()) throw std::logic_error("a comparison with " + name + ", which is no contestant");
+  if (found == measured.end()) throw std::logic_error("a comparison with " + name + ", which is not a candidate");
   return *found;
 }
 
@@ -63,28 +64,28 @@ Quartiles quartiles(std::vector<double> values) {
   return {at(0), at(0.25), at(0.5), at(0.75), at(1)};
 }
 
-Result measure(const std::string& family, const Contest& contest, unsigned repetitions, const std::atomic<bool>& stop,
-               const harness::Progress& progress, double most_seconds) {
-  const auto& contestants = contest.contestants;
-  Result result{family, contest.name, contest.note, contest.unit, contest.pool, {}};
-  for (const Contestant& c : contestants) {
+Result measure(const std::string& family, const Benchmark& benchmark, unsigned repetitions,
+               const std::atomic<bool>& stop, const harness::Progress& progress, double most_seconds) {
+  const auto& candidates = benchmark.candidates;
+  Result result{family, benchmark.name, benchmark.note, benchmark.unit, benchmark.pool, {}};
+  for (const Candidate& c : candidates) {
     if (stop) break;
-    result.contestants.push_back({c.name, affordable(c, most_seconds), {}, {}, c.comparison, {}});
+    result.candidates.push_back({c.name, affordable(c, most_seconds), {}, {}, c.comparison, {}});
   }
   for (unsigned repetition = 0; repetition < repetitions && !stop; ++repetition) {
-    for (std::size_t k = 0; k < contestants.size(); ++k) {
-      const std::size_t turn = (k + repetition) % contestants.size();
-      Measured& m = result.contestants[turn];
-      m.nanoseconds.push_back(1e9 * seconds(contestants[turn], m.queries) / static_cast<double>(m.queries));
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const std::size_t turn = (k + repetition) % candidates.size();
+      Measured& m = result.candidates[turn];
+      m.nanoseconds.push_back(1e9 * seconds(candidates[turn], m.queries) / static_cast<double>(m.queries));
     }
     progress(repetition + 1);
   }
-  for (std::size_t k = 0; k < contestants.size() && contest.checked > 0 && !stop; ++k) {
-    if (!contestants[k].count_wrong) continue;
-    const std::size_t checked = std::min(contest.checked, contestants[k].most_checked);
-    result.contestants[k].wrong = {contestants[k].count_wrong(checked), checked};
+  for (std::size_t k = 0; k < candidates.size() && benchmark.checked > 0 && !stop; ++k) {
+    if (!candidates[k].count_wrong) continue;
+    const std::size_t checked = std::min(benchmark.checked, candidates[k].most_checked);
+    result.candidates[k].wrong = {candidates[k].count_wrong(checked), checked};
   }
-  find_ratios(result.contestants);
+  find_ratios(result.candidates);
   return result;
 }
 
@@ -97,10 +98,10 @@ std::optional<Result> pooled(const std::vector<Result>& results, const std::stri
       sum = result;
       continue;
     }
-    if (sum->contestants.size() != result.contestants.size()) return std::nullopt;
-    for (std::size_t k = 0; k < result.contestants.size(); ++k) {
-      Measured& total = sum->contestants[k];
-      const Measured& part = result.contestants[k];
+    if (sum->candidates.size() != result.candidates.size()) return std::nullopt;
+    for (std::size_t k = 0; k < result.candidates.size(); ++k) {
+      Measured& total = sum->candidates[k];
+      const Measured& part = result.candidates[k];
       if (total.nanoseconds.size() != part.nanoseconds.size()) return std::nullopt;
       total.queries += part.queries;
       if (total.wrong && part.wrong)
@@ -111,11 +112,11 @@ std::optional<Result> pooled(const std::vector<Result>& results, const std::stri
   if (members < 2) return std::nullopt;
   sum->name = pool;
   sum->note.clear();
-  for (Measured& m : sum->contestants) {
+  for (Measured& m : sum->candidates) {
     for (double& ns : m.nanoseconds) ns /= members;
     m.ratios.clear();
   }
-  find_ratios(sum->contestants);
+  find_ratios(sum->candidates);
   return sum;
 }
 

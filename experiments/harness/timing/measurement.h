@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/harness/blocks.h"
-#include "experiments/harness/timing/contest.h"
+#include "experiments/harness/timing/benchmark.h"
 
 namespace touchstone::timing {
 
@@ -15,42 +15,42 @@ struct Quartiles {
   double minimum, lower, median, upper, maximum;
 };
 
-/// Between neighbours by their distance. Requires at least one value.
+/// Returns quartiles, interpolated linearly between neighbouring values. Requires at least one value.
 [[nodiscard]] Quartiles quartiles(std::vector<double> values);
 
 struct Wrong {
   std::size_t count, of;
 };
 
-/// What one contestant did.
+/// The measurements of one candidate.
 struct Measured {
   std::string name;
-  std::size_t queries;              ///< asked in each repetition
-  std::vector<double> nanoseconds;  ///< a query, of each repetition
+  std::size_t queries;              ///< per repetition
+  std::vector<double> nanoseconds;  ///< per query, for each repetition
   std::optional<Wrong> wrong;
   std::optional<Comparison> comparison;
-  std::vector<double> ratios;  ///< to the base of the comparison, of each repetition
+  std::vector<double> ratios;  ///< to the base of the comparison, for each repetition
 };
 
-/// What a contest came to.
+/// The result of a benchmark.
 struct Result {
   std::string family, name, note, unit, pool;
-  std::vector<Measured> contestants;
+  std::vector<Measured> candidates;
 };
 
-/// How long one contestant may take in one repetition of `bench`.
+/// The time that one candidate may take in one repetition of `bench`.
 inline constexpr double kSecondsOfRepetition = 0.05;
 
-/// Times every contestant in each repetition, in turn, each beginning once in so many repetitions; so drifts of the
-/// machine's speed meet all alike, and a ratio is one of times that lie close together. (Google Benchmark would run one
-/// contestant after the other.) Whoever would take more than `most_seconds` for a repetition is asked fewer queries,
-/// the first ones. Fewer repetitions where stopped. Then counts wrong answers.
-[[nodiscard]] Result measure(const std::string& family, const Contest& contest, unsigned repetitions,
+/// Times every candidate in each repetition, in turn; the first turn rotates among the candidates. Drifts of the speed
+/// of the machine thus affect all candidates alike, and each ratio is one of times measured close together. (Google
+/// Benchmark would run one candidate after the other.) A candidate that would take more than `most_seconds` for a
+/// repetition gets fewer queries, the first ones. If stopped, there are fewer repetitions. Then counts wrong answers.
+[[nodiscard]] Result measure(const std::string& family, const Benchmark& benchmark, unsigned repetitions,
                              const std::atomic<bool>& stop, const harness::Progress& progress,
                              double most_seconds = kSecondsOfRepetition);
 
-/// The results of one pool together: the mean of the times of each contestant, repetition by repetition. Nothing where
-/// there are fewer than two of the same contestants.
+/// Combines the results of one pool: for each candidate, the mean of the times, repetition by repetition. Returns
+/// nothing for fewer than two results with the same candidates.
 [[nodiscard]] std::optional<Result> pooled(const std::vector<Result>& results, const std::string& pool);
 
 }  // namespace touchstone::timing

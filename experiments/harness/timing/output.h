@@ -9,16 +9,16 @@
 
 namespace touchstone::timing {
 
-/// The lines of one contest: a heading and a row a contestant. Medians; quartiles in brackets.
+/// Returns the lines of one benchmark: a heading and a row for each candidate. Medians; quartiles in brackets.
 [[nodiscard]] std::string table(const Result& result);
-/// How many goals were met, and which were not.
+/// Returns the number of goals that were met, and the goals that were not.
 [[nodiscard]] std::string goals(const std::vector<Result>& results);
-/// What the columns mean.
+/// Returns an explanation of the columns.
 [[nodiscard]] std::string legend();
 
-/// Everything: quartiles and every repetition of times and ratios, goals, wrong answers.
+/// Returns all results: quartiles and every repetition of times and ratios, goals, wrong answers.
 [[nodiscard]] nlohmann::ordered_json json(const std::vector<Result>& results);
-/// The vector extensions that the program was compiled for, and those that the processor has.
+/// Returns the vector extensions that the program was compiled for, and those of the processor.
 [[nodiscard]] nlohmann::ordered_json processor_features();
 
 }  // namespace touchstone::timing

@@ -7,7 +7,7 @@
 namespace touchstone::timing {
 namespace {
 
-/// Three digits or so.
+/// Formats a number with about three digits.
 std::string number(double value) {
   if (value >= 99.95) return fmt::format("{:.0f}", value);
   if (value >= 9.995) return fmt::format("{:.1f}", value);
@@ -16,7 +16,7 @@ std::string number(double value) {
 
 std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(q.lower), number(q.upper)); }
 
-/// Half the distance of the quartiles, in % of the median.
+/// Returns half the distance of the quartiles, in % of the median.
 std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
 
 std::string goal_text(const Goal& goal) {
@@ -59,7 +59,7 @@ std::string title(const Result& result) {
 std::string table(const Result& result) {
   std::string text = "\n" + title(result) + (result.note.empty() ? "" : ": " + result.note) + "\n";
   text += line("", "asked", "ns/" + result.unit, "", "  ratio", "goal", "wrong");
-  for (const Measured& m : result.contestants)
+  for (const Measured& m : result.candidates)
     if (!m.nanoseconds.empty()) text += row(m);
   return text;
 }
@@ -68,7 +68,7 @@ std::string goals(const std::vector<Result>& results) {
   std::string missed;
   std::size_t met = 0, all = 0;
   for (const Result& result : results)
-    for (const Measured& m : result.contestants) {
+    for (const Measured& m : result.candidates) {
       if (m.ratios.empty() || !m.comparison->goal) continue;
       const double median = quartiles(m.ratios).median;
       ++all;
@@ -83,10 +83,10 @@ std::string goals(const std::vector<Result>& results) {
 
 std::string legend() {
   return R"(
-Contestants take turns in every repetition, each about the first so many ("asked") of the same distinct queries: all of
-them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the distance of the quartiles
-or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ from exact's, not timed; in
-"answer" the decisions count, not the numbers.
+The candidates take turns in every repetition. Each answers the first queries ("asked": their number) of the same
+distinct queries: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the
+distance of the quartiles or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ
+from those of exact, not timed; for "answer" the decisions count, not the numbers.
 )";
 }
 

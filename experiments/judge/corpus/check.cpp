@@ -15,7 +15,7 @@
 namespace touchstone::corpus {
 namespace {
 
-/// The polygon of a case whose form and numbers are right, though its loops need not be.
+/// Returns the polygon of a well-formed case with valid numbers; its loops may be invalid.
 Polygon polygon_in(const std::string& line) {
   const auto loop = [](const nlohmann::json& points) {
     Loop vertices;
@@ -36,7 +36,7 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
     return faults.push_back(fmt::format("rejected: {}: {}", found, message));
   if (const auto& error = read.expected->at("error"); error != true && error != found)
     faults.push_back(fmt::format("error: stands {}, found \"{}\"", error.dump(), found));
-  if (code < RejectionCode::ZeroNormal) return;  // what single comparisons decide
+  if (code < RejectionCode::ZeroNormal) return;  // single comparisons decide these
   if (const auto again = find_rational_fault(polygon_in(line)); again != code)
     faults.push_back(fmt::format("error: exact finds \"{}\", the rationals {}", found,
                                  again ? "\"" + std::string(word(*again)) + "\"" : "nothing"));
@@ -75,7 +75,7 @@ Findings check_files(const std::vector<std::string>& files) {
       try {
         const cases::Case read = cases::read_case(line);
         if (read.id) name = *read.id;
-        if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: stands twice");
+        if (read.id && !ids.insert(*read.id).second) faults.emplace_back("id: duplicate");
         if (std::holds_alternative<Rejection>(read.content))
           check_rejection(read, line, faults);
         else

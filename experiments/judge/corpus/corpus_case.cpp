@@ -22,8 +22,8 @@ bool is_decisive(std::string_view key) {
 Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
   Verdict given, wrong = Verdict::object();
   try {
-    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::Question::Answer));
-  } catch (const std::exception&) {  // of another's engine
+    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
+  } catch (const std::exception&) {  // thrown by a third-party engine
     for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
     return wrong;
   }

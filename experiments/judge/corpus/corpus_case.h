@@ -10,39 +10,39 @@
 
 namespace touchstone::corpus {
 
-/// A ball and a polygon that every method may be asked about, and where they come from.
+/// A valid ball and polygon, and their origin.
 struct CorpusCase {
   std::string id;
   Ball ball;
   Polygon polygon;
   std::vector<std::string> tags;
-  std::string origin;  ///< the command that draws it again, or why someone made it
+  std::string origin;  ///< the command that draws it again, or the reason why it was made
 };
 
-/// The exact answer with all its keys, as `expected` has it.
+/// Returns the exact answer with all its keys, in the form of `expected`.
 [[nodiscard]] cases::Verdict exact_answer(const Ball& ball, const Polygon& polygon);
 
-/// The keys that say yes or no, which or how many. Of `point` and `distance`, methods that are not exact miss the last
-/// bit nearly always.
+/// Returns whether the value of the key is yes or no, a choice or a count. Inexact methods nearly always miss the last
+/// bit of `point` and `distance`.
 [[nodiscard]] bool is_decisive(std::string_view key);
 
-/// The keys to which the method gives another value than the truth, with what it gives. What it leaves out, and what it
-/// is unsure of, is not wrong; where it ends with an exception, all keys are, and null is given.
+/// Returns the keys for which the value of the method differs from the truth, with the value of the method. Keys that
+/// it omits or is unsure about are not wrong. If it throws, all keys are wrong, with the value null.
 [[nodiscard]] cases::Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon,
                                           const cases::Verdict& truth);
 
-/// Is one of these keys decisive?
+/// Returns whether one of these keys is decisive.
 [[nodiscard]] bool any_decisive(const cases::Verdict& wrong);
 
-/// The methods that the corpus was chosen to fail: plain numbers of several kinds, the thesis's, and others' kernels.
-/// All of them are in every build.
+/// Returns the methods that the corpus was chosen to fail: floating-point numbers of several kinds, the thesis, and
+/// third-party kernels. Every build has all of them.
 [[nodiscard]] const std::vector<const cases::Method*>& witnesses();
-/// Those that are wrong about a decisive key.
+/// Returns the witnesses that get a decisive key wrong.
 [[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
                                                                   const cases::Verdict& truth);
 
-/// The case in the contract's form with its whole answer, the tag `fails:NAME` for each failing witness, and `origin`:
-/// one line.
+/// Returns the case in the form of the contract with its whole answer, the tag `fails:NAME` for each failing witness,
+/// and `origin`, as one line.
 [[nodiscard]] std::string line_of(const CorpusCase& given, const cases::Verdict& truth);
 
 /// `origin` and `tags` of a line that cases::read_case accepts; empty where they are missing.

@@ -15,9 +15,9 @@
 
 #include "experiments/cases/input_lines.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/corpus/check.h"
 #include "experiments/judge/corpus/corpus_case.h"
@@ -35,7 +35,7 @@ struct MakeOptions {
   std::string folder = corpus_folder().string();
   unsigned threads = harness::all_threads();
   bool force = false;
-  std::string line;  ///< that repeats the run
+  std::string line;  ///< the command line that repeats the run
 };
 
 int make(const MakeOptions& options) {
@@ -63,10 +63,10 @@ int check(const std::vector<std::string>& files) {
 
 struct ShrinkOptions {
   std::string file, method;
-  std::string key;  ///< empty: all that are wrong
+  std::string key;  ///< empty: all wrong keys
 };
 
-/// One case, or nothing where it was complained about.
+/// Returns one case, or nothing after a complaint about it.
 std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Method& method,
                                        const std::optional<std::string>& key, const std::atomic<bool>& stop) {
   if (!line.read) {
@@ -105,25 +105,25 @@ int shrink(const ShrinkOptions& options) {
     throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
   const cases::Method& method = *methods.front();
   const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   int status = 0;
   std::size_t lines = 0;
   const auto files = options.file == "-" ? std::vector<std::string>{} : std::vector{options.file};
   cases::read_lines(files, [&](cases::Line&& line) {
     ++lines;
-    if (const auto shrunk = shrunk_line(line, method, key, interrupt.requested())) {
+    if (const auto shrunk = shrunk_line(line, method, key, stop_signal.requested())) {
       if (std::fwrite(shrunk->data(), 1, shrunk->size(), stdout) != shrunk->size() || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(), "the case cannot be written");
     } else {
       status = 2;
     }
-    return !interrupt.requested();
+    return !stop_signal.requested();
   });
   if (lines == 0) {
     fmt::print(stderr, "touchstone: {}: there is no case in it\n", io::all_legible(options.file));
     return 2;
   }
-  return interrupt.requested() ? harness::kInterrupted : status;
+  return stop_signal.requested() ? harness::kInterrupted : status;
 }
 
 harness::Command make_command() {
@@ -131,7 +131,7 @@ harness::Command make_command() {
   auto options = std::make_shared<MakeOptions>();
   command.keep_line(options->line);
   command.text("FOLDER", options->folder, "Where to");
-  command.threads(options->threads, "They do not change the files");
+  command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);
   command.runs([options] { return make(*options); });
   return command;
@@ -150,8 +150,7 @@ harness::Command shrink_command() {
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
   command.text("--method", options->method, "The method that fails").required();
-  command.text("--key", options->key,
-               "The key of the answer that must stay wrong; default: all decisive ones that are");
+  command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys");
   command.runs([options] { return shrink(*options); });
   return command;
 }

@@ -13,24 +13,24 @@
 
 namespace touchstone::corpus {
 
-/// Cases that are drawn one after the other.
+/// A sequence of cases to draw.
 struct Stream {
-  /// Case number `index`; none where it is not of this stream.
+  /// Draws case number `index`; nothing if it does not belong to this stream.
   std::function<std::optional<CorpusCase>(std::uint64_t index)> draw;
-  std::size_t count;            ///< so many of them are wanted
-  std::uint64_t most = 20'000;  ///< indices to look at, at most
+  std::size_t count;            ///< the number of cases wanted
+  std::uint64_t most = 20'000;  ///< the maximal number of indices to try
 };
 
-/// Case `index` of a workload, seed 1.
+/// Returns the cases of a workload, seed 1.
 [[nodiscard]] Stream workload_stream(const workloads::Workload& workload, std::size_t count);
-/// The cases of one family of `soak`, seed 1.
+/// Returns the cases of one family of `soak`, seed 1.
 [[nodiscard]] Stream soak_stream(adversarial::Family family, std::size_t count);
 
-/// Is the case, whose answer is given, of the family's kind?
+/// A predicate: whether the case, given its answer, is of the kind of the family.
 using Kind = std::function<bool(const CorpusCase&, const cases::Verdict& truth)>;
 
-/// The first cases of each stream that are of that kind and about which a witness is wrong, a line each. Long lines are
-/// passed over: cases are to be read.
+/// Returns, one per line, the first cases of each stream that are of that kind and that a witness gets wrong. Skips
+/// long lines, because people read the cases.
 [[nodiscard]] std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind);
 
 }  // namespace touchstone::corpus

@@ -22,7 +22,7 @@ bool any_kind(const CorpusCase&, const Verdict&) { return true; }
 
 bool is_nearest(const Verdict& truth, std::string_view kind) { return truth["nearest"]["kind"] == kind; }
 
-/// A stream for each family of outlines and each placement.
+/// Returns a stream for each family of outlines and each placement.
 void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::size_t count) {
   for (const auto family : workloads::all_families())
     for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated}) {
@@ -34,7 +34,7 @@ void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::si
     }
 }
 
-/// What the corpus began with, and smaller outlines, whose radius is some doubles beside the distance.
+/// Returns the first streams of the corpus, and smaller outlines whose radius is some doubles beside the distance.
 std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
   std::vector<Stream> streams;
   for (const std::size_t holes : {std::size_t{0}, std::size_t{1}})
@@ -69,7 +69,7 @@ Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
   return normal;
 }
 
-/// Is the vertex nearest to the foot one at which the polygon's interior angle is beyond 180 degrees? In doubles.
+/// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
 bool is_reflex_near_foot(const CorpusCase& drawn, const Verdict&) {
   const Polygon& polygon = drawn.polygon;
   const Vector3d normal = normal_of(polygon, 0);
@@ -83,7 +83,7 @@ bool is_reflex_near_foot(const CorpusCase& drawn, const Verdict&) {
   const Vector3d turn =
       (corner - polygon.vertex(polygon.previous(nearest))).cross(polygon.vertex(polygon.next(nearest)) - corner);
   const bool convex_in_loop = turn.dot(normal_of(polygon, loop)) > 0;
-  return convex_in_loop == (loop != 0);  // what is a hole's corner is a dent of the face
+  return convex_in_loop == (loop != 0);  // a convex corner of a hole is a reflex corner of the face
 }
 
 std::string reflex_vertex() {
@@ -143,7 +143,7 @@ std::string exponents() {
 
 std::string point() { return drawn_text({soak_stream(adversarial::Family::Point, 250)}, any_kind); }
 
-/// The largest difference of coordinates.
+/// Returns the largest difference of coordinates.
 double extent_of(const Polygon& polygon) {
   double extent = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -13,7 +13,7 @@
 namespace touchstone::corpus {
 namespace {
 
-/// Throws std::runtime_error with what is wrong with the line.
+/// Throws std::runtime_error with the fault of the line.
 std::string completed(const std::string& text, const std::string& name) {
   const cases::Case read = cases::read_case(text);
   if (const auto* rejection = std::get_if<Rejection>(&read.content)) {

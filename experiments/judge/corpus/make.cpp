@@ -32,7 +32,7 @@ void check_ids(const std::vector<FileCounts>& files, const std::vector<std::stri
       const std::size_t end = texts[i].find('\n', begin);
       const auto id = cases::read_case(std::string_view(texts[i]).substr(begin, end - begin)).id;
       if (id && !ids.insert(*id).second)
-        throw std::logic_error(fmt::format("{}: the id \"{}\" stands twice in the corpus", files[i].file, *id));
+        throw std::logic_error(fmt::format("{}: duplicate id \"{}\" in the corpus", files[i].file, *id));
       begin = end + 1;
     }
 }

@@ -6,9 +6,9 @@
 
 namespace touchstone::corpus {
 
-/// Every file of the corpus by its name: `FAMILY.jsonl`, `corpus.json` (version and counts) and the page README.md.
-/// The same bytes for any number of threads.
-/// Throws what the texts of families throw, and std::logic_error where a file is too large or an id stands twice.
+/// Returns every file of the corpus by its name: `FAMILY.jsonl`, `corpus.json` (version and counts) and the page
+/// README.md. The result does not depend on the number of threads. Throws the exceptions of the texts of families, and
+/// std::logic_error if a file is too large or an id is not unique.
 [[nodiscard]] std::map<std::string, std::string> make_corpus(unsigned threads);
 
 }  // namespace touchstone::corpus

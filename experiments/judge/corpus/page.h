@@ -8,16 +8,16 @@
 
 namespace touchstone::corpus {
 
-/// What the page tells of a file.
+/// The facts about a file that the page lists.
 struct FileCounts {
   std::string file, subject;
   std::size_t cases, bytes;
-  std::vector<std::pair<std::string, std::size_t>> failed_by;  ///< cases with a decisive key that a witness gets wrong
+  std::vector<std::pair<std::string, std::size_t>> failed_by;  ///< cases in which a witness gets a decisive key wrong
 };
 
-/// The page of the corpus, in Markdown.
+/// Returns the page of the corpus, in Markdown.
 [[nodiscard]] std::string page_text(const std::vector<FileCounts>& files);
-/// The same counts, and the version, for programs: JSON.
+/// Returns the same counts, and the version, as JSON for programs.
 [[nodiscard]] std::string manifest_text(const std::vector<FileCounts>& files);
 
 }  // namespace touchstone::corpus

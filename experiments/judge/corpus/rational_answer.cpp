@@ -18,7 +18,7 @@ namespace {
 
 using cases::Verdict;
 
-/// Of the formulas only; what they give is never rounded.
+/// Numbers of the formulas, whose results are never rounded.
 struct UnroundedRationals {
   using Number = CGAL::Gmpq;
 };
@@ -27,7 +27,7 @@ using RationalPolygon = methods::PlainPolygon<UnroundedRationals>;
 
 mpq_class rational(const CGAL::Gmpq& x) { return mpq_class(x.mpq()); }
 
-/// Where the numbers begin and end that round to x > 0 or to 0; both belong to it if its significand is even.
+/// The interval of the numbers that round to x > 0 or to 0; it includes its ends if the significand of x is even.
 struct Rounded {
   mpq_class low, high;
   bool with_ends;
@@ -42,7 +42,7 @@ Rounded that_round_to(double x) {
   return {(below + here) / 2, (here + above) / 2, (std::bit_cast<std::uint64_t>(x) & 1) == 0};
 }
 
-/// A number of an answer: null stands for what is beyond the doubles.
+/// Reads a number of an answer: null means beyond the finite doubles.
 double number(const nlohmann::json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
 }
@@ -58,11 +58,11 @@ struct Point2 {
   friend bool operator==(const Point2&, const Point2&) = default;
 };
 
-/// > 0 if c lies to the left of the line from a to b.
+/// Returns a number > 0 if c lies to the left of the line from a to b.
 int side(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(mpq_class((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
 }
-/// Of a point on the line: is it between a and b, or one of them?
+/// Returns whether a point on the line lies between a and b, or equals one of them.
 bool is_between(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(mpq_class((a.x - c.x) * (b.x - c.x) + (a.y - c.y) * (b.y - c.y))) <= 0;
 }
@@ -73,7 +73,7 @@ bool share_a_point(const Point2& a, const Point2& b, const Point2& c, const Poin
          (a_side == 0 && is_between(c, d, a)) || (b_side == 0 && is_between(c, d, b));
 }
 
-/// The vertices without the coordinate that the normal is largest in; none where it is zero.
+/// Returns the vertices without the coordinate of the largest component of the normal; nothing if the normal is zero.
 std::optional<std::vector<Point2>> dropped(const Polygon& polygon) {
   const std::size_t count = polygon.vertex_count();
   std::vector<std::array<mpq_class, 3>> vertices(count);
@@ -93,7 +93,7 @@ std::optional<std::vector<Point2>> dropped(const Polygon& polygon) {
   return points;
 }
 
-/// Do edges i and j of one loop meet elsewhere than neighbours must?
+/// Returns whether edges i and j of one loop meet, apart from the shared vertex of neighbours.
 bool meet(const Polygon& polygon, const std::vector<Point2>& points, std::size_t i, std::size_t j) {
   const std::size_t i_end = polygon.next(i), j_end = polygon.next(j);
   if (i_end != j && j_end != i) return share_a_point(points[i], points[i_end], points[j], points[j_end]);

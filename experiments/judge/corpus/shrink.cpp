@@ -22,7 +22,7 @@ namespace {
 using cases::Verdict;
 using Eigen::Vector3d;
 
-/// |x| = significand 2^exponent with an odd significand; both 0 for 0.
+/// A number |x| = significand 2^exponent with an odd significand; both are 0 for 0.
 struct Parts {
   std::uint64_t significand = 0;
   int exponent = 0;
@@ -46,10 +46,10 @@ std::size_t bits_of(double x) {
 
 std::size_t bits_of(const Vector3d& v) { return bits_of(v.x()) + bits_of(v.y()) + bits_of(v.z()); }
 
-/// To the nearest multiple of 2^exponent.
+/// Rounds to the nearest multiple of 2^exponent.
 double on_grid(double x, int exponent) { return std::ldexp(std::nearbyint(std::ldexp(x, -exponent)), exponent); }
 
-/// Simpler numbers of the same sign, the simplest first.
+/// Returns simpler numbers of the same sign, the simplest first.
 std::vector<double> simpler(double x) {
   const Parts parts = parts_of(x);
   const int width = static_cast<int>(std::bit_width(parts.significand)), top = parts.exponent + width;
@@ -67,7 +67,8 @@ bool is_usable(const Ball& ball, const Polygon& polygon) {
   return !find_fault(ball) && !exact::validate(polygon).has_value();
 }
 
-/// What of a value is said in words, yes or no: of the nearest feature its kind; nothing of edges and numbers.
+/// Returns the part of a value that is a word, yes or no: the kind of the nearest feature; nothing for edges and
+/// numbers.
 std::string words_of(const Verdict& value) {
   if (value.is_object()) return value.at("kind").get<std::string>();
   return value.is_string() || value.is_boolean() ? value.dump() : "";
@@ -108,8 +109,8 @@ class Shrinker {
     margin_ = workloads::doubles_between(exact::answer(ball, polygon).distance, ball.radius);
   }
 
-  /// Takes the candidate if it is smaller and fails in the same way; if need be with the radius as near to the
-  /// distance.
+  /// Accepts the candidate if it is smaller and fails in the same way, if necessary with the radius as near to the
+  /// distance as before.
   bool take(const Candidate& candidate) try {
     if (stop_ || !candidate.ball.center.allFinite()) return false;
     const Polygon polygon = workloads::polygon_of(candidate.loops);
@@ -153,8 +154,8 @@ class Shrinker {
         });
   }
 
-  /// Tries without the parts [begin, end) of a list, halves first; nothing where less than `least` would have been left
-  /// to choose from.
+  /// Tries to leave out the parts [begin, end) of a list, halves first. Does nothing if fewer than `least` parts would
+  /// remain.
   template <class Count, class Without>
   void leave_out(std::size_t least, const Count& count, const Without& without) {
     for (std::size_t part = count() / 2 + count() % 2; part > 0; part /= 2)
@@ -164,7 +165,7 @@ class Shrinker {
       }
   }
 
-  /// The same function of every coordinate: f(x, axis).
+  /// Applies one function to every coordinate: f(x, axis).
   template <class Map>
   [[nodiscard]] Candidate mapped(const Map& f) const {
     Candidate candidate{ball_, loops_};
@@ -209,7 +210,7 @@ class Shrinker {
       (void)take(mapped([&](double x, int axis) { return axis == mirrored ? 0.0 - x : x; }));
   }
 
-  /// All coordinates on one grid, the coarsest that does; then the polygon's, then the centre's alone.
+  /// Rounds all coordinates to the coarsest grid that keeps the failure; then those of the polygon, then of the centre.
   void coarsen() {
     int finest = 1024, coarsest = -1075;
     for (const Vector3d& v : points())
@@ -225,7 +226,7 @@ class Shrinker {
       }
   }
 
-  /// The radius, the centre's coordinates, then the vertices'.
+  /// Simplifies the radius, the coordinates of the centre, then those of the vertices.
   static double& number(Candidate& candidate, std::size_t i) {
     if (i == 0) return candidate.ball.radius;
     if (i < 4) return candidate.ball.center[static_cast<Eigen::Index>(i - 1)];

@@ -13,31 +13,31 @@
 
 namespace touchstone::corpus {
 
-/// How much there is to read in a case; compared member by member.
+/// The amount to read in a case; compared member by member.
 struct Size {
   std::size_t loops = 0, vertices = 0;
-  /// Of all coordinates and the radius, m 2^e each with odd m: the bits of m and of e, and one for a minus sign. A zero
-  /// weighs nothing.
+  /// The bits of all coordinates and the radius, each m 2^e with odd m: the bits of m and of e, and one for a minus
+  /// sign. A zero counts 0.
   std::size_t bits = 0;
 
   friend auto operator<=>(const Size&, const Size&) = default;  // NOLINT(modernize-use-nullptr)
 };
 [[nodiscard]] Size size_of(const Ball& ball, const Polygon& polygon);
 
-/// What a reduced case must fail in. A case that fails in decisive keys (is_decisive) must go on to do so in all of the
-/// same, and where their values are words, the true and the given ones must stay: an overlap that is missed does not
-/// become a touch that is missed. One that fails in `point`, `distance` or `off_plane` alone must go on to fail in all
-/// of the same, and in nothing decisive.
+/// The condition that a reduced case must meet. A case that fails in decisive keys (is_decisive) must still fail in all
+/// of them; if their values are words, the true and the given words must stay: a missed overlap does not become a
+/// missed touch. A case that fails only in `point`, `distance` or `off_plane` must still fail in all of these, and in
+/// no decisive key.
 class SameFailure {
  public:
-  /// Of all keys that the method gets wrong, or, where one is named, of that alone.
-  /// Requires what the method requires. Throws std::invalid_argument where it gets none of them wrong.
+  /// Considers all keys that the method gets wrong, or only the named one. Requires the preconditions of the method.
+  /// Throws std::invalid_argument if the method gets none of them wrong.
   SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
               const std::optional<std::string>& key = std::nullopt);
 
-  /// The keys that must stay wrong.
+  /// Returns the keys that must stay wrong.
   [[nodiscard]] const std::vector<std::string>& keys() const { return keys_; }
-  /// Does the case, which need not be valid, fail in the same way?
+  /// Returns whether the case, which need not be valid, fails in the same way.
   [[nodiscard]] bool holds(const Ball& ball, const Polygon& polygon) const;
 
  private:
@@ -47,14 +47,16 @@ class SameFailure {
   bool nothing_decisive_;
 };
 
-/// A smaller case that fails in the same way, by delta debugging: loops and vertices are left out, in halves, quarters
-/// and so on to single ones; everything is moved towards the origin, scaled by powers of two and mirrored; numbers lose
-/// bits, first all of them on one grid, then each by itself, and exponents. With each of these the radius is also tried
-/// as far from the new distance, in doubles, as it was from the old one.
+/// A smaller case that fails in the same way, by delta debugging. It leaves out loops and vertices, in halves, quarters
+/// and so on down to single ones; moves everything towards the origin, scales by powers of two and mirrors; removes
+/// bits of numbers, first of all numbers on one grid, then of each number, and exponents. Each step is also tried with
+/// the radius at the same number of doubles from the new distance as it was from the old one.
 ///
-/// (1) The result is valid by the contract and fails in the same way. (2) Its size is not larger, and is smaller if the
-/// case is not the same. (3) Shrinking the result gives the result. (4) It depends on the arguments alone. Where `stop`
-/// became true, (3) does not hold. Cost: some thousand questions to the method and to `exact`.
+///  (1) The result is valid by the contract and fails in the same way.
+///  (2) Its size is not larger, and is smaller unless the case is the same.
+///  (3) Shrinking the result gives the result.
+///  (4) It depends on the arguments alone.
+/// If `stop` became true, (3) does not hold. Cost: some thousand queries to the method and to `exact`.
 /// Source: [zeller2002].
 struct Shrunk {
   Ball ball;

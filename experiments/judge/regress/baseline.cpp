@@ -20,9 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;  // raised where a case of a seed becomes another one
+constexpr int kVersion = 1;  // raised whenever the case of a seed changes
 
-/// The cases of that outcome.
+/// Returns the digits of the cases with that outcome.
 std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
   std::string digits;
   for (std::size_t i = 0; i < outcomes.size(); i += 4) {
@@ -34,10 +34,10 @@ std::string digits_of(const Outcomes& outcomes, Outcome outcome) {
   return digits;
 }
 
-/// Gives that outcome to the cases that the digits name.
+/// Assigns that outcome to the cases that the digits mark.
 void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes) {
   if (digits.size() != (outcomes.size() + 3) / 4 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
-    throw std::runtime_error("are not the digits of so many cases");
+    throw std::runtime_error(fmt::format("are not the digits of {} cases", outcomes.size()));
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const char digit = digits[i / 4];
     const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
@@ -47,7 +47,7 @@ void read_digits(const std::string& digits, Outcome outcome, Outcomes& outcomes)
   }
 }
 
-/// Throws where an object has a key that is not known; `where` is empty, or names the object.
+/// Throws if an object has an unknown key; `where` is empty, or names the object.
 void check_keys(const Json& object, const std::string& where, const std::vector<std::string>& known) {
   for (const auto& [key, value] : object.items())
     if (std::ranges::find(known, key) == known.end())
@@ -60,8 +60,8 @@ std::vector<std::string> family_names() {
   return names;
 }
 
-/// Methods by name, each with the digits of every family, go into the standing.
-void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Standing& standing) {
+/// Adds methods, by name, each with the digits of every family, to the table.
+void read_methods(const Json& methods, Outcome outcome, std::size_t cases, OutcomeTable& table) {
   for (const auto& [method, families] : methods.items()) {
     const std::string shown = io::legible(method);
     if (!families.is_object()) throw std::runtime_error(shown + " is not an object");
@@ -69,7 +69,7 @@ void read_methods(const Json& methods, Outcome outcome, std::size_t cases, Stand
     for (const std::string& name : family_names()) {
       if (!families.contains(name)) throw std::runtime_error(fmt::format("{} has no key \"{}\"", shown, name));
       if (!families[name].is_string()) throw std::runtime_error(fmt::format("{} of {}: is not a string", name, shown));
-      Outcomes& outcomes = standing[method][name];
+      Outcomes& outcomes = table[method][name];
       outcomes.resize(cases);
       try {
         read_digits(families[name].get_ref<const std::string&>(), outcome, outcomes);
@@ -96,7 +96,7 @@ std::string text_of(const std::filesystem::path& file, std::size_t longest) {
 Baseline baseline_of(const std::string& text) {
   const harness::StrictJson read = harness::read_strict_json(text);
   if (read.duplicate_key)
-    throw std::runtime_error(fmt::format("has the key \"{}\" twice", io::legible(*read.duplicate_key)));
+    throw std::runtime_error(fmt::format("has the duplicate key \"{}\"", io::legible(*read.duplicate_key)));
   const Json json = read.value;
   if (!json.is_object()) throw std::runtime_error("is not an object");
   if (json.at("version") != kVersion)
@@ -105,20 +105,20 @@ Baseline baseline_of(const std::string& text) {
   check_keys(json, "", {"version", "seed", "samples", "methods", "unsure"});
   for (const char* key : {"seed", "samples"})
     if (!json.at(key).is_number_unsigned())
-      throw std::runtime_error(fmt::format("\"{}\" is no whole number without a sign", key));
+      throw std::runtime_error(fmt::format("\"{}\" is not a whole number without a sign", key));
   Baseline baseline;
   baseline.settings = {json.at("seed").get<std::uint64_t>(), json.at("samples").get<std::size_t>()};
   if (baseline.settings.samples < 1 || baseline.settings.samples > kMostSamples)
     throw std::runtime_error(fmt::format("\"samples\" must be from 1 to {}", kMostSamples));
   if (!json.at("methods").is_object() || json.at("methods").empty())
     throw std::runtime_error("\"methods\" has no method");
-  read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.standing);
+  read_methods(json.at("methods"), Outcome::Wrong, baseline.settings.cases(), baseline.table);
   if (json.contains("unsure")) {
     if (!json.at("unsure").is_object()) throw std::runtime_error("\"unsure\" is not an object");
     for (const auto& [method, families] : json.at("unsure").items())
-      if (baseline.standing.count(method) == 0)
+      if (baseline.table.count(method) == 0)
         throw std::runtime_error(fmt::format("\"unsure\" has {}, which \"methods\" has not", io::legible(method)));
-    read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.standing);
+    read_methods(json.at("unsure"), Outcome::Unsure, baseline.settings.cases(), baseline.table);
   }
   return baseline;
 }
@@ -131,7 +131,7 @@ bool is_unsure(const std::map<std::string, Outcomes>& families) {
 
 std::string baseline_text(const Baseline& baseline) {
   Json json{{"version", kVersion}, {"seed", baseline.settings.seed}, {"samples", baseline.settings.samples}};
-  for (const auto& [method, families] : baseline.standing)
+  for (const auto& [method, families] : baseline.table)
     for (const auto& family : workloads::all_families()) {
       const auto name = std::string(word(family));
       json["methods"][method][name] = digits_of(families.at(name), Outcome::Wrong);
@@ -145,7 +145,7 @@ Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
     return baseline_of(text_of(file, longest));
   } catch (const harness::NotJson& error) {
     throw std::runtime_error(file.string() + ": not JSON: " + error.what());
-  } catch (const nlohmann::json::exception& error) {  // a key that is not there
+  } catch (const nlohmann::json::exception& error) {  // a missing key
     throw std::runtime_error(file.string() + ": " + harness::json_fault(error));
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(file.string() + ": there is not enough memory to read it");
@@ -154,7 +154,7 @@ Baseline read_baseline(const std::filesystem::path& file, std::size_t longest) {
   }
 }
 
-std::vector<Change> changes(const Standing& baseline, const Standing& now) {
+std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& now) {
   std::vector<Change> changes;
   for (const auto& [method, families] : now) {
     const auto before = baseline.find(method);

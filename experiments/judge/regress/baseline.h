@@ -6,33 +6,33 @@
 #include <string>
 #include <vector>
 
-#include "experiments/judge/regress/standing.h"
+#include "experiments/judge/regress/outcome_table.h"
 
 namespace touchstone::regress {
 
-/// A standing that others are held against, as a file: JSON, the cases of a family that a method is wrong about as
-/// hexadecimal digits, four cases a digit, the first case in the highest bit; so, too, those that it is unsure about,
-/// if it is about any of all families. Equal standings make equal bytes.
+/// The outcomes of all cases that later runs are compared with, as a JSON file. For each method and family, hexadecimal
+/// digits mark the wrong cases: four cases per digit, the first case in the highest bit. The unsure cases are marked
+/// likewise, for methods that are unsure about any case. Equal outcomes give equal bytes.
 struct Baseline {
   Settings settings;
-  Standing standing;
+  OutcomeTable table;
 };
 
-/// Longer than baseline_text of any settings and all methods.
+/// An upper bound of the length of baseline_text for any settings and all methods.
 inline constexpr std::size_t kLongestBaseline = std::size_t{1} << 30;
 
 [[nodiscard]] std::string baseline_text(const Baseline& baseline);
-/// Throws std::runtime_error, which names the file and what is wrong with it: it is longer than so many bytes,
-/// is not JSON, lacks a key or has one that is not known.
+/// Reads a baseline. Throws std::runtime_error, which names the file and its fault: it is longer than `longest` bytes,
+/// is not JSON, lacks a key or has an unknown one.
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& file, std::size_t longest = kLongestBaseline);
 
-/// Of one method and family, the numbers of the cases whose outcome is better or worse than in the baseline.
+/// For one method and family, the numbers of the cases whose outcome is better or worse than in the baseline.
 struct Change {
   std::string method, family;
   std::vector<std::size_t> better, worse;
 };
 
-/// The changes of those methods that both have; families in their order. Requires equal settings.
-[[nodiscard]] std::vector<Change> changes(const Standing& baseline, const Standing& now);
+/// Returns the changes of the methods that both have, families in their order. Requires equal settings.
+[[nodiscard]] std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& now);
 
 }  // namespace touchstone::regress

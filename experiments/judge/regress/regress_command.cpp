@@ -11,11 +11,11 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
@@ -34,7 +34,7 @@ struct Options {
   bool allow_missing = false, force = false;
   Settings settings;
   unsigned threads = harness::all_threads();
-  std::string line;  ///< that repeats the run
+  std::string line;  ///< the command line that repeats the run
 };
 
 std::string cell(const Summary& summary) {
@@ -43,14 +43,14 @@ std::string cell(const Summary& summary) {
                      summary.first ? fmt::format(" 2^-{}", *summary.first) : "");
 }
 
-std::string table_of(const Standing& standing, const Settings& settings) {
+std::string table_of(const OutcomeTable& table, const Settings& settings) {
   std::string text = fmt::format(
       "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
       "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
       settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
   for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", word(family));
   text += "\n";
-  for (const auto& [method, families] : standing) {
+  for (const auto& [method, families] : table) {
     text += fmt::format("{:<24}", method);
     std::size_t unsure = 0;
     for (const auto family : workloads::all_families()) {
@@ -63,9 +63,9 @@ std::string table_of(const Standing& standing, const Settings& settings) {
   return text;
 }
 
-std::string standing_text(const Standing& standing) {
+std::string csv_of(const OutcomeTable& table) {
   std::string text = "method,family,wrong,unsure,cases,first_offset_exponent\n";
-  for (const auto& [method, families] : standing)
+  for (const auto& [method, families] : table)
     for (const auto family : workloads::all_families()) {
       const Summary summary = summary_of(families.at(std::string(word(family))));
       text += fmt::format("{},{},{},{},{},{}\n", method, word(family), summary.wrong, summary.unsure, summary.cases,
@@ -74,7 +74,7 @@ std::string standing_text(const Standing& standing) {
   return text;
 }
 
-/// The cases on which methods have become worse, once each, as the judge reads them.
+/// Returns the cases for which methods have become worse, each once, in the form that the judge reads.
 std::string worse_text(const Settings& settings, const std::vector<Change>& changes) {
   std::string text;
   for (const auto family : workloads::all_families()) {
@@ -91,7 +91,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
   return text;
 }
 
-/// Says what changed, and returns how many cases are worse.
+/// Prints the changes and returns the number of worse cases.
 std::size_t tell_changes(const std::vector<Change>& changes) {
   std::size_t better = 0, worse = 0;
   for (const Change& change : changes) {
@@ -108,17 +108,17 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
   return worse;
 }
 
-/// Throws where nothing would be held against the baseline, or not a method that the command line names.
+/// Throws if no method could be compared with the baseline, or a method that the command line names could not.
 void refuse_missing(const Options& options, const Baseline& baseline,
                     const std::vector<const cases::Method*>& methods) {
-  const auto has = [&](std::string_view method) { return baseline.standing.count(std::string(method)) > 0; };
+  const auto has = [&](std::string_view method) { return baseline.table.count(std::string(method)) > 0; };
   if (std::ranges::none_of(methods, [&](const cases::Method* method) { return has(method->name()); }))
-    throw std::runtime_error(options.baseline + ": has none of the methods that are asked");
+    throw std::runtime_error(options.baseline + ": has none of the methods of this run");
   if (options.allow_missing) return;
   for (const cases::Method* method : methods)
     if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
       throw std::runtime_error(
-          fmt::format("{}: has no method {}, which --method names; --allow-missing goes on without it",
+          fmt::format("{}: has no method {}, which --method names; --allow-missing continues without it",
                       options.baseline, method->name()));
 }
 
@@ -127,7 +127,7 @@ int run(const Options& options) {
   auto methods = methods::find_methods(options.methods);
   std::erase_if(methods, [](const cases::Method* method) {
     if (answers(*method)) return false;
-    fmt::print("{}: does not say whether ball and polygon touch; left out\n", method->name());
+    fmt::print("{}: does not decide contact; left out\n", method->name());
     return true;
   });
   std::optional<Baseline> baseline;
@@ -141,31 +141,31 @@ int run(const Options& options) {
     harness::make_folder(std::filesystem::absolute(options.write).parent_path());
   }
 
-  const harness::Interrupt interrupt;
-  std::optional<Standing> standing;
+  const harness::StopSignal stop_signal;
+  std::optional<OutcomeTable> table;
   {
     harness::ProgressLine line("regress", blocks_of(settings));
-    standing = find_standing(settings, methods, options.threads, interrupt.requested(), std::ref(line));
+    table = find_outcomes(settings, methods, options.threads, stop_signal.requested(), std::ref(line));
   }
-  if (!standing) {
+  if (!table) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  fmt::print("{}\n", table_of(*standing, settings));
+  fmt::print("{}\n", table_of(*table, settings));
 
   std::vector<Change> changed;
   if (baseline) {
-    for (const auto& [method, families] : baseline->standing)
-      if (standing->count(method) == 0) fmt::print("{}: in the baseline, not asked here\n", io::legible(method));
-    for (const auto& [method, families] : *standing)
-      if (baseline->standing.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
-    changed = changes(baseline->standing, *standing);
+    for (const auto& [method, families] : baseline->table)
+      if (table->count(method) == 0) fmt::print("{}: in the baseline, not in this run\n", io::legible(method));
+    for (const auto& [method, families] : *table)
+      if (baseline->table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+    changed = changes(baseline->table, *table);
   }
   const std::size_t worse = baseline ? tell_changes(changed) : 0;
-  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *standing}), options.force);
+  if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "standing.csv", standing_text(*standing));
+    harness::write_file(folder / "standing.csv", csv_of(*table));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
         folder, {.command = options.line,
@@ -181,24 +181,24 @@ int run(const Options& options) {
 }  // namespace
 
 harness::Command regress_command() {
-  harness::Command command("regress", "Hold every method's failures against a baseline");
+  harness::Command command("regress", "Compare the failures of every method with a baseline");
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.footer(
-      "Asks the methods whether balls near a face, an edge and a vertex of random polygons touch, with radii at "
-      "relative\n"
-      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that a change of one "
-      "answer\n"
-      "is seen. Exit status 1 if a method does worse on a case than in the baseline: wrong where it was right or "
-      "unsure,\n"
-      "or unsure where it was right; 2 if the baseline cannot be read or lacks a method that --method names, or if\n"
-      "--write names a file that is there and --force is not given.");
-  command.text("--baseline", options->baseline, "What to hold them against; its seed and samples are taken");
+      "Tests the methods with balls near a face, an edge and a vertex of random polygons, with radii at relative\n"
+      "offsets of 2^-8 to 2^-52 from the exact distance. Cases are a function of the seed, so that the change of a "
+      "single\n"
+      "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
+      "or\n"
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --method names, or "
+      "if\n"
+      "--write names an existing file without --force.");
+  command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,
-            "A method that --method names need not be in the baseline; it is then not held against anything")
+            "A method that --method names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
-  command.text("--write", options->write, "Write what was found as a baseline");
+  command.text("--write", options->write, "Write the outcomes as a baseline");
   command.names("--method", options->methods, "Methods; `all` for every one of this build");
   command.seed(options->settings.seed).excludes("--baseline");
   command

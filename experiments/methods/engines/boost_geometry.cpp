@@ -14,7 +14,7 @@ namespace bg = boost::geometry;
 using Point2 = bg::model::d2::point_xy<double>;
 using Polygon2 = bg::model::polygon<Point2>;
 
-/// In the plane: where the foot is, by Boost.Geometry; the foot itself, and nothing else, by plain doubles.
+/// The test of the foot in the plane. Boost.Geometry locates the foot; plain doubles compute it.
 class Prepared : public PreparedMethod {
  public:
   explicit Prepared(const Polygon& polygon) {
@@ -35,7 +35,7 @@ class Prepared : public PreparedMethod {
     bg::correct(flat_);
   }
 
-  [[nodiscard]] PartialAnswer ask(const Ball& ball, Question) const override {
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override {
     const double height = normal_.dot(ball.center - point_) / normal_.squaredNorm();
     const Point2 foot = flat(ball.center - height * normal_);
     PartialAnswer answer;

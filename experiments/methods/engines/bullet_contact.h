@@ -7,8 +7,8 @@
 
 namespace touchstone::methods {
 
-/// Bullet's sphere against triangle, in the numbers of the build that is included. `ball`: x, y, z, radius; `triangle`:
-/// three vertices.
+/// Applies Bullet's test of sphere against triangle, in the number type of the included build. `ball`: x, y, z, radius;
+/// `triangle`: three vertices.
 inline bool bullet_contact(const double ball[4], const double triangle[9]) {
   const auto vector = [](const double* v) {
     return btVector3(static_cast<btScalar>(v[0]), static_cast<btScalar>(v[1]), static_cast<btScalar>(v[2]));

@@ -20,8 +20,8 @@ namespace {
   throw std::system_error(error, std::generic_category(), "bullet-float: " TOUCHSTONE_BULLET_FLOAT);
 }
 
-/// The program of bullet_float_program.cpp, one for all threads. A question is the number of triangles (32 bits), the
-/// ball and the triangles (doubles), as this machine has them; the answer is y or n.
+/// The program of bullet_float_program.cpp, shared by all threads. A query consists of the number of triangles (32
+/// bits), the ball and the triangles (doubles), in the byte order of this machine; the answer is y or n.
 class Program {
  public:
   Program() {
@@ -45,14 +45,14 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program() {
-    close(socket_);  // the end of its input
+    close(socket_);  // ends its input
     waitpid(process_, nullptr, 0);
   }
 
-  bool ask(const std::vector<char>& question) {
+  bool ask(const std::vector<char>& query) {
     const std::lock_guard lock(mutex_);
-    for (std::size_t sent = 0; sent < question.size();) {
-      const ssize_t some = ::send(socket_, question.data() + sent, question.size() - sent, MSG_NOSIGNAL);
+    for (std::size_t sent = 0; sent < query.size();) {
+      const ssize_t some = ::send(socket_, query.data() + sent, query.size() - sent, MSG_NOSIGNAL);
       if (some < 0 && errno != EINTR) fail(errno);
       if (some > 0) sent += static_cast<std::size_t>(some);
     }
@@ -75,7 +75,7 @@ class Triangles : public TriangleSet {
  public:
   explicit Triangles(const std::vector<Triangle>& triangles) {
     append(static_cast<std::uint32_t>(triangles.size()));
-    for (std::size_t i = 0; i < 4; ++i) append(0.0);  // the ball's place
+    for (std::size_t i = 0; i < 4; ++i) append(0.0);  // placeholder for the ball
     for (const Triangle& t : triangles)
       for (const Eigen::Vector3d& v : {t.a, t.b, t.c})
         for (const double x : v) append(x);
@@ -84,19 +84,19 @@ class Triangles : public TriangleSet {
   [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
     static Program program;
     const double sphere[]{ball.center.x(), ball.center.y(), ball.center.z(), ball.radius};
-    std::vector<char> question = question_;
-    std::memcpy(question.data() + sizeof(std::uint32_t), sphere, sizeof sphere);
-    return program.ask(question);
+    std::vector<char> query = query_;
+    std::memcpy(query.data() + sizeof(std::uint32_t), sphere, sizeof sphere);
+    return program.ask(query);
   }
 
  private:
   template <class Number>
   void append(Number number) {
     const char* bytes = reinterpret_cast<const char*>(&number);
-    question_.insert(question_.end(), bytes, bytes + sizeof number);
+    query_.insert(query_.end(), bytes, bytes + sizeof number);
   }
 
-  std::vector<char> question_;
+  std::vector<char> query_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bullet's float build, asked through standard input and output: it has the names of the double build, so that one
-// program cannot hold both. See bullet_float.cpp for what is sent.
+// Runs Bullet's float build behind standard input and output. Its symbols have the names of the double build, so one
+// program cannot link both. See bullet_float.cpp for the protocol.
 #include <array>
 #include <cstdint>
 #include <cstdio>

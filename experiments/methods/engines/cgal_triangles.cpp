@@ -28,7 +28,7 @@ std::optional<bool> by_distance(const Ball& ball, const Triangle& t) {
   return CGAL::squared_distance(point<Kernel>(ball.center), triangle<Kernel>(t)) <= radius * radius;
 }
 
-/// CGAL's sphere is a surface: a triangle within it does not meet it.
+/// CGAL's sphere is a surface: it does not intersect a triangle in its interior.
 template <class Kernel>
 std::optional<bool> by_intersection(const Ball& ball, const Triangle& t) {
   using Number = typename Kernel::FT;

@@ -18,7 +18,7 @@ RTCDevice device() {
   return device;
 }
 
-/// The point of a triangle that is closest, in floats, region by region [ericson2005, 5.1.5].
+/// Returns the closest point of a triangle, in floats, region by region [ericson2005, 5.1.5].
 Point closest_point(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point ab = b - a, ac = c - a, ap = p - a;
   const float d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -39,7 +39,8 @@ Point closest_point(const Point& p, const Point& a, const Point& b, const Point&
   return a + vb * scale * ab + vc * scale * ac;
 }
 
-/// Embree finds the triangles whose boxes a float sphere meets, and its users' closest point decides.
+/// Embree finds the triangles whose boxes intersect a float sphere; the closest point, which Embree leaves to its
+/// users, decides.
 class EmbreeMesh : public TriangleSet {
  public:
   explicit EmbreeMesh(const std::vector<Triangle>& triangles)

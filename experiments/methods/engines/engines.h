@@ -6,9 +6,8 @@
 
 #include "experiments/methods/add_methods.h"
 
-// Engines of others as methods: one file each, built where its library is there. They say whether ball and polygon
-// touch, as their users would ask: those that know triangles are given those of a triangulation, its vertices not
-// lifted.
+// Third-party engines as methods: one file each, built if its library was found. They decide contact as their users
+// would ask: engines for triangles get those of a triangulation, whose vertices are not lifted.
 namespace touchstone::methods {
 
 using MethodList = std::vector<std::unique_ptr<Method>>;
@@ -22,7 +21,7 @@ void add_fcl(MethodList& list);
 void add_libccd(MethodList& list);
 void add_ode(MethodList& list);
 
-/// Those of this build.
+/// Adds the engines of this build.
 void add_engines(MethodList& list);
 
 }  // namespace touchstone::methods

@@ -27,7 +27,7 @@ void furthest_of_triangle(const void* object, const ccd_vec3_t* direction, ccd_v
   set(point, *furthest);
 }
 
-/// Its iterations are bounded: without, some inputs never end.
+/// The number of iterations is bounded; otherwise some inputs never end.
 std::optional<bool> contact(const Ball& ball, const Triangle& triangle) {
   ccd_t ccd;
   CCD_INIT(&ccd);

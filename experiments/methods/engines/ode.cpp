@@ -10,7 +10,7 @@
 namespace touchstone::methods {
 namespace {
 
-/// ODE's collider has one state for all: it is asked by one thread at a time.
+/// ODE's collider has one global state, so calls are serialised.
 std::mutex& turn() {
   static std::mutex mutex;
   return mutex;

@@ -12,7 +12,7 @@ class Prepared : public PreparedMethod {
  public:
   Prepared(std::string_view stage, std::unique_ptr<TriangleSet> set) : stage_(stage), set_(std::move(set)) {}
 
-  [[nodiscard]] PartialAnswer ask(const Ball& ball, Question) const override {
+  [[nodiscard]] PartialAnswer ask(const Ball& ball, QueryKind) const override {
     PartialAnswer answer;
     answer.contact = set_->contact(ball);
     answer.unsure = !answer.contact;
@@ -25,7 +25,7 @@ class Prepared : public PreparedMethod {
   std::unique_ptr<TriangleSet> set_;
 };
 
-/// Each triangle by itself.
+/// Tests each triangle separately.
 class EachTriangle : public TriangleSet {
  public:
   EachTriangle(std::vector<Triangle> triangles, TriangleContact touches)

@@ -14,21 +14,24 @@
 
 namespace touchstone::methods {
 
-/// The polygon's triangles: itself where it is one, else those of a triangulation of its own vertices.
+/// Returns the triangles of the polygon: the polygon itself if it is a triangle, else those of a triangulation of its
+/// own vertices.
 [[nodiscard]] std::vector<Triangle> triangles_of(const Polygon& polygon);
 
-/// An engine that answers whether a ball touches one triangle; nothing where it cannot be asked.
+/// An engine that decides whether a ball touches one triangle; nothing if the engine cannot handle the input.
 using TriangleContact = std::optional<bool> (*)(const Ball& ball, const Triangle& triangle);
 
-/// A method of such an engine: a ball touches a polygon if it touches one of its triangles. `summary` is one line.
+/// Returns a method that uses such an engine: a ball touches a polygon if it touches one of its triangles. `summary` is
+/// one line.
 [[nodiscard]] std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary,
                                                       TriangleContact contact);
 
-/// An engine that takes all triangles of a polygon at once.
+/// An engine that processes all triangles of a polygon at once.
 class TriangleSet {
  public:
   virtual ~TriangleSet() = default;
-  /// Nothing where the engine cannot be asked. Safe from several threads.
+  /// Returns whether the ball touches a triangle; nothing if the engine cannot handle the input. Several threads may
+  /// call it.
   [[nodiscard]] virtual std::optional<bool> contact(const Ball& ball) const = 0;
 };
 using BuildTriangleSet = std::unique_ptr<TriangleSet> (*)(std::vector<Triangle> triangles);

@@ -20,12 +20,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kPatience{2};  // with processes that do not end when they are killed
-constexpr int kNotStarted = 127;              // as the shell has it
+constexpr std::chrono::seconds kPatience{2};  // for processes that do not end when killed
+constexpr int kNotStarted = 127;              // the value that shells use
 
-/// Sends SIGKILL to every child of this process. Is it of use to wait for the end of one?
+/// Sends SIGKILL to every child of this process. Returns whether waiting for the end of a child makes sense.
 ///
-/// A process that SIGKILL has reached can start no other: nothing has to be stopped first.
+/// A process that has received SIGKILL cannot start another: nothing has to be stopped first.
 bool kill_children() {
   const int file = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -43,22 +43,22 @@ bool kill_children() {
       child = 0;
     }
   close(file);
-  return killed || !any;  // none: the list may miss one while another ends
+  return killed || !any;  // if the list is empty: it may miss a child while another ends
 }
 
-/// The process between the judge and the shell. It comes from a fork, perhaps of one thread of many, and so calls
-/// nothing but what a signal handler may, and fork.
+/// The process between the judge and the shell. It comes from a fork, perhaps of a process with many threads, and so
+/// calls only fork and functions that a signal handler may call.
 class Adopter {
  public:
   /// `control` is its end of the connection to the judge.
   explicit Adopter(int control) : control_(control) {}
 
-  /// Runs the command, whose signal mask is to be `mask`, to its end.
+  /// Runs the command with the signal mask `mask` to its end.
   [[noreturn]] void run(const char* command, int input, int output, const sigset_t& mask) {
-    setpgid(0, 0);                        // no signal to the judge's group, or the shell's, means it
-    prctl(PR_SET_NAME, "judge-adopter");  // nor does `pkill touchstone`
+    setpgid(0, 0);                        // signals to the group of the judge or the shell do not reach it
+    prctl(PR_SET_NAME, "judge-adopter");  // `pkill touchstone` does not reach it, either
     prctl(PR_SET_CHILD_SUBREAPER, 1);
-    std::signal(SIGCHLD, SIG_DFL);  // one that is ignored has no children to wait for
+    std::signal(SIGCHLD, SIG_DFL);  // with SIGCHLD ignored, children could not be waited for
     start(command, input, output, mask);
     if (shell_ > 0) {
       watch();
@@ -75,17 +75,17 @@ class Adopter {
     if (shell_ == 0) {
       setpgid(0, 0);
       prctl(PR_SET_PDEATHSIG, SIGKILL);
-      if (getppid() != own) _exit(kNotStarted);  // it ended before
+      if (getppid() != own) _exit(kNotStarted);  // the parent has already ended
       dup2(input, STDIN_FILENO);
       dup2(output, STDOUT_FILENO);
-      std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and Engine::stop_reading relies on it
+      std::signal(SIGPIPE, SIG_DFL);  // an ignored signal stays ignored, and EngineProcess::stop_reading relies on it
       sigprocmask(SIG_SETMASK, &mask, nullptr);
       execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
       _exit(kNotStarted);
     }
     const int error = shell_ < 0 ? errno : 0;
-    if (shell_ > 0) setpgid(shell_, shell_);  // here too: whichever of both comes first
-    // What it holds open does not end for others: among that the connections of other supervisors.
+    if (shell_ > 0) setpgid(shell_, shell_);  // in both processes: either may run first
+    // Descriptors that it holds open do not end for others, such as the connections of other supervisors.
     dup2(control_, STDIN_FILENO);
     control_ = STDIN_FILENO;
     close_range(STDIN_FILENO + 1, UINT_MAX, 0);
@@ -96,7 +96,7 @@ class Adopter {
     send(control_, &error, sizeof error, MSG_NOSIGNAL);
   }
 
-  /// Until the shell has ended, or the judge has, or it wants an end.
+  /// Waits until the shell or the judge has ended, or the judge requests the end.
   void watch() {
     pollfd events[]{{.fd = control_, .events = POLLIN, .revents = 0},
                     {.fd = child_ended_, .events = POLLIN, .revents = 0}};
@@ -106,7 +106,7 @@ class Adopter {
     }
   }
 
-  /// Kills children until none is left: the children of one that has ended have become its own.
+  /// Kills children until none is left: this process adopts the children of a child that has ended.
   void end_all() {
     const auto deadline = Clock::now() + kPatience;
     if (!shell_ended_) kill(-shell_, SIGKILL);
@@ -116,7 +116,7 @@ class Adopter {
     }
   }
 
-  /// Takes the status of each child that has ended. Are others left?
+  /// Reaps each child that has ended. Returns whether others are left.
   bool reap() {
     signalfd_siginfo news;
     while (read(child_ended_, &news, sizeof news) > 0) {
@@ -127,7 +127,7 @@ class Adopter {
       if (waitid(P_ALL, 0, &end, WEXITED | WNOHANG | WNOWAIT) < 0) return false;
       if (end.si_pid == 0) return true;
       const bool is_shell = end.si_pid == shell_ && !shell_ended_;
-      if (is_shell) kill(-shell_, SIGKILL);  // the group is its own until its status is taken
+      if (is_shell) kill(-shell_, SIGKILL);  // the group id stays reserved until the shell is reaped
       waitpid(end.si_pid, is_shell ? &status_ : nullptr, 0);
       shell_ended_ |= is_shell;
     }
@@ -135,11 +135,11 @@ class Adopter {
 
   int control_, child_ended_ = -1;
   pid_t shell_ = -1;
-  int status_ = SIGKILL;  ///< where the shell does not end
+  int status_ = SIGKILL;  ///< if the shell does not end
   bool shell_ended_ = false;
 };
 
-/// Waits for a number from the other end; false if that was closed before.
+/// Waits for a number from the other end. Returns false if that was closed before.
 bool receive(int control, int& number) {
   ssize_t count = 0;
   while ((count = recv(control, &number, sizeof number, MSG_WAITALL)) < 0 && errno == EINTR) {
@@ -157,7 +157,7 @@ Supervisor::Supervisor(const std::string& command, int input, int output) {
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, control) != 0) fail(errno);
   sigset_t all, mask;
   sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &mask);  // that process stays out of the reach of signals
+  pthread_sigmask(SIG_SETMASK, &all, &mask);  // the new process starts with all signals blocked
   process_ = fork();
   if (process_ == 0) Adopter(control[1]).run(command.c_str(), input, output, mask);
   int error = errno;
@@ -195,7 +195,7 @@ std::string Supervisor::wait() {
   while (waitpid(process_, &own, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
-  if (!told) status = own;  // someone has killed it, and the shell with it
+  if (!told) status = own;  // it was killed, and the shell with it
   if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
   if (WEXITSTATUS(status) != 0) return "exit status " + std::to_string(WEXITSTATUS(status));
   return {};

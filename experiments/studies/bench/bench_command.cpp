@@ -11,12 +11,12 @@
 #include <system_error>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/timing/output.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/bench/families.h"
@@ -61,7 +61,7 @@ std::filesystem::path folder_of(const std::string& file) {
   return folder.empty() ? "." : folder;
 }
 
-/// Draws, measures and prints one contest after the other.
+/// Draws, measures and prints one benchmark after the other.
 class Runner {
  public:
   Runner(const Options& options, const std::atomic<bool>& stop) : options_(options), stop_(stop) {}
@@ -69,11 +69,12 @@ class Runner {
   void run(const Family& family) {
     std::vector<Result> results;
     fmt::print("\n== {}: {}\n", family.name, family.summary);
-    for (const auto& draw : family.contests) {
+    for (const auto& draw : family.benchmarks) {
       if (stop_) return;
-      const Contest contest = draw(options_.settings);
-      harness::ProgressLine line("bench: " + family.name + " " + contest.name, options_.repetitions);
-      results.push_back(measure(family.name, contest, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
+      const Benchmark benchmark = draw(options_.settings);
+      harness::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions);
+      results.push_back(
+          measure(family.name, benchmark, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
       keep(results.back());
     }
     if (!results.empty() && !results.front().pool.empty())
@@ -119,8 +120,8 @@ int measure_all(const Options& options) {
   const harness::OutputFolder held(folder, options.line, {.force = true});
   for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
     harness::refuse_overwrite(file, options.force);
-  const harness::Interrupt interrupt;
-  const auto& stop = interrupt.requested();
+  const harness::StopSignal stop_signal;
+  const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
   Runner runner(options, stop);
   for (const Family* family : families)
@@ -141,7 +142,7 @@ int measure_all(const Options& options) {
   return kInterrupted;
 }
 
-/// Asks one contestant every query, `repetitions` times, and does nothing else that depends on that number.
+/// Asks one candidate every query, `repetitions` times, and does nothing else that depends on that number.
 int count(const Options& options) {
   const auto families = select_families(options.families);
   if (families.size() != 1) throw harness::UsageError("--count", "needs one --family");
@@ -149,13 +150,13 @@ int count(const Options& options) {
   settings.checks = false;
   std::uint64_t asked = 0, sum = 0;
   std::vector<std::string> known;
-  for (const auto& draw : families[0]->contests) {
-    for (const Contestant& contestant : draw(settings).contestants) {
-      if (std::ranges::find(known, contestant.name) == known.end()) known.push_back(contestant.name);
-      if (contestant.name != options.count || !contestant.count_wrong) continue;
-      asked += contestant.queries;
-      if (contestant.before) contestant.before(contestant.queries);
-      for (unsigned i = 0; i < options.repetitions; ++i) sum += contestant.ask(contestant.queries);
+  for (const auto& draw : families[0]->benchmarks) {
+    for (const Candidate& candidate : draw(settings).candidates) {
+      if (std::ranges::find(known, candidate.name) == known.end()) known.push_back(candidate.name);
+      if (candidate.name != options.count || !candidate.count_wrong) continue;
+      asked += candidate.queries;
+      if (candidate.before) candidate.before(candidate.queries);
+      for (unsigned i = 0; i < options.repetitions; ++i) sum += candidate.ask(candidate.queries);
     }
   }
   if (asked == 0) {

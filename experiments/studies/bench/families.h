@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/harness/timing/contest.h"
+#include "experiments/harness/timing/benchmark.h"
 
 namespace touchstone::bench {
 
@@ -20,7 +20,7 @@ struct Settings {
 struct Family {
   std::string name;
   std::string summary;
-  std::vector<std::function<timing::Contest(const Settings&)>> contests;
+  std::vector<std::function<timing::Benchmark(const Settings&)>> benchmarks;
 };
 
 /// Returns all families, in the order of the table.

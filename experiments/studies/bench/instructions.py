@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Instructions a query of `fast` and `filtered`, counted by valgrind: unlike times they do not vary, so that a change
-of a few percent shows. Each contestant is asked the same queries once and twice; the difference leaves out how the
+of a few percent shows. Each candidate is asked the same queries once and twice; the difference leaves out how the
 queries were drawn. --baseline holds them against what they were: exit status 1 if a count has grown by more than
 3 percent. They are a compiler's as much as ours: tests/experiments/studies/bench/instructions.json is g++ 12's, release,
 and --json makes it anew.
@@ -25,11 +25,11 @@ def fail(message):
     sys.exit(2)
 
 
-def instructions(program, family, contestant, samples, seed, times):
+def instructions(program, family, candidate, samples, seed, times):
     """(instructions of the whole run, queries asked in each of the times)."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={os.path.join(folder, 'out')}", program,
-                   "bench", "--family", family, "--count", contestant, "--samples", str(samples), "--seed", str(seed),
+                   "bench", "--family", family, "--count", candidate, "--samples", str(samples), "--seed", str(seed),
                    "--repetitions", str(times)]
         run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode != 0:
@@ -42,14 +42,14 @@ def instructions(program, family, contestant, samples, seed, times):
     return int(collected.group(1)), int(asked.group(1))
 
 
-def per_query(program, family, contestant, samples, seed):
-    once, queries = instructions(program, family, contestant, samples, seed, 1)
-    twice, _ = instructions(program, family, contestant, samples, seed, 2)
+def per_query(program, family, candidate, samples, seed):
+    once, queries = instructions(program, family, candidate, samples, seed, 1)
+    twice, _ = instructions(program, family, candidate, samples, seed, 2)
     return (twice - once) / queries
 
 
 def read_baseline(path, asked):
-    """Instructions a query by family and contestant, of the same samples and seed."""
+    """Instructions a query by family and candidate, of the same samples and seed."""
     try:
         with open(path, encoding="utf-8") as file:
             held = json.load(file)
@@ -83,7 +83,7 @@ def main():
     parser.add_argument("program", help="the touchstone to be run")
     parser.add_argument("--family", default="random-triangles,half-near,lattice-tangent,polygons-128",
                         help="families of `touchstone bench`, separated by commas (default: %(default)s)")
-    parser.add_argument("--contestant", default="fast,filtered", help="default: %(default)s")
+    parser.add_argument("--candidate", default="fast,filtered", help="default: %(default)s")
     parser.add_argument("--samples", type=int, default=2000, help="queries of each family (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", metavar="FILE", help="also write the numbers there")
@@ -96,19 +96,19 @@ def main():
     if not os.access(options.program, os.X_OK):
         fail(f"{options.program}: not a program")
 
-    contestants = options.contestant.split(",")
+    candidates = options.candidate.split(",")
     asked = {"samples": options.samples, "seed": options.seed}
     baseline = read_baseline(options.baseline, asked) if options.baseline else None
     rows, worse = {}, False
-    head = (f"{'instructions a query':<22}" + "".join(f"{name:>14}" for name in contestants)
-            + "".join(f"{name + ' / ' + contestants[0]:>20}" for name in contestants[1:]))
+    head = (f"{'instructions a query':<22}" + "".join(f"{name:>14}" for name in candidates)
+            + "".join(f"{name + ' / ' + candidates[0]:>20}" for name in candidates[1:]))
     for family in options.family.split(","):
-        row = {name: per_query(options.program, family, name, options.samples, options.seed) for name in contestants}
+        row = {name: per_query(options.program, family, name, options.samples, options.seed) for name in candidates}
         if not rows:
             print(head)
         rows[family] = row
-        print(f"{family:<22}" + "".join(f"{row[name]:>14.1f}" for name in contestants)
-              + "".join(f"{row[name] / row[contestants[0]]:>20.3f}" for name in contestants[1:]), flush=True)
+        print(f"{family:<22}" + "".join(f"{row[name]:>14.1f}" for name in candidates)
+              + "".join(f"{row[name] / row[candidates[0]]:>20.3f}" for name in candidates[1:]), flush=True)
         if baseline is not None:
             worse |= held_against(baseline, family, row)
     if options.json:

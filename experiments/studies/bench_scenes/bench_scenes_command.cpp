@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/timing/output.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/bench_scenes/output.h"
@@ -90,8 +90,8 @@ int exit_status(const SceneOptions& options, const std::vector<SceneResult>& res
 int measure_scenes(const SceneOptions& options) {
   const harness::OutputFolder held(options.output, options.line, {.force = options.force});
   const auto scenes = all_scenes(options);
-  const harness::Interrupt interrupt;
-  const auto& stop = interrupt.requested();
+  const harness::StopSignal stop_signal;
+  const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Library> libraries = all_libraries();
   const auto print = [](const std::string& text) {
@@ -104,7 +104,7 @@ int measure_scenes(const SceneOptions& options) {
     if (stop) break;
     results.push_back(measure_scene(
         make(), libraries, options.settings, stop, [&](const SceneResult& result) { print(builds_table(result)); },
-        [&](const SceneContest& contest) { print(table(contest.result)); }));
+        [&](const SceneBenchmark& benchmark) { print(table(benchmark.result)); }));
     ::malloc_trim(0);  // the next, larger scene needs it
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

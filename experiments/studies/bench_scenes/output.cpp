@@ -100,11 +100,11 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
         goals.add(title(result) + ", bytes a triangle", kMemoryGoal, build.bytes);
       }
     }
-    for (const SceneContest& contest : result.contests)
-      for (const timing::Measured& m : contest.result.contestants)
+    for (const SceneBenchmark& benchmark : result.benchmarks)
+      for (const timing::Measured& m : benchmark.result.candidates)
         if (!m.ratios.empty() && m.comparison->goal)
           goals.add(
-              fmt::format("{}, {}, in times of {}", contest.result.family, contest.result.name, m.comparison->base),
+              fmt::format("{}, {}, in times of {}", benchmark.result.family, benchmark.result.name, m.comparison->base),
               *m.comparison->goal, timing::quartiles(m.ratios).median);
   }
   for (const Growth& growth : growths(results))
@@ -138,10 +138,10 @@ Json json(const std::vector<SceneResult>& results) {
                   {"contests", Json::array()},
                   {"disputes", result.disputes}};
     for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
-    for (const SceneContest& contest : result.contests) {
-      Json one = json(std::vector<timing::Result>{contest.result}).front();
-      one["balls"] = word(contest.place);
-      one["question"] = word(contest.question);
+    for (const SceneBenchmark& benchmark : result.benchmarks) {
+      Json one = json(std::vector<timing::Result>{benchmark.result}).front();
+      one["balls"] = word(benchmark.place);
+      one["question"] = word(benchmark.question);
       scene["contests"].push_back(std::move(one));
     }
     scenes.push_back(std::move(scene));
@@ -159,12 +159,12 @@ void write_scene_tables(const std::filesystem::path& folder, const std::vector<S
     for (const Build& build : result.builds)
       builds += fmt::format("{},{},{},{:.6g},{:.4f}\n", result.kind, result.triangles, build.library,
                             timing::quartiles(build.seconds).median, build.bytes);
-    for (const SceneContest& contest : result.contests)
-      for (const timing::Measured& m : contest.result.contestants) {
+    for (const SceneBenchmark& benchmark : result.benchmarks)
+      for (const timing::Measured& m : benchmark.result.candidates) {
         if (m.nanoseconds.empty()) continue;
         const timing::Quartiles ns = timing::quartiles(m.nanoseconds);
         queries += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},", result.kind, result.triangles,
-                               word(contest.place), word(contest.question), m.name, ns.median, ns.lower, ns.upper);
+                               word(benchmark.place), word(benchmark.question), m.name, ns.median, ns.lower, ns.upper);
         queries +=
             m.ratios.empty() ? "," : fmt::format("{:.6g},{}", timing::quartiles(m.ratios).median, m.comparison->base);
         queries += m.wrong ? fmt::format(",{},{}\n", m.wrong->count, m.wrong->of) : ",,\n";

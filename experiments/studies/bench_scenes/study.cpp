@@ -71,7 +71,7 @@ std::uint64_t ask(BuiltScene& scene, SceneQuestion question, const Ball& ball, N
   return 0;
 }
 
-/// A contest about one scene.
+/// A benchmark about one scene.
 class Asking {
  public:
   Asking(const std::vector<Triangle>& triangles, SceneQuestion question, Balls balls)
@@ -139,7 +139,7 @@ class Asking {
   Truth truth_;
 };
 
-/// At most so many balls are asked by brute force, so that a contest of any size takes about a second of it.
+/// At most so many balls are asked by brute force, so that a benchmark of any size takes about a second of it.
 std::size_t brute_force_count(std::size_t triangles, std::size_t checked) {
   constexpr std::size_t kTriangles = 50'000'000, kFewest = 10, kMost = 200;
   return std::min(checked, std::clamp(kTriangles / triangles, kFewest, kMost));
@@ -157,28 +157,28 @@ std::optional<timing::Goal> goal_of(std::size_t triangles, BallPlace place, Scen
   return timing::Goal{1};
 }
 
-timing::Contest contest_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact,
-                           BallPlace place, SceneQuestion question, const Balls& balls,
-                           std::vector<std::string>& disputes, std::uint64_t seed) {
+timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact,
+                               BallPlace place, SceneQuestion question, const Balls& balls,
+                               std::vector<std::string>& disputes, std::uint64_t seed) {
   constexpr std::size_t kMostChecked = 2000;
-  timing::Contest contest;
-  contest.name = name_of(place, question);
-  contest.checked = std::min(balls->size(), kMostChecked);
+  timing::Benchmark benchmark;
+  benchmark.name = name_of(place, question);
+  benchmark.checked = std::min(balls->size(), kMostChecked);
   const auto asking = std::make_shared<Asking>(scene.triangles, question, balls);
-  asking->find_truth(*exact.scene, contest.checked);
-  contest.note = asking->note(contest.checked);
+  asking->find_truth(*exact.scene, benchmark.checked);
+  benchmark.note = asking->note(benchmark.checked);
   const bool embree = std::ranges::any_of(built, [](const Built& b) { return b.library->name == kEmbree; });
   for (const Built& b : built) {
     if (question == SceneQuestion::Nearest && !b.library->knows_nearest) continue;
-    timing::Contestant contestant;
-    contestant.name = b.library->name;
-    contestant.queries = balls->size();
-    contestant.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
+    timing::Candidate candidate;
+    candidate.name = b.library->name;
+    candidate.queries = balls->size();
+    candidate.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
     if (b.library->exact) {
-      contestant.most_checked = brute_force_count(scene.triangles.size(), contest.checked);
-      if (embree) contestant.comparison = {kEmbree, goal_of(scene.triangles.size(), place, question)};
-      contestant.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
-                                name = contest.name](std::size_t count) {
+      candidate.most_checked = brute_force_count(scene.triangles.size(), benchmark.checked);
+      if (embree) candidate.comparison = {kEmbree, goal_of(scene.triangles.size(), place, question)};
+      candidate.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
+                               name = benchmark.name](std::size_t count) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < count; ++i) {
           if (!asking->disputed(*one, i)) continue;
@@ -189,16 +189,16 @@ timing::Contest contest_of(const NamedScene& scene, const std::vector<Built>& bu
         return wrong;
       };
     } else {
-      contestant.comparison = {exact.library->name, std::nullopt};
-      contestant.count_wrong = [asking, one = b.scene](std::size_t count) {
+      candidate.comparison = {exact.library->name, std::nullopt};
+      candidate.count_wrong = [asking, one = b.scene](std::size_t count) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < count; ++i) wrong += asking->wrong(*one, i) ? 1 : 0;
         return wrong;
       };
     }
-    contest.contestants.push_back(std::move(contestant));
+    benchmark.candidates.push_back(std::move(candidate));
   }
-  return contest;
+  return benchmark;
 }
 
 /// Their radii are the exact distances.
@@ -216,8 +216,8 @@ Balls draw(BallPlace place, const NamedScene& scene, const SceneSettings& settin
 }
 
 const timing::Measured* find(const timing::Result& result, const std::string& library) {
-  const auto found = std::ranges::find(result.contestants, library, &timing::Measured::name);
-  return found == result.contestants.end() || found->nanoseconds.empty() ? nullptr : &*found;
+  const auto found = std::ranges::find(result.candidates, library, &timing::Measured::name);
+  return found == result.candidates.end() || found->nanoseconds.empty() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ std::string_view word(SceneQuestion question) {
 
 SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries, const SceneSettings& settings,
                           const std::atomic<bool>& stop, const std::function<void(const SceneResult&)>& built,
-                          const std::function<void(const SceneContest&)>& keep) {
+                          const std::function<void(const SceneBenchmark&)>& keep) {
   SceneResult result{scene.kind, scene.triangles.size(), {}, {}, {}};
   const std::string title = fmt::format("{}, {} triangles", scene.kind, scene.triangles.size());
   std::vector<Built> all;
@@ -257,14 +257,14 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
     const Balls balls = draw(place, scene, settings, *exact->scene);
     for (const SceneQuestion question : {Any, All, Nearest}) {
       if (stop || (place == BallPlace::Touching && question == Nearest)) break;
-      const timing::Contest contest =
-          contest_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
-      harness::ProgressLine line(fmt::format("bench: {}, {}", title, contest.name), settings.repetitions);
-      result.contests.push_back({place, question,
-                                 measure(
-                                     title, contest, settings.repetitions, stop,
-                                     [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
-      keep(result.contests.back());
+      const timing::Benchmark benchmark =
+          benchmark_of(scene, all, *exact, place, question, balls, result.disputes, settings.seed);
+      harness::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+      result.benchmarks.push_back({place, question,
+                                   measure(
+                                       title, benchmark, settings.repetitions, stop,
+                                       [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
+      keep(result.benchmarks.back());
     }
   }
   return result;
@@ -277,16 +277,16 @@ std::vector<Growth> growths(const std::vector<SceneResult>& results) {
     const auto small = std::ranges::find_if(
         results, [&](const SceneResult& r) { return r.kind == large.kind && r.triangles >= kSmallest; });
     if (small == results.end() || small->triangles >= large.triangles) continue;
-    for (const SceneContest& contest : large.contests) {
-      const auto before = std::ranges::find_if(small->contests, [&](const SceneContest& c) {
-        return c.place == contest.place && c.question == contest.question;
+    for (const SceneBenchmark& benchmark : large.benchmarks) {
+      const auto before = std::ranges::find_if(small->benchmarks, [&](const SceneBenchmark& c) {
+        return c.place == benchmark.place && c.question == benchmark.question;
       });
-      if (before == small->contests.end()) continue;
-      for (const timing::Measured& m : contest.result.contestants) {
+      if (before == small->benchmarks.end()) continue;
+      for (const timing::Measured& m : benchmark.result.candidates) {
         const timing::Measured* base = find(before->result, m.name);
         if (base == nullptr || m.nanoseconds.empty()) continue;
         all.push_back(
-            {large.kind, m.name, contest.place, contest.question, small->triangles, large.triangles,
+            {large.kind, m.name, benchmark.place, benchmark.question, small->triangles, large.triangles,
              timing::quartiles(m.nanoseconds).median / timing::quartiles(base->nanoseconds).median,
              std::log(static_cast<double>(large.triangles)) / std::log(static_cast<double>(small->triangles))});
       }

@@ -32,8 +32,8 @@ struct Build {
   double bytes = 0;             ///< of memory per triangle, besides the given triangles
 };
 
-/// One contest of a scene.
-struct SceneContest {
+/// One benchmark of a scene.
+struct SceneBenchmark {
   BallPlace place;
   SceneQuestion question;
   timing::Result result;
@@ -63,7 +63,7 @@ inline constexpr timing::Goal kBuildGoal{1}, kMemoryGoal{100};
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,
                                         const std::function<void(const SceneResult&)>& built,
-                                        const std::function<void(const SceneContest&)>& keep);
+                                        const std::function<void(const SceneBenchmark&)>& keep);
 
 /// The growth of a library's query time between two scenes of a kind, compared with that of log(triangles).
 struct Growth {

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
 #include "experiments/workloads/meshes/named_meshes.h"
@@ -60,7 +60,7 @@ int run(const MergeOptions& options) {
   const std::filesystem::path folder = options.output;
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   std::vector<MeshResult> results;
   const std::vector<std::string> names = workloads::short_names(options.files);
   bool all_right = true;
@@ -68,11 +68,11 @@ int run(const MergeOptions& options) {
   {
     harness::ProgressLine line("merging", options.files.size());
     for (const std::string& file : options.files) {
-      if (interrupt.requested()) break;
+      if (stop_signal.requested()) break;
       try {
         const ReadMesh mesh = read_mesh(file, options.skip_bad ? OnFault::Skip : OnFault::Refuse);
         tell_left_out(file, mesh);
-        std::optional<MeshResult> result = study(options.settings, names[done], mesh.mesh, interrupt.requested());
+        std::optional<MeshResult> result = study(options.settings, names[done], mesh.mesh, stop_signal.requested());
         if (!result) break;
         results.push_back(std::move(*result));
         tell_rejected(file, mesh, results.back().rejected);

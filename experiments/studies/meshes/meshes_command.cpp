@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/meshes/output.h"
@@ -58,10 +58,10 @@ int run(Options& options) {
   constexpr int kBadInput = 2, kInterrupted = 130;
   if (meshes.read.empty()) return kBadInput;
 
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   const Result result = [&] {
     harness::ProgressLine line("meshes", block_count(settings, meshes.read));
-    return run_study(settings, meshes.read, interrupt.requested(), [&](std::uint64_t done) { line(done); });
+    return run_study(settings, meshes.read, stop_signal.requested(), [&](std::uint64_t done) { line(done); });
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::uint64_t faces = 0;

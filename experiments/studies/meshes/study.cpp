@@ -93,7 +93,7 @@ class Tally {
       const auto prepared = settings_.methods[method]->prepare(polygon);
       bool face_wrong = false;
       for (std::size_t i = 0; i < drawn.balls.size(); ++i) {
-        const auto answer = prepared->ask(drawn.balls[i].ball, cases::Question::Answer);
+        const auto answer = prepared->ask(drawn.balls[i].ball, cases::QueryKind::Answer);
         auto& at = counts.methods[method].at[static_cast<std::size_t>(drawn.balls[i].place)];
         Failure failure{method, mesh, face, i, {}, drawn.balls[i].steps, 0};
         for (std::size_t test = 0; test < kTests.size(); ++test)

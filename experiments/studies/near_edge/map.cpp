@@ -213,7 +213,7 @@ class Cartographer {
       const std::size_t pixel = row * kSide + column;
       map.truth[pixel] = letter(map.test, truth);
       for (std::size_t m = 0; m < scene.asked.size(); ++m) {
-        const auto answer = scene.asked[m]->ask(ball, question(map.test));
+        const auto answer = scene.asked[m]->ask(ball, query_kind(map.test));
         map.verdicts[m][pixel] = letter(compare(map.test, answer, truth, knows_boundary_[m]));
       }
     }

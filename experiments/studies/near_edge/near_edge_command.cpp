@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
@@ -113,7 +112,7 @@ class Run {
                                         .threads = settings_.threads,
                                         .seconds = seconds_since(begin),
                                         .processes = processes_.count(),
-                                        .interrupted = interrupt_.requested()});
+                                        .interrupted = stop_signal_.requested()});
     fmt::print("{}", table(settings_, result_.counts));
     fmt::print(
         "\n{} samples of each family, placement and threshold; {} of all were not found. {} of these in {:.0f} s"
@@ -141,14 +140,14 @@ class Run {
     result_ = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_result(settings_));
     const std::uint64_t before = result_.samples;
     harness::ProgressLine line("near-edge: samples", settings_.samples, before);
-    run_study(settings_, harness::course<Result>(processes_, interrupt_.requested(), line, checkpoint), result_);
+    run_study(settings_, harness::run_control<Result>(processes_, stop_signal_.requested(), line, checkpoint), result_);
     return before;
   }
 
   void draw() {
     harness::ProgressLine line("near-edge: maps", map_rows());
     const auto maps = draw_maps(settings_.methods, settings_.seed, settings_.threads, processes_,
-                                interrupt_.requested(), [&](std::uint64_t done) { line(done); });
+                                stop_signal_.requested(), [&](std::uint64_t done) { line(done); });
     if (processes_.first()) write_maps(folder_, settings_, maps);
   }
 
@@ -160,13 +159,14 @@ class Run {
     {
       harness::ProgressLine line("near-edge: search", options_.search, before);
       run_onsets(settings_, options_.search,
-                 harness::course<Onsets>(processes_, interrupt_.requested(), line, checkpoint), onsets_);
+                 harness::run_control<Onsets>(processes_, stop_signal_.requested(), line, checkpoint), onsets_);
     }
     harness::ProgressLine line("near-edge: climbs", climb_count(settings_));
-    run_climbs(
-        settings_,
-        {.processes = processes_, .stop = interrupt_.requested(), .progress = [&](std::uint64_t done) { line(done); }},
-        onsets_, worst_);
+    run_climbs(settings_,
+               {.processes = processes_,
+                .stop = stop_signal_.requested(),
+                .progress = [&](std::uint64_t done) { line(done); }},
+               onsets_, worst_);
     if (!processes_.first()) return;
     write_onsets(folder_, settings_, onsets_);
     write_worst(folder_, settings_, onsets_, worst_);
@@ -198,7 +198,7 @@ class Run {
   std::filesystem::path folder_;
   std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
-  harness::Interrupt interrupt_;
+  harness::StopSignal stop_signal_;
   Result result_;
   Onsets onsets_;
   WorstCases worst_;

@@ -57,9 +57,9 @@ class Search {
     if (!reach.furthest) return;
 
     const Ball& ball = *reach.furthest;
-    const auto truth = exact_.prepare(at.polygon)->ask(ball, question(at.test()));
+    const auto truth = exact_.prepare(at.polygon)->ask(ball, query_kind(at.test()));
     const auto verdict =
-        compare(at.test(), method.prepare(at.polygon)->ask(ball, question(at.test())), truth, knows_boundary_[m]);
+        compare(at.test(), method.prepare(at.polygon)->ask(ball, query_kind(at.test())), truth, knows_boundary_[m]);
     if (verdict == cases::Outcome::Right) {
       ++part.wrong_truths;
       return;
@@ -145,26 +145,26 @@ Onsets no_onsets(const Settings& settings) {
   return {std::vector<Onset>(search_regions(settings.families).size() * settings.methods.size())};
 }
 
-std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::Course<Onsets>& course,
+std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::RunControl<Onsets>& control,
                          Onsets& onsets) {
   const Search search(settings);
   return harness::run_sweep(
-      {samples, 1, settings.threads, course.processes, course.stop, course.progress},
+      {samples, 1, settings.threads, control.processes, control.stop, control.progress},
       [&](std::uint64_t n, Onsets& part) { search.measure(n, part); },
-      [&](std::uint64_t, const Onsets& now) { course.save(now); }, no_onsets(settings), onsets.done, onsets);
+      [&](std::uint64_t, const Onsets& now) { control.save(now); }, no_onsets(settings), onsets.done, onsets);
 }
 
 std::uint64_t climb_count(const Settings& settings) {
   return search_regions(settings.families).size() * settings.methods.size() * Onset::kMostKept;
 }
 
-std::uint64_t run_climbs(const Settings& settings, const harness::Course<WorstCases>& course, const Onsets& onsets,
+std::uint64_t run_climbs(const Settings& settings, const harness::RunControl<WorstCases>& control, const Onsets& onsets,
                          WorstCases& worst) {
   const Search search(settings);
-  const Onsets starts = shared(course.processes, onsets);
+  const Onsets starts = shared(control.processes, onsets);
   worst = no_worst_cases(settings);
   return harness::run_sweep(
-      {climb_count(settings), 1, settings.threads, course.processes, course.stop, course.progress},
+      {climb_count(settings), 1, settings.threads, control.processes, control.stop, control.progress},
       [&](std::uint64_t i, WorstCases& part) {
         const std::size_t where = static_cast<std::size_t>(i) / Onset::kMostKept, rank = i % Onset::kMostKept;
         const std::vector<Find>& furthest = starts.all[where].furthest;

@@ -27,7 +27,7 @@ class Sample {
     for (const Test test : kTests) {
       std::vector<bool> failed;
       for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
-        const auto answer = prepared->ask(crossing_.balls[i], question(test));
+        const auto answer = prepared->ask(crossing_.balls[i], query_kind(test));
         const auto verdict = compare(test, answer, crossing_.truths[i], knows_boundary);
         if (!verdict && !answer.unsure) break;  // the method has no such test
         failed.push_back(verdict != Outcome::Right);
@@ -50,10 +50,10 @@ class Sample {
       result_.checked += count;
       std::vector<PartialAnswer> growing;  // cheaper than one by one
       if (!every_ball && cases::moves_radius(cases::all_strata()[place_.stratum].threshold))
-        growing = cases::ask_growing(crossing_.balls, question(test), *exact);
+        growing = cases::ask_growing(crossing_.balls, query_kind(test), *exact);
       for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
         if (!every_ball && !wrong[i]) continue;
-        const PartialAnswer truth = growing.empty() ? exact->ask(crossing_.balls[i], question(test)) : growing[i];
+        const PartialAnswer truth = growing.empty() ? exact->ask(crossing_.balls[i], query_kind(test)) : growing[i];
         if (!same(test, truth, crossing_.truths[i])) found.push_back(disagreement(test, i, *exact));
       }
     }
@@ -75,7 +75,7 @@ class Sample {
   Disagreement disagreement(Test test, std::size_t i, const cases::PreparedMethod& exact) const {
     const Ball& ball = crossing_.balls[i];
     const std::vector<std::string> tags{std::string(word(test)), std::string(settings_.truth->name())};
-    const auto expected = cases::object_of(exact.ask(ball, cases::Question::Answer));
+    const auto expected = cases::object_of(exact.ask(ball, cases::QueryKind::Answer));
     return {place_.n, place_.stratum,
             cases::to_line(cases::case_of(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball,
                                           crossing_.polygon, tags, expected))};
@@ -126,12 +126,12 @@ class Study {
 
 Result no_result(const Settings& settings) { return {.counts = Counts(settings.methods.size()), .disagreements = {}}; }
 
-std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result) {
+std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& control, Result& result) {
   const Study study(settings);
-  const harness::Sweep sweep{settings.samples, 1, settings.threads, course.processes, course.stop, course.progress};
+  const harness::Sweep sweep{settings.samples, 1, settings.threads, control.processes, control.stop, control.progress};
   return harness::run_sweep(
       sweep, [&](std::uint64_t n, Result& part) { study.ask_all(n, part); },
-      [&](std::uint64_t, const Result& now) { course.save(now); }, no_result(settings), result.samples, result);
+      [&](std::uint64_t, const Result& now) { control.save(now); }, no_result(settings), result.samples, result);
 }
 
 }  // namespace touchstone::near_edge

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/harness/course.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/counts.h"
 #include "experiments/studies/near_edge/disagreements.h"
@@ -50,6 +50,6 @@ struct Result {
 /// In the first process the result is a function of settings and the number of samples done. Threads, processes, stops
 /// and the other families and methods do not change the counts of one family and method. A run stopped after m samples
 /// equals a run of m samples. Returns that number, in every process.
-std::uint64_t run_study(const Settings& settings, const harness::Course<Result>& course, Result& result);
+std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& course, Result& result);
 
 }  // namespace touchstone::near_edge

@@ -62,7 +62,7 @@ WrongReach wrong_reach(const AtThreshold& at, const cases::PreparedMethod& metho
     const auto ball = at.moved(share);
     if (!ball || at.share_of(*ball) == 0) return false;
     const auto verdict =
-        compare(test, method.ask(*ball, question(test)), truth.ask(*ball, question(test)), knows_boundary);
+        compare(test, method.ask(*ball, query_kind(test)), truth.ask(*ball, query_kind(test)), knows_boundary);
     if (!verdict || verdict == cases::Outcome::Right) return false;
     if (at.share_of(*ball) > reach.share) {
       reach.share = at.share_of(*ball);

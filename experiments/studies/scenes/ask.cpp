@@ -48,9 +48,9 @@ class BlockAnswers {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       BallAnswer& answer = answers_[i];
       if (question_ == Question::Nearest)
-        meet_nearest(prepared->ask(balls[i].ball, cases::Question::Answer), id, answer);
+        meet_nearest(prepared->ask(balls[i].ball, cases::QueryKind::Answer), id, answer);
       else if (question_ == Question::All || answer.touched.empty())
-        meet(prepared->ask(balls[i].ball, cases::Question::Contact), id, answer);
+        meet(prepared->ask(balls[i].ball, cases::QueryKind::Contact), id, answer);
     }
   }
   [[nodiscard]] const std::vector<BallAnswer>& answers() const { return answers_; }

@@ -17,12 +17,12 @@
 #include <utility>
 
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/scenes/ask.h"
@@ -277,9 +277,9 @@ int run(const SceneOptions& options) {
 
   scene::Scene scene;
   for (const Object& object : objects) scene.add(object.name, object.faces);
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   lines.begin();
-  const Sums sums = ask(options, objects, scene, order, source, interrupt.requested(), lines);
+  const Sums sums = ask(options, objects, scene, order, source, stop_signal.requested(), lines);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   const bool interrupted = sums.balls < source.count;

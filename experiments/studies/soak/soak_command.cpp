@@ -11,13 +11,13 @@
 
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/course.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/output.h"
 #include "experiments/workloads/adversarial/case.h"
@@ -58,7 +58,7 @@ int run(const Options& options, const harness::Processes& processes) {
   const harness::Checkpoint checkpoint(folder / "checkpoint.json", checkpoint_settings(settings));
   Tally tally = harness::begin(checkpoint, processes, options.resume, settings.cases, Tally());
 
-  const harness::Interrupt interrupt;
+  const harness::StopSignal stop_signal;
   const std::uint64_t before = tally.cases();
   const auto begin = Clock::now();
   std::uint64_t done = 0;
@@ -70,7 +70,7 @@ int run(const Options& options, const harness::Processes& processes) {
       announce(now);
     };
     done = run_campaign(
-        settings, Contestant(), processes, interrupt.requested(), save, [&](std::uint64_t cases) { line(cases); },
+        settings, Contestant(), processes, stop_signal.requested(), save, [&](std::uint64_t cases) { line(cases); },
         tally);
   }
   if (!first) return 0;

@@ -116,7 +116,7 @@ int Onset::first(std::size_t distance, std::size_t method, double share) const {
 Onset no_onset(const std::vector<const cases::Method*>& methods) { return Onset(names_of(methods)); }
 
 void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t triangles, std::uint64_t seed,
-                unsigned threads, const harness::Course<Onset>& course, Onset& onset) {
+                unsigned threads, const harness::RunControl<Onset>& control, Onset& onset) {
   const auto ask_all = [&](std::uint64_t index, Onset& part) {
     for (std::size_t distance = 0; distance < std::size(kOnsetDistances); ++distance) {
       const Above above = draw_above(seed, index, distance);
@@ -126,15 +126,15 @@ void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t 
         const auto prepared = prepare(*methods[m], above.polygon());
         ask(above, distance, m + 2, part, [&](const Ball& ball) {
           if (!prepared) throw std::runtime_error("not prepared");
-          return prepared->ask(ball, cases::Question::Contact).contact.value();
+          return prepared->ask(ball, cases::QueryKind::Contact).contact.value();
         });
       }
     }
     part.add_triangle();
   };
   harness::run_sweep(
-      {triangles, 1, threads, course.processes, course.stop, course.progress}, ask_all,
-      [&](std::uint64_t, const Onset& now) { course.save(now); }, no_onset(methods), onset.triangles(), onset);
+      {triangles, 1, threads, control.processes, control.stop, control.progress}, ask_all,
+      [&](std::uint64_t, const Onset& now) { control.save(now); }, no_onset(methods), onset.triangles(), onset);
 }
 
 }  // namespace touchstone::stability

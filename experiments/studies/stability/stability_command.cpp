@@ -11,13 +11,13 @@
 
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/stability/output.h"
 
@@ -88,7 +88,7 @@ class Run {
     const Summary summary = study();
     Known known{.onset = onset(), .contractions = {}, .areas = {}};
     if (!processes_.first()) return 0;
-    const bool stopped = interrupt_.requested();
+    const bool stopped = stop_signal_.requested();
     known.contractions = count_contractions(stopped ? 0 : 50 * settings_.samples, settings_.seed);
     if (!stopped)
       for (const auto& outline : stability::outlines())
@@ -130,7 +130,8 @@ class Run {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
     Summary summary = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_summary(settings_));
     harness::ProgressLine line("stability: samples", block_count(settings_), summary.blocks);
-    run_study(settings_, harness::course<Summary>(processes_, interrupt_.requested(), line, checkpoint), summary);
+    run_study(settings_, harness::run_control<Summary>(processes_, stop_signal_.requested(), line, checkpoint),
+              summary);
     return summary;
   }
 
@@ -140,7 +141,7 @@ class Run {
     Onset onset = harness::begin(checkpoint, processes_, options_.resume, triangles, no_onset(settings_.methods));
     harness::ProgressLine line("stability: known results", triangles, onset.triangles());
     find_onset(settings_.methods, triangles, settings_.seed, settings_.threads,
-               harness::course<Onset>(processes_, interrupt_.requested(), line, checkpoint), onset);
+               harness::run_control<Onset>(processes_, stop_signal_.requested(), line, checkpoint), onset);
     return onset;
   }
 
@@ -149,7 +150,7 @@ class Run {
   std::filesystem::path folder_;
   std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
-  harness::Interrupt interrupt_;
+  harness::StopSignal stop_signal_;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace touchstone::stability {
 namespace {
 
 using cases::PartialAnswer;
-using cases::Question;
+using cases::QueryKind;
 
 /// A method with a polygon; it prepares and answers in the scene's mode. What it throws is no answer.
 class Asked {
@@ -32,11 +32,11 @@ class Asked {
     }
   }
 
-  [[nodiscard]] std::optional<PartialAnswer> ask(const Ball& ball, Question question) const {
+  [[nodiscard]] std::optional<PartialAnswer> ask(const Ball& ball, QueryKind kind) const {
     if (!prepared_) return std::nullopt;
     try {
       const Environment environment(mode_);
-      return prepared_->ask(ball, question);
+      return prepared_->ask(ball, kind);
     } catch (const std::exception&) {
       return std::nullopt;
     }
@@ -114,7 +114,7 @@ class Study {
       const Probe& probe = probes[i];
       bool wrong_somewhere = false;
       for (const Test test : probe.tests) {
-        const auto answer = asked.ask(probe.ball, question(test));
+        const auto answer = asked.ask(probe.ball, query_kind(test));
         const auto outcome = answer ? compare(test, *answer, probe.truth, knows_boundary_[m]) : std::nullopt;
         if (answer && !outcome) continue;  // the method has no such test
         auto& result =
@@ -134,7 +134,7 @@ class Study {
   /// Adds the errors of distance and point; returns whether the distance is off.
   bool measure(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t m,
                Block& block) const {
-    const auto answer = asked.ask(probe.ball, Question::Answer);
+    const auto answer = asked.ask(probe.ball, QueryKind::Answer);
     const auto add = [&](NumberError error) {
       error.level = level;
       error.method = m;
@@ -155,7 +155,7 @@ class Study {
   void keep_worst(const Scene& scene, const Asked& asked, const Probe& probe, std::size_t level, std::size_t method,
                   Block& block) const {
     if (scene.meant || !scene.mode.usual() || scene.asked.polygon.vertex_count() > kMostForCases) return;
-    const auto answer = asked.ask(probe.ball, Question::Answer);
+    const auto answer = asked.ask(probe.ball, QueryKind::Answer);
     if (!answer) return;
     WorstCase worst{level, method, 0, 0, block.number, {}};
     if (answer->contact && *answer->contact != *probe.truth.contact) worst.rank = 1 + static_cast<int>(probe.nearness);

@@ -63,7 +63,7 @@ class Study {
       const Test test = test_at(threshold);
       const bool overflowed = truth && ask_numbers(*prepared, middle, *truth, n, stratum, errors);
       for (std::size_t i = 0; i < crossing.balls.size(); ++i) {
-        const auto answer = prepared->ask(crossing.balls[i], question(test));
+        const auto answer = prepared->ask(crossing.balls[i], query_kind(test));
         const auto outcome = compare(test, answer, crossing.truths[i], knows_boundary_[m]);
         if (!outcome && !answer.unsure) continue;  // the method has no such test
         const bool wrong = outcome && *outcome != Outcome::Right;
@@ -75,7 +75,7 @@ class Study {
   /// Adds the errors of distance and point. Returns whether one of them is not finite.
   static bool ask_numbers(const cases::PreparedMethod& method, const Ball& ball, const Answer& truth, std::uint64_t n,
                           std::size_t stratum, MethodErrors& errors) {
-    const auto answer = method.ask(ball, cases::Question::Answer);
+    const auto answer = method.ask(ball, cases::QueryKind::Answer);
     std::optional<double> distance, point;
     if (answer.distance) distance = distance_error(*answer.distance, truth.distance);
     if (answer.point) point = point_error(*answer.point, truth.point);
@@ -160,12 +160,12 @@ Errors no_errors(const Settings& settings) {
   return errors;
 }
 
-void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors) {
+void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors) {
   const Study study(settings);
   harness::run_sweep(
-      {settings.samples, 1, settings.threads, course.processes, course.stop, course.progress},
+      {settings.samples, 1, settings.threads, control.processes, control.stop, control.progress},
       [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); },
-      [&](std::uint64_t, const Errors& now) { course.save(now); }, no_errors(settings), errors.samples, errors);
+      [&](std::uint64_t, const Errors& now) { control.save(now); }, no_errors(settings), errors.samples, errors);
 }
 
 }  // namespace touchstone::tradeoff

@@ -10,8 +10,8 @@
 #include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/cases/threshold.h"
-#include "experiments/harness/course.h"
 #include "experiments/harness/distribution.h"
+#include "experiments/harness/run_control.h"
 
 namespace touchstone::tradeoff {
 
@@ -103,6 +103,6 @@ struct Errors {
 ///
 /// In the first process the result is a function of the settings and the number of samples done; threads, processes,
 /// stops and the other families and methods do not change it. A run stopped after m samples equals a run of m samples.
-void measure_errors(const Settings& settings, const harness::Course<Errors>& course, Errors& errors);
+void measure_errors(const Settings& settings, const harness::RunControl<Errors>& course, Errors& errors);
 
 }  // namespace touchstone::tradeoff

@@ -8,7 +8,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 
 /// Beyond the noise.
 bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
@@ -24,12 +24,12 @@ Front front_of(const Standing& s, const std::vector<Standing>& standings) {
 }
 
 /// The means of the quartiles of the lists near thresholds.
-std::optional<Nanoseconds> nanoseconds(std::size_t method, Question question, std::optional<workloads::Family> family,
+std::optional<Nanoseconds> nanoseconds(std::size_t method, QueryKind kind, std::optional<workloads::Family> family,
                                        workloads::Placement placement, const std::vector<Timing>& timings) {
   Nanoseconds sum{0, 0, 0};
   int lists = 0;
   for (const Timing& t : timings) {
-    if (t.balls != Balls::Near || t.question != question || t.place.placement != placement) continue;
+    if (t.balls != Balls::Near || t.kind != kind || t.place.placement != placement) continue;
     if (family && t.place.family != *family) continue;
     const auto q = timing::quartiles(t.methods[method].nanoseconds);
     sum = {sum.lower + q.lower, sum.median + q.median, sum.upper + q.upper};
@@ -108,13 +108,13 @@ std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, work
 std::vector<Standing> standings(Measure measure, std::optional<workloads::Family> family,
                                 workloads::Placement placement, const Errors& errors,
                                 const std::vector<Timing>& timings) {
-  const Question question = measure == Measure::NotRight ? Question::Contact : Question::Answer;
+  const QueryKind kind = measure == Measure::NotRight ? QueryKind::Contact : QueryKind::Answer;
   const auto strata = strata_of(family, placement, true);
   const std::size_t methods = errors.at.front().size();
   std::vector<Standing> list;
   for (std::size_t m = 0; m < methods; ++m) {
     auto found = standing(measure, errors.sum(strata, m), errors.polygons(strata, m));
-    const auto time = nanoseconds(m, question, family, placement, timings);
+    const auto time = nanoseconds(m, kind, family, placement, timings);
     if (!found || !time) continue;
     found->method = m;
     found->nanoseconds = *time;

@@ -164,12 +164,11 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
 void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings) {
   std::string text =
       "family,placement,balls,question,method,asked,repetitions,lower_quartile_ns,median_ns,upper_quartile_ns\n";
-  for (const auto& [place, balls, question, methods] : timings)
+  for (const auto& [place, balls, kind, methods] : timings)
     for (const timing::Measured& m : methods) {
       const auto q = timing::quartiles(m.nanoseconds);
-      text +=
-          fmt::format("{},{},{},{},{},{},{},{:.1f},{:.1f},{:.1f}\n", word(place.family), word(place.placement),
-                      word(balls), word(question), m.name, m.queries, m.nanoseconds.size(), q.lower, q.median, q.upper);
+      text += fmt::format("{},{},{},{},{},{},{},{:.1f},{:.1f},{:.1f}\n", word(place.family), word(place.placement),
+                          word(balls), word(kind), m.name, m.queries, m.nanoseconds.size(), q.lower, q.median, q.upper);
     }
   harness::write_file(folder / "timings.csv", text);
 }

@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 using workloads::Placement;
 
 std::string three_digits(double value) {
@@ -33,11 +33,11 @@ struct Times {
   std::size_t lists = 0, fewest = 0, most = 0;
 };
 
-Times times_of(std::size_t method, Balls balls, Question question, Placement placement,
+Times times_of(std::size_t method, Balls balls, QueryKind kind, Placement placement,
                const std::vector<Timing>& timings) {
   Times times;
   for (const Timing& t : timings) {
-    if (t.balls != balls || t.question != question || t.place.placement != placement) continue;
+    if (t.balls != balls || t.kind != kind || t.place.placement != placement) continue;
     const timing::Measured& measured = t.methods[method];
     times.nanoseconds += timing::quartiles(measured.nanoseconds).median;
     times.fewest = times.lists == 0 ? measured.queries : std::min(times.fewest, measured.queries);
@@ -73,10 +73,10 @@ std::string times_and_shares(const Settings& settings, const Errors& errors, con
     };
     const auto cell = [&](const std::string& said) { return near.trials == 0 ? "-" : said; };  // it has no such test
     const auto limits = statistics::bounded_mean(share(near.wrong), errors.polygons(strata, m));
-    const auto time = [&](Balls balls, Question question) { return times_of(m, balls, question, placement, timings); };
-    text += row(settings.methods[m]->name(), time_text(time(Balls::Near, Question::Contact)),
-                time_text(time(Balls::Anywhere, Question::Contact)), time_text(time(Balls::Near, Question::Answer)),
-                time_text(time(Balls::Anywhere, Question::Answer)), asked_text(time(Balls::Near, Question::Contact)),
+    const auto time = [&](Balls balls, QueryKind kind) { return times_of(m, balls, kind, placement, timings); };
+    text += row(settings.methods[m]->name(), time_text(time(Balls::Near, QueryKind::Contact)),
+                time_text(time(Balls::Anywhere, QueryKind::Contact)), time_text(time(Balls::Near, QueryKind::Answer)),
+                time_text(time(Balls::Anywhere, QueryKind::Answer)), asked_text(time(Balls::Near, QueryKind::Contact)),
                 cell(percent(share(near.wrong))), cell(percent(limits.lower) + " to " + percent(limits.upper)),
                 cell(percent(share(near.overflowed))), cell(percent(share(near.unsure))), cell(text_of(band_of(sum))));
   }

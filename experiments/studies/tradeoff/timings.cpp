@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 using workloads::BallPlace;
 using workloads::PlacedOutline;
 using workloads::Random;
@@ -43,12 +43,12 @@ std::optional<Query> draw_query(const std::vector<PlacedOutline>& outlines, work
 
 using Prepared = std::vector<std::unique_ptr<cases::PreparedMethod>>;  // of one method, by polygon
 
-timing::Contestant contestant(const cases::Method& method, const Prepared& prepared, const std::vector<Query>& queries,
-                              Question question) {
-  const auto ask = [&prepared, &queries, question](std::size_t count) {
+timing::Candidate candidate(const cases::Method& method, const Prepared& prepared, const std::vector<Query>& queries,
+                            QueryKind kind) {
+  const auto ask = [&prepared, &queries, kind](std::size_t count) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const auto answer = prepared[queries[i].polygon]->ask(queries[i].ball, question);
+      const auto answer = prepared[queries[i].polygon]->ask(queries[i].ball, kind);
       sum += answer.contact.value_or(false) ? 1 : 0;
     }
     return sum;
@@ -60,7 +60,7 @@ timing::Contestant contestant(const cases::Method& method, const Prepared& prepa
 
 std::string_view word(Balls balls) { return balls == Balls::Near ? "near" : "anywhere"; }
 
-std::string_view word(Question question) { return question == Question::Contact ? "contact" : "answer"; }
+std::string_view word(QueryKind kind) { return kind == QueryKind::Contact ? "contact" : "answer"; }
 
 Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count) {
   workloads::Workload workload;
@@ -81,7 +81,7 @@ Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count) 
 }
 
 std::uint64_t list_count(const TimingSettings& settings) {
-  return settings.places.size() * kBalls.size() * kTimedQuestions.size();
+  return settings.places.size() * kBalls.size() * kTimedKinds.size();
 }
 
 std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
@@ -95,15 +95,16 @@ std::vector<Timing> measure_timings(const TimingSettings& settings, const std::a
     for (std::size_t m = 0; m < prepared.size(); ++m)
       for (const Polygon& polygon : queries.polygons) prepared[m].push_back(settings.methods[m]->prepare(polygon));
     for (const Balls balls : kBalls) {
-      for (const Question question : kTimedQuestions) {
+      for (const QueryKind kind : kTimedKinds) {
         if (queries.of(balls).empty()) continue;
-        timing::Contest contest;
+        timing::Benchmark benchmark;
         for (std::size_t m = 0; m < prepared.size(); ++m)
-          contest.contestants.push_back(contestant(*settings.methods[m], prepared[m], queries.of(balls), question));
+          benchmark.candidates.push_back(candidate(*settings.methods[m], prepared[m], queries.of(balls), kind));
         timing::Result result = timing::measure(
-            std::string(word(place.family)), contest, settings.repetitions, stop, [](std::uint64_t) {}, kSecondsOfList);
+            std::string(word(place.family)), benchmark, settings.repetitions, stop, [](std::uint64_t) {},
+            kSecondsOfList);
         if (stop) return timings;
-        timings.push_back({place, balls, question, std::move(result.contestants)});
+        timings.push_back({place, balls, kind, std::move(result.candidates)});
         progress(++done);
       }
     }

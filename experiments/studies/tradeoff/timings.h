@@ -21,9 +21,9 @@ enum class Balls {
 inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
 [[nodiscard]] std::string_view word(Balls balls);
 
-inline constexpr std::array kTimedQuestions{cases::Question::Contact, cases::Question::Answer};
+inline constexpr std::array kTimedQuestions{cases::QueryKind::Contact, cases::QueryKind::Answer};
 /// Requires one of these two.
-[[nodiscard]] std::string_view word(cases::Question question);
+[[nodiscard]] std::string_view word(cases::QueryKind question);
 
 /// A family of polygons in a placement, for which timings and fronts are computed.
 struct Place {
@@ -59,7 +59,7 @@ struct TimingSettings {
 struct Timing {
   Place place;
   Balls balls;
-  cases::Question question;
+  cases::QueryKind kind;
   std::vector<timing::Measured> methods;  ///< in the order of the settings
 };
 

@@ -9,13 +9,13 @@
 
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/command.h"
-#include "experiments/harness/interrupt.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/output.h"
 
@@ -104,7 +104,7 @@ class Run {
     write_worst(folder_, settings_, errors);
     // Processes that wait for the first one keep the machine busy.
     const std::vector<Timing> timings = processes_.count() > 1 ? std::vector<Timing>() : time();
-    const bool stopped = interrupt_.requested();
+    const bool stopped = stop_signal_.requested();
     if (processes_.count() == 1) write_timings(folder_, timings);
     if (!stopped && processes_.count() == 1) write_front(folder_, settings_, errors, timings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -132,13 +132,14 @@ class Run {
     const harness::Checkpoint checkpoint(folder_ / "checkpoint.json", checkpoint_settings(settings_));
     Errors errors = harness::begin(checkpoint, processes_, options_.resume, settings_.samples, no_errors(settings_));
     harness::ProgressLine line("tradeoff: errors", settings_.samples, errors.samples);
-    measure_errors(settings_, harness::course<Errors>(processes_, interrupt_.requested(), line, checkpoint), errors);
+    measure_errors(settings_, harness::run_control<Errors>(processes_, stop_signal_.requested(), line, checkpoint),
+                   errors);
     return errors;
   }
 
   [[nodiscard]] std::vector<Timing> time() {
     harness::ProgressLine line("tradeoff: times", list_count(timing_settings_));
-    return measure_timings(timing_settings_, interrupt_.requested(), [&](std::uint64_t done) { line(done); });
+    return measure_timings(timing_settings_, stop_signal_.requested(), [&](std::uint64_t done) { line(done); });
   }
 
   [[nodiscard]] int tell_end(bool stopped, const Errors& errors, const std::vector<Timing>& timings) const {
@@ -162,7 +163,7 @@ class Run {
   std::optional<harness::OutputFolder> held_;  // by the first process
   Settings settings_;
   TimingSettings timing_settings_;
-  harness::Interrupt interrupt_;
+  harness::StopSignal stop_signal_;
 };
 
 constexpr const char* kFooter = R"(

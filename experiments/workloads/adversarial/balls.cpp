@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Vertex `i`, the edge from it, and the normal of the whole in units of length 1; the edge of length 1 as `along`.
+/// A vertex, the vectors to its neighbours, and unit vectors: along its edge, normal to both edges, and outwards.
 struct Corner {
   Vector3d vertex, edge, back, along, normal, out;
 };
@@ -36,7 +36,7 @@ Corner random_corner(Random& random, const Polygon& polygon) {
   return c;
 }
 
-/// A share of [0, 1], often of few bits.
+/// Draws a share from [0, 1], often of few bits.
 double random_share(Random& random) {
   return random.coin() ? random.unit() : static_cast<double>(random.integer(0, 16)) / 16;
 }

@@ -24,14 +24,14 @@ struct Drawn {
 
 Polygon triangle_polygon(const Triangle& t) { return Polygon({t.a, t.b, t.c}); }
 
-/// A triangle with the threshold radius about a centre off one of its features.
+/// Draws a ball with the threshold radius about a centre off one of the features of the triangle.
 Drawn at_threshold(Random& random, const Triangle& triangle) {
   const Polygon polygon = triangle_polygon(triangle);
   const Vector3d center = center_off_feature(random, polygon);
   return {triangle, {center, radius_at_threshold(random, center, polygon)}};
 }
 
-/// Integers for centre and radius too, near the triangle.
+/// Draws a lattice triangle and a ball near it, also with integers.
 Drawn on_lattice(Random& random) {
   const Triangle triangle = lattice_triangle(random);
   const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
@@ -65,8 +65,8 @@ Drawn on_triangle(Random& random) {
   return {triangle, {center, radii[random.integer(0, 3)]}};
 }
 
-/// A vertex, an edge or the face through the origin, where doubles are so dense that the centre may be nearer to it
-/// than the square root of the least double.
+/// Moves a vertex, an edge or the face to the origin. Doubles are so dense there that the distance of the centre may be
+/// smaller than the square root of the least double.
 Drawn close_to_origin(Random& random) {
   const Triangle t = lattice_triangle(random);
   const Vector3d u = t.b - t.a, v = t.c - t.a;
@@ -82,7 +82,7 @@ Drawn from_afar(Random& random) {
   return {triangle, {center, radius_at_threshold(random, center, triangle_polygon(triangle))}};
 }
 
-/// Centres share coordinates with vertices, so that distances are often doubles in spite of all.
+/// Draws centres that share coordinates with vertices, so that distances are often doubles nevertheless.
 Drawn of_all_exponents(Random& random) {
   const Triangle triangle = triangle_of_all_exponents(random);
   const Vector3d* corners[] = {&triangle.a, &triangle.b, &triangle.c};
@@ -133,7 +133,7 @@ bool is_finite(const Drawn& drawn) {
   return t.a.allFinite() && t.b.allFinite() && t.c.allFinite() && !find_fault(ball);
 }
 
-/// Nothing where the drawn vertices are collinear or a number is beyond the doubles.
+/// Returns nothing if the drawn vertices are collinear or a number is beyond the finite doubles.
 std::optional<Case> try_triangle(Random& random, Family family) try {
   constexpr Family kScalable[] = {Family::General, Family::Lattice, Family::Tangent, Family::Foot, Family::Point};
   const bool scale = family == Family::Scaled;

@@ -13,9 +13,9 @@
 
 namespace touchstone::adversarial {
 
-/// What makes a case hard. All but Outline are triangles.
+/// The property that makes a case hard. All but Outline are triangles.
 enum class Family {
-  General,    ///< coordinates with all their bits; the radius at the distance, give or take some doubles
+  General,    ///< coordinates with all their bits; the radius within some doubles of the distance
   Lattice,    ///< integers of few bits throughout: ties of every kind
   Tangent,    ///< exactly tangent: Pythagorean offsets in integer frames, and coordinate planes with all bits
   Needle,     ///< vertices nearly on a line, or nearly equal
@@ -27,7 +27,7 @@ enum class Family {
   Exponents,  ///< coordinates of wildly different magnitudes, from the least double to the largest
   Scaled,     ///< one of the above times a power of two, down to the least double and up to the largest
   Anywhere,   ///< nothing special
-  Outline,    ///< polygons of all families of workloads: lattice or rotated, holes, off their planes, scaled
+  Outline,    ///< polygons of all families of workloads: lattice or rotated, with holes, off their planes, scaled
 };
 
 [[nodiscard]] std::string_view word(Family family);
@@ -39,14 +39,14 @@ struct Case {
   Ball ball;
   Polygon polygon;
 
-  /// The polygon as a triangle, if it is one.
+  /// Returns the polygon as a triangle, if it is one.
   [[nodiscard]] std::optional<Triangle> triangle() const;
 };
 
-/// "soak-s7-i12".
+/// Returns the name of a case, such as "soak-s7-i12".
 [[nodiscard]] std::string name_of_case(std::uint64_t seed, std::uint64_t index);
 
-/// Case number `index`: a function of (seed, index) alone. Nine of ten are triangles, of all families alike.
+/// Draws case number `index`: a function of (seed, index) alone. Nine of ten are triangles, evenly from all families.
 /// Requires rounding to nearest. Cost: about 4 us for a triangle, 50 us for an outline.
 [[nodiscard]] Case draw_case(std::uint64_t seed, std::uint64_t index);
 

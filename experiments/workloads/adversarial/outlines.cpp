@@ -27,7 +27,7 @@ workloads::PlacedOutline draw_placed(Random& random) {
   return workloads::draw_placed_outline(workload, seed, random.bits());
 }
 
-/// Every vertex moved by up to 2^warp sizes in every coordinate.
+/// Moves every vertex by up to 2^warp sizes in every coordinate.
 Polygon warped(Random& random, const Polygon& polygon, int warp) {
   const double reach = std::ldexp(size_of(polygon), warp);
   std::vector<Loop> loops = loops_of(polygon);
@@ -37,7 +37,8 @@ Polygon warped(Random& random, const Polygon& polygon, int warp) {
   return polygon_of(loops);
 }
 
-/// Above or below a lattice point about the outline by a whole number of units, which is the radius.
+/// Draws a ball above or below a lattice point near the outline, at a height that is an integer number of units and
+/// equals the radius.
 Ball tangent_ball(Random& random, const workloads::PlacedOutline& placed) {
   const auto box = workloads::bounding_box(placed.outline.outer);
   const auto& outer = placed.outline.outer;
@@ -49,7 +50,7 @@ Ball tangent_ball(Random& random, const workloads::PlacedOutline& placed) {
   return {placed.frame.at(x, y, h), std::abs(h) * placed.frame.unit};
 }
 
-/// Moved so that one of its vertices lies at the origin.
+/// Moves the polygon so that one of its vertices lies at the origin.
 Polygon moved_to_origin(Random& random, const Polygon& polygon) {
   const auto last = static_cast<std::int64_t>(polygon.vertex_count()) - 1;
   const Eigen::Vector3d there = polygon.vertex(static_cast<std::size_t>(random.integer(0, last)));

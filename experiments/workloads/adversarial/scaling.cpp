@@ -7,7 +7,7 @@
 namespace touchstone::adversarial {
 namespace {
 
-/// The largest magnitude of all coordinates and the radius.
+/// Returns the largest magnitude of all coordinates and the radius.
 double largest_number(const Ball& ball, const Polygon& polygon) {
   double largest = std::max(ball.radius, ball.center.cwiseAbs().maxCoeff());
   for (int axis = 0; axis < 3; ++axis)
@@ -15,7 +15,7 @@ double largest_number(const Ball& ball, const Polygon& polygon) {
   return largest;
 }
 
-/// The exponent that the largest number is to have.
+/// Draws the exponent of the largest number after scaling.
 int extreme_exponent(Random& random) {
   const auto about = [&](int exponent) { return exponent + static_cast<int>(random.integer(-3, 3)); };
   switch (random.integer(0, 6)) {

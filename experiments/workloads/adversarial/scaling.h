@@ -19,9 +19,9 @@ struct BallAndPolygon {
   Polygon polygon;
 };
 
-/// Everything times one power of two: near the least doubles, near the largest, where squares or products of four
-/// lengths leave the doubles, or in between. Numbers that become subnormal may be rounded.
-/// Nothing where a number leaves the doubles. Throws Rejected where neighbouring vertices become equal.
+/// Scales everything by one power of two: near the least doubles, near the largest, where squares or products of four
+/// lengths leave the range of doubles, or in between. Numbers that become subnormal may be rounded. Returns nothing if
+/// a number leaves the range. Throws Rejected if neighbouring vertices become equal.
 [[nodiscard]] std::optional<BallAndPolygon> scaled_to_extremes(Random& random, const Ball& ball,
                                                                const Polygon& polygon);
 

@@ -11,12 +11,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// x^2 + y^2 + z^2 = length^2 in integers.
+/// Integers with x^2 + y^2 + z^2 = length^2.
 struct Quadruple {
   double x, y, z, length;
 };
 
-/// z = 0 for a triple.
+/// Draws a quadruple, with z = 0 for a triple.
 Quadruple pythagorean(Random& random, bool triple) {
   double m[4];
   for (double& part : m) part = static_cast<double>(random.integer(-6, 6));
@@ -27,7 +27,8 @@ Quadruple pythagorean(Random& random, bool triple) {
 
 double integer(Random& random, std::int64_t most) { return static_cast<double>(random.integer(-most, most)); }
 
-/// In the lattice the first edge runs along x from the origin, and the triangle lies above it.
+/// Draws a tangent in an integer frame. On the lattice the first edge runs along x from the origin, and the triangle
+/// lies above it.
 Tangent in_integer_frame(Random& random) {
   const std::int64_t most = std::int64_t{1} << random.integer(2, 20);
   const double distances[] = {0, 1, 0x1p10, 0x1p20};
@@ -61,11 +62,11 @@ Tangent in_integer_frame(Random& random) {
   }
 }
 
-/// All its bits, of a magnitude of 2^-reach to 2^reach.
+/// Draws a number with all its bits, of magnitude 2^-reach to 2^reach.
 double number(Random& random, int reach) { return random.log_uniform(-reach, reach); }
 
-/// Two vertices apart in one coordinate, a third apart from them in two; the centre apart from the plane, the first
-/// edge or the first vertex in one coordinate, by the radius.
+/// Draws two vertices that differ in one coordinate, and a third that differs from them in two. The centre differs from
+/// the plane, the first edge or the first vertex in one coordinate, by the radius.
 Tangent along_axes(Random& random) {
   const auto i = static_cast<int>(random.integer(0, 2));
   const int j = (i + static_cast<int>(random.integer(1, 2))) % 3, k = 3 - i - j;

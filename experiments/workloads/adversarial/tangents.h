@@ -14,11 +14,11 @@ struct Tangent {
   Ball ball;
 };
 
-/// A ball at exactly its radius from the face's plane, an edge's line or a vertex, unless a sum in doubles was rounded;
-/// most often that is the nearest feature.
+/// Draws a ball whose radius equals exactly the distance from the plane of the face, the line of an edge, or a vertex,
+/// unless a sum in doubles was rounded. Most often that is the nearest feature.
 ///
-/// Half of them in an integer frame, by Pythagorean triples and quadruples; half with edges along axes or in a
-/// coordinate plane, every other coordinate with all its bits.
+/// Half of them lie in an integer frame, by Pythagorean triples and quadruples. The others have edges along axes or in
+/// a coordinate plane, and every other coordinate has all its bits.
 [[nodiscard]] Tangent tangent(Random& random);
 
 }  // namespace touchstone::adversarial

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using workloads::move_by_doubles;
 
-/// All bits of a double in [-1, 1): of a small one, too.
+/// Draws a number in [-1, 1) with all bits of a double, even if it is small.
 double any_bits(Random& random) { return 2 * random.unit() - 1; }
 
 Vector3d any_point(Random& random) {
@@ -21,7 +21,7 @@ Vector3d any_point(Random& random) {
   return {x, y, any_bits(random)};
 }
 
-/// Some doubles: none, few, or up to 2^40.
+/// Draws a number of doubles: zero, few, or up to 2^40.
 std::int64_t some_doubles(Random& random) {
   const std::int64_t most = std::int64_t{1} << random.integer(0, 40);
   return random.integer(-most, most);

@@ -8,26 +8,26 @@ namespace touchstone::adversarial {
 
 using workloads::Random;
 
-// Triangles that are hard in one way each. Vertices may be equal or collinear: `is_triangle` tells.
+// Each function draws triangles that are hard in one way. Vertices may be equal or collinear; see `is_triangle`.
 
-/// Coordinates in [-1, 1) with all their bits.
+/// Draws coordinates in [-1, 1) with all their bits.
 [[nodiscard]] Triangle general_triangle(Random& random);
-/// Integers of up to 26 bits; axes and vertices often share coordinates.
+/// Draws integers of up to 26 bits; axes and vertices often share coordinates.
 [[nodiscard]] Triangle lattice_triangle(Random& random);
-/// A third vertex within some doubles of the line through the others, or of one of them.
+/// Draws a third vertex within some doubles of the line through the others, or of one of them.
 [[nodiscard]] Triangle needle_triangle(Random& random);
-/// Up to 2^50 sizes from the origin.
+/// Draws a triangle at up to 2^50 sizes from the origin.
 [[nodiscard]] Triangle far_triangle(Random& random);
-/// Every coordinate of its own magnitude, or zero, or that of another vertex.
+/// Draws coordinates each of its own magnitude, or zero, or equal to that of another vertex.
 [[nodiscard]] Triangle triangle_of_all_exponents(Random& random);
 
-/// Are the vertices not collinear? Exact.
+/// Returns whether the vertices are not collinear. Exact.
 [[nodiscard]] bool is_triangle(const Triangle& triangle);
 
-/// The largest coordinate difference of two vertices.
+/// Returns the largest coordinate difference of two vertices.
 [[nodiscard]] double size_of(const Triangle& triangle);
 
-/// A double of one of several ranges of exponents, as triangle_of_all_exponents has them.
+/// Draws a double from one of the ranges of exponents of triangle_of_all_exponents.
 [[nodiscard]] double number_of_any_exponent(Random& random, int range);
 inline constexpr int kExponentRanges = 6;
 

@@ -15,14 +15,14 @@ namespace {
 using workloads::LatticePoint;
 using workloads::Random;
 
-/// In the plane of the triangle, and a centre at a height above it.
+/// A triangle in the plane of the lattice, and a centre at a height above it.
 struct Tangent {
   LatticePoint a, b, c;
   LatticePoint center;
   std::int64_t height, radius;
 };
 
-/// Integers x^2 + y^2 = length^2.
+/// Integers with x^2 + y^2 = length^2.
 struct Triple {
   std::int64_t x, y, length;
 };
@@ -43,7 +43,7 @@ Triple pythagorean_triple(Random& random) {
   return triple;
 }
 
-/// Nothing where the foot would lie outside.
+/// Draws a tangent above the face. Returns nothing if the foot would lie outside.
 std::optional<Tangent> above_face(Random& random, std::int64_t reach) {
   Tangent t{random_point(random, reach), random_point(random, reach), random_point(random, reach), {}, 0, 0};
   const std::int64_t i = random.integer(1, 100), j = random.integer(1, 100), k = random.integer(1, 100),
@@ -60,7 +60,8 @@ std::optional<Tangent> above_face(Random& random, std::int64_t reach) {
   return t;
 }
 
-/// The edge runs along a Pythagorean direction of length c, so that what is perpendicular to it is as long.
+/// Draws a tangent off an edge. The edge has a Pythagorean direction of length c, so that its perpendicular has the
+/// same length.
 std::optional<Tangent> off_edge(Random& random, std::int64_t reach) {
   const Triple direction = pythagorean_triple(random), offset = pythagorean_triple(random);
   if (direction.length > reach) return std::nullopt;
@@ -77,7 +78,7 @@ std::optional<Tangent> off_edge(Random& random, std::int64_t reach) {
   return t;
 }
 
-/// Off vertex a by a Pythagorean quadruple, where no point of the triangle is nearer.
+/// Draws a tangent off vertex a by a Pythagorean quadruple, if no point of the triangle is nearer.
 std::optional<Tangent> off_vertex(Random& random, std::int64_t reach) {
   std::int64_t m[4];
   for (std::int64_t& part : m) part = random.integer(-6, 6);

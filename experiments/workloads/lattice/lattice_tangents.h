@@ -8,11 +8,11 @@ namespace touchstone::workloads {
 
 inline constexpr double kLargestCoordinate = 0x1p20;
 
-/// A ball that touches a triangle exactly, at its face, an edge or a vertex, with equal chance. All numbers are
-/// integers, |.| <= kLargestCoordinate.
+/// Draws a ball that touches a triangle exactly, at its face, an edge or a vertex, with equal probability. All numbers
+/// are integers, |.| <= kLargestCoordinate.
 ///
-/// Drawn in an integer frame (workloads::lattice_frame), so that the normal is Pythagorean; the distance to the edge or
-/// the vertex is a Pythagorean triple or quadruple in the frame's units.
+/// Uses an integer frame (workloads::lattice_frame), so that the normal is Pythagorean; the distance to the edge or the
+/// vertex is a Pythagorean triple or quadruple in the units of the frame.
 [[nodiscard]] TriangleQuery draw_lattice_tangent(workloads::Random& random);
 
 }  // namespace touchstone::workloads

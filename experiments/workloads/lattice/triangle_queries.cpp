@@ -40,7 +40,7 @@ TriangleQuery random_query(Random& random) {
 
 Polygon polygon_of(const Triangle& triangle) { return Polygon({triangle.a, triangle.b, triangle.c}); }
 
-/// Nearest to a face, an edge or a vertex with equal chance: among random queries faces are rare.
+/// The nearest feature is a face, an edge or a vertex with equal probability: among random queries faces are rare.
 TriangleQuery near_query(Random& random) {
   const auto wanted = static_cast<Feature::Kind>(random.integer(0, 2));
   while (true) {
@@ -88,7 +88,7 @@ TriangleQuery extreme_query(Random& random) {
   return query;
 }
 
-/// So that no method gains by the vertex with which it begins.
+/// Ensures that no method gains by the choice of its first vertex.
 TriangleQuery with_vertices_in_any_order(TriangleQuery query, Random& random) {
   auto& [a, b, c] = query.triangle;
   if (random.coin()) std::swap(a, b);

@@ -15,22 +15,22 @@ struct TriangleQuery {
   Triangle triangle;
 };
 
-/// What is asked about triangles.
+/// The families of queries about triangles.
 enum class TriangleFamily {
   Random,    ///< vertices and centre uniform in the unit cube, radius uniform in [0, 0.5)
   HalfNear,  ///< a random half of them with the radius at (1 +- 2^-50) x the exact distance, to face, edge or vertex
   LatticeTangent,  ///< touching exactly a face, an edge or a vertex: integers up to 2^20
   Slivers,         ///< Random, but the third vertex at 1e-8 of the length of an edge from that edge
   Far,             ///< Random, moved by 1e6 in a random direction
-  Extreme,  ///< Random, times 2^-1000, 2^-500, 2^480 or 2^1000, or each point and the radius times another of them
+  Extreme,  ///< Random, times 2^-1000, 2^-500, 2^480 or 2^1000, or each point and the radius times its own one of these
 };
 
 [[nodiscard]] std::string_view word(TriangleFamily family);
 [[nodiscard]] std::string_view summary(TriangleFamily family);
 [[nodiscard]] const std::vector<TriangleFamily>& all_triangle_families();
 
-/// Query number `index`: a function of (family, seed, index) alone; `exact::validate` accepts the triangle. Requires
-/// rounding to nearest. Cost: about 1 us; HalfNear 30 us.
+/// Draws query number `index`: a function of (family, seed, index) alone; `exact::validate` accepts the triangle.
+/// Requires rounding to nearest. Cost: about 1 us; HalfNear 30 us.
 [[nodiscard]] TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::workloads

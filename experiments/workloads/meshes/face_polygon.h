@@ -8,7 +8,7 @@
 
 namespace touchstone::workloads {
 
-/// The face as a polygon of the contract. Throws Rejected.
+/// Returns the face as a polygon of the contract. Throws Rejected.
 [[nodiscard]] Polygon face_polygon(const Mesh& mesh, std::uint64_t face);
 
 }  // namespace touchstone::workloads

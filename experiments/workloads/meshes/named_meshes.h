@@ -9,11 +9,11 @@
 
 namespace touchstone::workloads {
 
-/// What files are called: without the extension, with the folder that they lie in; where several have the same name,
-/// the second and later ones get the next number that leaves no two alike: `puma/puma_link1`, `puma/puma_link1#2`.
+/// Returns a short name for each file: without the extension, with its folder. If several have the same name, the
+/// second and later ones get the next number that keeps all names distinct: `puma/puma_link1`, `puma/puma_link1#2`.
 [[nodiscard]] std::vector<std::string> short_names(const std::vector<std::string>& files);
 
-/// A mesh file as it was read.
+/// A mesh file and its content.
 struct NamedFile {
   std::string name, file;
   ReadMesh content;
@@ -25,10 +25,12 @@ struct NamedFiles {
   bool all_read = true;
 };
 
-/// Reads what can be read; says on standard error what cannot, and the first parts that are left out of each file.
+/// Reads all readable files. Reports on standard error the files that cannot be read, and the first parts that were
+/// left out of each file.
 [[nodiscard]] NamedFiles read_named_files(const std::vector<std::string>& files, OnFault on_fault);
 
-/// left-out.txt: a sentence a line for what was left out of the files, as ReadMesh has it, and how many more there are.
+/// Returns the content of left-out.txt: one sentence per line for each part left out of the files, as listed in
+/// ReadMesh, and the number of further parts.
 [[nodiscard]] std::string left_out_text(const NamedFiles& files);
 
 }  // namespace touchstone::workloads

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<Unit, 6> kUnits{
     {{"um", 1}, {"mm", 1000}, {"cm", 10'000}, {"m", 1'000'000}, {"inch", 25'400}, {"foot", 304'800}}};
 
-/// length * times / over, rounded once.
+/// Returns length * times / over, rounded once.
 double rational_quotient(double length, double times, double over) {
   const mpq_class quotient = mpq_class(length) * mpq_class(times) / mpq_class(over);
   return exact::nearest_double(quotient.get_num(), quotient.get_den());
@@ -38,7 +38,7 @@ double converted(double length, const Unit& from, const Unit& to) {
   const std::int64_t common = std::gcd(from.micrometres, to.micrometres);
   const auto times = static_cast<double>(from.micrometres / common),
              over = static_cast<double>(to.micrometres / common);
-  // Beyond these bounds parts of the product, the quotient or what is added to it may be no doubles.
+  // Beyond these bounds, parts of the product, of the quotient or of its correction may not be doubles.
   const double magnitude = std::abs(length);
   if (length != 0 && !(magnitude >= 1e-280 && magnitude <= 1e300)) return rational_quotient(length, times, over);
   // The product is high + low, the quotient's remainder is exact, and what is added last is known far better than to

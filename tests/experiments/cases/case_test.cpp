@@ -46,7 +46,7 @@ TEST(ReadCase, SaysWhereALineIsNotJson) {
     EXPECT_THROW((void)cases::read_case(line), harness::NotJson) << line;
 }
 
-// Numbers beyond the doubles are no licence: what surrounds them must be JSON all the same.
+// The text around numbers beyond the doubles must still be JSON.
 TEST(ReadCase, HoldsNumbersBeyondTheFiniteDoublesToTheGrammar) {
   for (const char* line : {R"({"a":1e400,1e400:1})", "[1e400-5]", "[01e999]", "[-01e999]", "[--1e400]", "[+1e400]",
                            "[.1e400]", "[1.e400]", "[1e400e1]", "[1e400.5]", "[1e4001e400]", "[1e400 1e400]", "1e400x"})

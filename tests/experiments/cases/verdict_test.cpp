@@ -38,7 +38,7 @@ TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
                                                                                     "\n");
 }
 
-/// Does a reply meet what is expected of it?
+/// Returns whether a reply meets the expectation.
 bool meets(const std::string& expected, const std::string& reply) {
   return cases::differences(nlohmann::json::parse(expected), cases::answer_in(nlohmann::json::parse(reply))).empty();
 }

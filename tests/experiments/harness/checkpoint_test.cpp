@@ -66,11 +66,11 @@ TEST_F(CheckpointFile, NamesTheSettingsThatDiffer) {
 TEST_F(CheckpointFile, IsRefusedWhereItIsDamaged) {
   for (const char* text : {"", "{", "[]", "{\"version\":1,\"seed\":3,\"method\":\"fast,thesis\"}"}) {
     write_file(path(), text);
-    EXPECT_NE(refusal(kSettings).find("is no checkpoint of this program"), std::string::npos) << text;
+    EXPECT_NE(refusal(kSettings).find("is not a checkpoint of this program"), std::string::npos) << text;
   }
 }
 
-// Killed while it writes: what stands there is still the last whole state.
+// If the process is killed while it writes, the file still holds the last complete state.
 TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
   with(kSettings).write({{"done", 4}});
   fs::create_hard_link(path(), folder_ / "same-file");
@@ -79,8 +79,8 @@ TEST_F(CheckpointFile, IsNeverWrittenInPlace) {
   EXPECT_EQ(nlohmann::json::parse(run_tests::text_of(folder_ / "same-file")).at("done"), 4);
 }
 
-// A run that begins anew: what another one had done can be gone on from still, by its old name.
-TEST_F(CheckpointFile, IsKeptWhereARunBeginsAnew) {
+// A run without --resume keeps the checkpoint of an earlier run, from which that run can continue.
+TEST_F(CheckpointFile, IsKeptByARunWithoutResume) {
   EXPECT_FALSE(with(kSettings).set_aside());
   with(kSettings).write({{"done", 4}});
   EXPECT_TRUE(with(kSettings).set_aside());

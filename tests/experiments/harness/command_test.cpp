@@ -63,7 +63,7 @@ TEST(Command, KeepsWhatTheVariablesHeldWhereNothingIsSaid) {
   EXPECT_EQ(declared.line, kUnchanged);
 }
 
-// The line has every option that was given; what it says is what was said.
+// The line holds every option that was given, with the given values.
 TEST(Command, ItsLineRepeatsTheRun) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> given{
       {{"--seed", "8"}, "--seed 8"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two runs never write the same folder, and none writes over another's results.
+// Two runs never write the same folder, and no run overwrites the results of another.
 #include "experiments/harness/output_folder.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::string refusal(const fs::path& folder, Existing existing = {}) {
 
 bool is_empty_folder(const fs::path& folder) { return fs::is_directory(folder) && fs::is_empty(folder); }
 
-/// A child process that does something and tells of it, then waits until it is killed or told to end.
+/// A child process that acts and reports it, then waits until it is killed or told to end.
 class Child {
  public:
   template <class Work>
@@ -114,7 +114,7 @@ TEST(OutputFolder, IsFreeAgainWhenItsHolderIsKilled) {
   }
 }
 
-// Of many that come at once, one gets the folder each time: none slips in where the lock's file is removed.
+// When many processes compete, exactly one gets the folder each time, even while the lock file is removed.
 TEST(OutputFolder, IsNeverHeldByTwo) {
   const Scratch scratch;
   const fs::path shared = scratch.path / "shared", marks = scratch.path / "marks";
@@ -163,7 +163,7 @@ TEST(OutputFolder, IsHeldByAStartedProcessOnlyWhereItIsShared) {
     char byte = 'x';
     ASSERT_EQ(::write(in[1], &byte, 1), 1);
     ASSERT_EQ(::read(out[0], &byte, 1), 1) << "cat runs";
-    // As if this process had been killed: its descriptor is closed, and the file is left.
+    // Simulates that this process was killed: its descriptor is closed, and the file stays.
     const std::string file = (scratch.path / ".lock").string();
     fs::create_hard_link(file, scratch.path / "kept");
     folder.reset();
@@ -185,31 +185,31 @@ TEST(OutputFolder, IsRefusedWhereItIsNotEmpty) {
   EXPECT_FALSE(fs::exists(scratch.path / ".lock"));
 }
 
-TEST(OutputFolder, IsGoneOnWithOnlyFromACheckpoint) {
+TEST(OutputFolder, IsResumedOnlyFromACheckpoint) {
   const Scratch scratch;
   EXPECT_EQ(refusal(scratch.path, {.resume = true}), "") << "a run that was killed at once";
   write_file(scratch.path / "rates.csv", "precious\n");
   EXPECT_EQ(refusal(scratch.path, {.resume = true}),
-            scratch.path.string() + ": has no checkpoint.json to go on from, but rates.csv");
+            scratch.path.string() + ": has no checkpoint.json to continue from, but rates.csv");
   fs::rename(scratch.path / "rates.csv", scratch.path / "checkpoint.json");
   EXPECT_EQ(refusal(scratch.path, {.resume = true}), "");
   EXPECT_EQ(refusal(scratch.path), scratch.path.string() +
                                        ": is not empty (it has checkpoint.json); --force writes over what is there, "
-                                       "--resume goes on with it");
+                                       "--resume continues its run");
 }
 
 TEST(OutputFolder, NamesWhatCannotBeAFolder) {
   EXPECT_EQ(refusal("/dev/null/folder"), "/dev/null/folder: cannot be made: Not a directory");
 }
 
-TEST(OutputFolder, LeavesAFileAloneThatIsNoLock) {
+TEST(OutputFolder, LeavesAFileAloneThatIsNotALock) {
   const Scratch scratch;
   const fs::path folder = scratch.path / "run", lock = folder / ".lock", other = scratch.path / "other";
   fs::create_directory(folder);
   write_file(lock, "precious\n");
   for (const bool force : {false, true}) {
     EXPECT_EQ(refusal(folder, {.force = force}),
-              folder.string() + ": has a file .lock that is no lock of this program");
+              folder.string() + ": has a file .lock that is not a lock of this program");
     EXPECT_EQ(run_tests::text_of(lock), "precious\n");
   }
   fs::remove(lock);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How sums over many items are found: the same whatever the threads and stops; and what is said meanwhile.
+// Sums over many items do not depend on threads and stops; and the progress that is shown meanwhile.
 #include "experiments/harness/sweep.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Blocks, AreEachRunOnceByAThreadBelowTheCount) {
   EXPECT_LT(*threads.rbegin(), 3U);
 }
 
-// More threads than the machine has cores are had nevertheless: each waits for all the others.
+// There may be more threads than cores: each waits for all others.
 TEST(Blocks, RunOnAsManyThreadsAsAskedFor) {
   constexpr unsigned kThreads = 5;
   std::atomic<unsigned> here = 0;
@@ -96,7 +96,7 @@ Items first_items(std::uint64_t count) {
   return items;
 }
 
-// The last block may be short; a sweep may begin within a block, where another was stopped or had fewer items.
+// The last block may be short; a sweep may begin within a block, if an earlier one was stopped or had fewer items.
 TEST(Sweep, TakesEveryItemOnce) {
   for (const std::uint64_t block : {1U, 7U, 64U})
     for (const std::uint64_t before : {0U, 1U, 99U, 100U}) {
@@ -110,7 +110,7 @@ TEST(Sweep, TakesEveryItemOnce) {
     }
 }
 
-// Three threads wait for each other within the first leg, so that each has a part.
+// Three threads wait for each other within the first leg, so that each contributes a part.
 TEST(Sweep, AddsWhatEveryThreadFound) {
   constexpr unsigned kThreads = 3;
   std::atomic<unsigned> here = 0;
@@ -126,7 +126,7 @@ TEST(Sweep, AddsWhatEveryThreadFound) {
   EXPECT_EQ(items.all, first_items(kThreads).all);
 }
 
-// Whatever is saved is the sum over the first items, and so is what a stopped sweep holds.
+// Every saved sum, and that of a stopped sweep, covers exactly the first items.
 TEST(Sweep, AlwaysHoldsTheFirstItems) {
   std::atomic<bool> stop = false;
   Items items;
@@ -145,7 +145,7 @@ TEST(Sweep, AlwaysHoldsTheFirstItems) {
   EXPECT_EQ(items.all, first_items(done).all);
 }
 
-// At the pace of this run alone: 30 of 40 things left, 5 done in 2 s; what was done before took no time of it.
+// The pace is that of this run alone: 30 of 40 items left, 5 done in 2 s; earlier items do not count.
 TEST(Progress, TimeLeftDoesNotCountAnEarlierRun) {
   EXPECT_EQ(progress_text("samples", 0, 10, 40, 4), "samples: 25 %, 12 s left");
   EXPECT_EQ(progress_text("samples", 5, 10, 40, 2), "samples: 25 %, 12 s left");

@@ -29,7 +29,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-/// What the function's std::runtime_error says; "" without one.
+/// Returns the message of the std::runtime_error of the function; "" without one.
 std::string refusal(const std::function<void()>& function) {
   try {
     function();
@@ -61,7 +61,7 @@ TEST(WriteFile, LeavesDevicesAndPipesWhereTheyAre) {
   const Scratch scratch;
   const fs::path pipe = scratch.path / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(refusal([&] { write_file(pipe, ""); }), pipe.string() + ": cannot be written: it is no regular file");
+  EXPECT_EQ(refusal([&] { write_file(pipe, ""); }), pipe.string() + ": cannot be written: it is not a regular file");
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
@@ -75,7 +75,7 @@ TEST(WriteFile, SaysWhyItCannotWrite) {
   EXPECT_EQ(names_in(scratch.path), std::vector<std::string>{"folder"});
 }
 
-// A limit on the size of files stands for a full disk: both let a part be written only.
+// A limit on the size of files simulates a full disk: both allow only a part to be written.
 TEST(WriteFile, KeepsTheEarlierFileWhereTheNewOneDoesNotFit) {
   const Scratch scratch;
   const fs::path file = scratch.path / "checkpoint.json";
@@ -106,18 +106,17 @@ TEST(RefuseOverwrite, AllowsARegularFileWithForceOnly) {
   const Scratch scratch;
   const fs::path file = scratch.path / "base.json";
   write_file(file, "{}\n");
-  EXPECT_EQ(refusal([&] { refuse_overwrite(file, false); }),
-            file.string() + ": is there already; --force writes over it");
+  EXPECT_EQ(refusal([&] { refuse_overwrite(file, false); }), file.string() + ": exists already; --force overwrites it");
   EXPECT_EQ(refusal([&] { refuse_overwrite(file, true); }), "");
 }
 
-// What came there while the text was made is found out, too.
+// A file that appeared while the text was computed is detected, too.
 TEST(WriteFile, WritesOverWhatIsThereByNowOnlyWithForce) {
   const Scratch scratch;
   const fs::path file = scratch.path / "base.json";
   write_file(file, "first\n", false);
   EXPECT_EQ(refusal([&] { write_file(file, "second\n", false); }),
-            file.string() + ": is there already; --force writes over it");
+            file.string() + ": exists already; --force overwrites it");
   EXPECT_EQ(text_of(file), "first\n");
   write_file(file, "third\n", true);
   EXPECT_EQ(text_of(file), "third\n");
@@ -131,7 +130,7 @@ TEST(RefuseOverwrite, RefusesAllElseWithForceToo) {
   for (const fs::path& what : {scratch.path / "dangling", scratch.path / "device", scratch.path, fs::path("/dev/null")})
     for (const bool force : {false, true})
       EXPECT_EQ(refusal([&] { refuse_overwrite(what, force); }),
-                what.string() + ": is there already, and is no regular file");
+                what.string() + ": exists already, and is not a regular file");
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An engine that may read all cases before it answers.
-#include "experiments/methods/process/engine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 #include "tests/experiments/judge/run_judge.h"
 
@@ -16,7 +15,7 @@ namespace {
 using namespace judge;
 using namespace std::string_literals;
 
-// An engine that answers as exact does, but only when all cases are read; and one that forgets the touching.
+// An engine that answers like exact, but only after reading all cases; and one that forgets touching.
 constexpr auto kEngine =
     "python3 -c \"import sys,json\nfor line in sys.stdin.readlines():\n"
     " case=json.loads(line); print(json.dumps({'id':case['id'],'relation':'%s'}))\"";
@@ -41,7 +40,7 @@ TEST(JudgeEngine, IsReportedWhereItSaysNothingOrNonsense) {
   EXPECT_NE(dead.complaints.find("ended with exit status 3; 2 case(s) without a verdict"), std::string::npos);
 }
 
-// Neither an engine that never ends nor one that fills its pipe holds the judge up.
+// The judge is not blocked by an engine that never ends or by one that fills its pipe.
 TEST(JudgeEngine, IsReportedWhereItPrintsMoreThanItIsAsked) {
   std::string many;
   for (int i = 0; i < 2000; ++i) many += with(kTouching, R"(,"tags":[")" + std::string(400, 'x') + "\"]") + "\n";
@@ -59,7 +58,7 @@ TEST(JudgeEngine, IsReportedWhereItPrintsMoreThanItIsAsked) {
     }
 }
 
-/// An engine that says this whatever it is asked. By a file: complaints show the command, which has its limits.
+/// An engine that always prints this text, from a file: complaints show the command, whose length is limited.
 Order parrot(const std::string& reply) {
   return engine("cat >/dev/null; cat '" + write_file("reply.jsonl", reply + "\n") + "'");
 }
@@ -73,13 +72,14 @@ TEST(JudgeEngine, IsReadByTheSameRulesAsCases) {
   }
 }
 
-TEST(JudgeEngine, GivesNoVerdictWhereAKeyStandsTwice) {
+TEST(JudgeEngine, GivesNoVerdictIfAKeyIsDuplicate) {
   const std::string expecting = with(kTouching, R"(,"expected":{"contact":true})");
   for (const char* reply : {R"({"id":"t","contact":false,"contact":true})", R"({"id":"u","id":"t","contact":true})",
                             R"({"id":"t","contact":true,"nearest":{"kind":"edge","kind":"face"}})"}) {
     const Result result = run(expecting, parrot(reply));
     EXPECT_EQ(result.status, ExpectationNotMet) << reply;
-    EXPECT_NE(result.complaints.find("stands twice in one object: {"), std::string::npos) << result.complaints;
+    for (const char* part : {": duplicate key \"", "\" in one object: {"})
+      EXPECT_NE(result.complaints.find(part), std::string::npos) << result.complaints;
     EXPECT_NE(result.complaints.find("contact: expected true, not given"), std::string::npos) << result.complaints;
     EXPECT_EQ(result.complaints.rfind("case t: method cat", 0), 0U) << result.complaints;
   }
@@ -155,8 +155,8 @@ TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
             std::string::npos);
 }
 
-TEST(Engine, DoesNotEndWithAnother) {
-  methods::Engine first("cat"), second("cat"), third("cat; exit 3");
+TEST(EngineProcess, DoesNotEndWithAnother) {
+  methods::EngineProcess first("cat"), second("cat"), third("cat; exit 3");
   first.kill();
   EXPECT_EQ(first.wait(), "signal 9");
   ASSERT_TRUE(second.send("a\n"));
@@ -167,7 +167,7 @@ TEST(Engine, DoesNotEndWithAnother) {
   EXPECT_EQ(third.wait(), "exit status 3");
 }
 
-// A name that cannot be written as JSON: an exception while the sender runs.
+// A name that cannot be written as JSON causes an exception while the sending thread runs.
 TEST(JudgeEngine, IsLeftInOrderByAnException) {
   EXPECT_ANY_THROW((void)run(with(kTouching, ""), engine("cat # \xff")));
 }

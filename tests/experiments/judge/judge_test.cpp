@@ -74,7 +74,7 @@ TEST(Judge, ExitsByTheWorstThatItMet) {
   EXPECT_EQ(run("").status, AllMet);
 }
 
-// Whoever expects malformed things expects nothing.
+// A malformed expectation expects nothing.
 TEST(Judge, ExitsWithTwoWhereTheExpectationItselfIsMalformed) {
   for (const char* expected : {R"({"error":false})", R"({"error":"zero-normal","foot":"inside"})",
                                R"({"error":"zero-normal","error":"zero-normal"})", R"({"distance":1e400})"})
@@ -128,7 +128,7 @@ TEST(Judge, TakesEveryCodeOfARejectionForOne) {
   }
 }
 
-// A line of its own could be taken for another complaint.
+// A line break in the id could make the rest look like another complaint.
 TEST(Judge, ComplainsOnOneLineWhateverTheIdIs) {
   std::string line = with(kTouching, R"(,"expected":{"relation":"separate"})");
   line.replace(line.find("\"t\""), 3, R"("\u001b[31m\u0000\ncase b")");

@@ -15,7 +15,7 @@
 #include "experiments/judge/judge.h"
 #include "experiments/methods/registry.h"
 
-/// Cases in, verdicts and complaints out.
+/// Runs the judge on texts and captures verdicts and complaints.
 namespace touchstone::judge_tests {
 
 using judge::Order;
@@ -25,7 +25,7 @@ inline constexpr auto kTouching =
 inline constexpr auto kCollinear =
     R"({"id":"c","ball":{"center":[0,0,0],"radius":1},"polygon":{"outer":[[0,0,0],[1,1,1],[2,2,2]]}%s})";
 
-/// A line with this in place of its %s.
+/// Returns the line with `members` in place of its %s.
 inline std::string with(const char* line, const std::string& members) {
   std::string text = line;
   return text.replace(text.find("%s"), 2, members);
@@ -36,7 +36,7 @@ struct Result {
   std::string verdicts, complaints;
 };
 
-/// What was written to it; closes it.
+/// Returns the content of the file and closes it.
 inline std::string take(std::FILE* file) {
   std::rewind(file);
   std::string text;
@@ -45,7 +45,7 @@ inline std::string take(std::FILE* file) {
   return text;
 }
 
-/// A file of this process and test: others run beside it.
+/// Writes a file whose name belongs to this process and test, because others run concurrently. Returns its path.
 inline std::string write_file(const std::string& name, const std::string& text) {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
   const std::string path = testing::TempDir() + "judge_test_" + std::to_string(::getpid()) + "_" + test + "_" + name;
@@ -53,7 +53,7 @@ inline std::string write_file(const std::string& name, const std::string& text) 
   return path;
 }
 
-/// Of these lines, by `exact` or as ordered.
+/// Judges these lines, by `exact` unless `order` says otherwise.
 inline Result run(const std::string& input, Order order = {}) {
   order.files.insert(order.files.begin(), write_file("cases.jsonl", input));
   if (order.methods.empty() && order.engine.empty()) order.methods = {methods::find_method("exact")};
@@ -75,7 +75,7 @@ inline Order within(const std::string& command, int milliseconds = 20'000) {
   return order;
 }
 
-/// Touching ones, t0, t1 and so on.
+/// Returns cases that touch: t0, t1 and so on.
 inline std::string numbered(int count) {
   std::string cases;
   for (int i = 0; i < count; ++i) {
@@ -85,12 +85,12 @@ inline std::string numbered(int count) {
   return cases;
 }
 
-/// An engine that answers rightly at once, but for some cases.
+/// An engine that answers correctly at once, with a statement in place of %s for the exceptions.
 inline constexpr auto kMoody =
     "python3 -uc \"import sys,json,os,signal\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
     " %s\n print(json.dumps({'id':id,'relation':'touching'}))\"";
 
-/// The ids of the verdicts that have an answer, and of those that have none, in their order.
+/// Returns the ids of the verdicts with an answer, and of those without, in their order.
 inline std::pair<std::string, std::string> answered_and_not(const std::string& verdicts) {
   std::pair<std::string, std::string> ids;
   std::istringstream lines(verdicts);

@@ -44,7 +44,7 @@ TEST(JudgeEngineWithATimeLimit, GoesOnBehindACaseThatItHangsOn) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 3) << result.verdicts;
 }
 
-// More than a socket holds, so that sending it waits for who reads.
+// More than a socket holds, so that sending waits for the reader.
 TEST(JudgeEngineWithATimeLimit, IsLateWithACaseThatItDoesNotRead) {
   std::string large =
       R"({"id":"large","ball":{"center":[0,0,1],"radius":1},"polygon":{"outer":[[-1,-1,0],[40001,-1,0])";
@@ -66,7 +66,7 @@ TEST(JudgeEngineWithATimeLimit, MayBeAProcessForEachCase) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4);
 }
 
-// The second case, each time that it is started.
+// After each start, the engine reads its second case and ends well without a verdict on it.
 TEST(JudgeEngineWithATimeLimit, DoesNotHideBehindAGoodEndThatItReadACase) {
   const std::string half =
       "python3 -uc \"import sys,json; line=sys.stdin.readline(); "
@@ -78,7 +78,7 @@ TEST(JudgeEngineWithATimeLimit, DoesNotHideBehindAGoodEndThatItReadACase) {
   EXPECT_EQ(std::count(result.verdicts.begin(), result.verdicts.end(), '\n'), 4) << result.verdicts;
 }
 
-TEST(JudgeEngineWithATimeLimit, HasItsDeathBehindAVerdictToldApartFromTheNextCase) {
+TEST(JudgeEngineWithATimeLimit, HasItsEndAfterAVerdictReportedApartFromTheNextCase) {
   const std::string dies =
       "exec python3 -uc \"import sys,json,os,signal\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
       " print(json.dumps({'id':id,'relation':'touching'}))\n"
@@ -103,13 +103,13 @@ TEST(JudgeEngineWithATimeLimit, ReportsWhatItPrintsBesidesAndAtItsEnd) {
   EXPECT_NE(deaf.complaints.find("does not end with its input"), std::string::npos) << deaf.complaints;
 }
 
-/// How often an engine was started that adds a letter to this file.
+/// Returns the number of starts of an engine that appends a letter to this file at each start.
 std::size_t starts_in(const std::string& file) {
   std::ifstream stream(file);
   return std::string(std::istreambuf_iterator<char>(stream), {}).size();
 }
 
-TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindACaseForWhichItPrintsMoreThanALine) {
+TEST(JudgeEngineWithATimeLimit, IsRestartedAfterACaseForWhichItPrintsMoreThanALine) {
   const std::string starts = write_file("starts", "");
   const std::string twice =
       "python3 -uc \"import sys,json,os; open('" + starts +
@@ -122,8 +122,8 @@ TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindACaseForWhichItPrintsMoreThan
   EXPECT_EQ(starts_in(starts), 2U);
 }
 
-// It says every verdict but its first one too late.
-TEST(JudgeEngineWithATimeLimit, IsStartedAnewBehindAVerdictOnAnotherCase) {
+// All its verdicts except the first one are late.
+TEST(JudgeEngineWithATimeLimit, IsRestartedAfterAVerdictOnAnotherCase) {
   const std::string behind =
       "python3 -uc \"import sys,json; last=None\nfor line in sys.stdin:\n id=json.loads(line)['id']\n"
       " print(json.dumps({'id':last or id,'relation':'touching'})); last=id\"";

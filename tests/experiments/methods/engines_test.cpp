@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Engines of others: right where it is plain, wrong where they are known to be.
+// Third-party engines: right for easy cases, wrong for the cases where this is known.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 using workloads::BallPlace;
 using workloads::Workload;
 
-/// Of so many random triangles or polygons, how many an engine is wrong about.
+/// Returns the number of random triangles or polygons that an engine gets wrong.
 struct Wrong {
   int hits = 0, misses = 0, unsure = 0;
   [[nodiscard]] int all() const { return hits + misses; }
@@ -27,7 +27,7 @@ Wrong wrong(const cases::Method& engine, const Workload& workload, double radius
     auto sample = workloads::sample(workload, 2026, n);
     sample.ball.radius *= radius_factor;
     const bool truth = exact::contact(sample.ball, sample.polygon);
-    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, cases::Question::Contact).contact;
+    const auto answer = engine.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Contact).contact;
     if (!answer)
       ++wrong.unsure;
     else if (*answer && !truth)
@@ -51,7 +51,7 @@ const Workload kTriangles{.family = workloads::Family::Triangle, .ball = BallPla
 const Workload kOutlines{.family = workloads::Family::Star, .ball = BallPlace::NearEdge};
 const Workload kTangent{.family = workloads::Family::Triangle, .ball = BallPlace::LatticeTangent};
 
-// Small balls beside large coordinates: what floats, and GJK's tolerance of 1e-10, make of them is theirs.
+// Excludes small balls with large coordinates, for which floats, and GJK with its tolerance of 1e-10, may err.
 TEST_P(Engine, IsRightATenthFromTheBoundaryAsFarAsItsNumbersReach) {
   const std::string name = GetParam();
   const bool coarse = name == "embree" || name == "bullet-float" || name == "libccd" || name == "ode";
@@ -90,12 +90,14 @@ INSTANTIATE_TEST_SUITE_P(Engines, Engine,
 
 TEST(Engines, CannotBeAskedWhereTheyWouldEndTheProgram) {
   const Polygon huge({{0, 0, 0}, {4e300, 0, 0}, {0, 4e300, 0}});
-  const auto answer =
-      find_method("cgal-epick-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
+  const auto answer = find_method("cgal-epick-intersect")
+                          ->prepare(huge)
+                          ->ask({{1e300, 1e300, 2e300}, 2e300}, cases::QueryKind::Contact);
   EXPECT_TRUE(answer.unsure);
   EXPECT_FALSE(answer.contact);
-  const auto exact =
-      find_method("cgal-epeck-intersect")->prepare(huge)->ask({{1e300, 1e300, 2e300}, 2e300}, cases::Question::Contact);
+  const auto exact = find_method("cgal-epeck-intersect")
+                         ->prepare(huge)
+                         ->ask({{1e300, 1e300, 2e300}, 2e300}, cases::QueryKind::Contact);
   EXPECT_FALSE(exact.unsure);
   EXPECT_TRUE(exact.contact);
 }

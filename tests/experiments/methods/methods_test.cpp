@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods that stand beside ours: what is exact is exact, what is sure is right, and asking leaves no trace.
+// The other methods: exact methods are exact, sure answers are right, and queries have no side effects.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -71,41 +71,41 @@ std::vector<Sample> all_samples() {
   return samples;
 }
 
-cases::Verdict ask(std::string_view method, const Sample& sample, cases::Question question = cases::Question::Answer) {
-  return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, question));
+cases::Verdict ask(std::string_view method, const Sample& sample, cases::QueryKind kind = cases::QueryKind::Answer) {
+  return cases::object_of(find_method(method)->prepare(sample.polygon)->ask(sample.ball, kind));
 }
 
-/// By what sums do: fegetround looks at the x87 unit alone.
+/// Determines the rounding mode by sums: fegetround reads only the x87 unit.
 bool rounds_to_nearest() {
   const volatile double one = 1, little = 0x1p-60;
   return one + little == one && one - little == one;
 }
 
-constexpr std::array kQuestions{cases::Question::Contact, cases::Question::Relation, cases::Question::PlaneSide,
-                                cases::Question::Foot,    cases::Question::EdgesHit, cases::Question::Answer};
+constexpr std::array kKinds{cases::QueryKind::Contact, cases::QueryKind::Relation, cases::QueryKind::PlaneSide,
+                            cases::QueryKind::Foot,    cases::QueryKind::EdgesHit, cases::QueryKind::Answer};
 
-// Every key of every question, off the plane too.
+// Every key of every query, off the plane, too.
 TEST(ExactMethods, AgreeWithExactOnAdversarialSamples) {
   for (const Sample& sample : all_samples())
-    for (const cases::Question question : kQuestions) {
-      const auto truth = ask("exact", sample, question);
+    for (const cases::QueryKind kind : kKinds) {
+      const auto truth = ask("exact", sample, kind);
       for (const char* method : {"cgal-epeck", "rational", "filtered"})
-        EXPECT_EQ(ask(method, sample, question), truth) << method << ", " << sample.id;
+        EXPECT_EQ(ask(method, sample, kind), truth) << method << ", " << sample.id;
     }
 }
 
-// Sure answers are right, key by key; a missing key is owned up to, and none is missing without that.
+// Sure answers are right, key by key. A method reports unsure if and only if a key is missing.
 TEST(Interval, IsNeverWrongWhereItIsSure) {
   std::uint64_t sure = 0, unsure = 0;
   for (const Sample& sample : all_samples()) {
     const auto prepared = find_method("interval")->prepare(sample.polygon);
-    for (const cases::Question question : kQuestions) {
-      const cases::PartialAnswer answer = prepared->ask(sample.ball, question);
+    for (const cases::QueryKind kind : kKinds) {
+      const cases::PartialAnswer answer = prepared->ask(sample.ball, kind);
       ASSERT_TRUE(rounds_to_nearest()) << sample.id;  // bounds come from no mode that was left behind
-      const auto given = cases::object_of(answer), truth = ask("exact", sample, question);
+      const auto given = cases::object_of(answer), truth = ask("exact", sample, kind);
       for (const auto& [key, value] : given.items()) EXPECT_EQ(value, truth[key]) << key << ", " << sample.id;
       EXPECT_EQ(answer.unsure, given.size() < truth.size()) << sample.id;
-      if (question == cases::Question::Contact) ++(answer.unsure ? unsure : sure);
+      if (kind == cases::QueryKind::Contact) ++(answer.unsure ? unsure : sure);
     }
   }
   EXPECT_GT(sure, 20U);
@@ -123,14 +123,14 @@ RC_GTEST_PROP(Methods, ThatAreExactOrSureAreRightOnAnyCase, ()) {
   for (const auto& [key, value] : sure.items()) RC_ASSERT(value == truth[key]);
 }
 
-// Where every product and quotient is a double, intervals are points, and nothing is left open.
+// If every product and quotient is a double, intervals are points, and every answer is sure.
 TEST(Interval, KnowsAllThatDoublesHold) {
   const Polygon u({{0, -1, 0}, {4, -1, 0}, {4, 4, 0}, {2, 4, 0}, {2, 0, 0}, {1, 0, 0}, {1, 4, 0}, {0, 4, 0}});
   const Sample sample{"U", {{1.5, 2, 0}, 0.5}, u};
   EXPECT_EQ(ask("interval", sample), ask("exact", sample));
 }
 
-// 201 bits are right wherever double-doubles are right by a wide margin, and 64 doubles from a threshold both are.
+// 201 bits are right whenever double-doubles are right by a wide margin; 64 doubles from a threshold both are right.
 TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
   const auto *wide = find_method("fast-mpfr-201"), *narrow = find_method("fast-double-double");
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
@@ -142,16 +142,16 @@ TEST(Mpfr, IsRightWhereDoubleDoublesAreByAWideMargin) {
       const auto offset = std::abs(cases::all_offsets()[i]);
       const auto truth = crossing->truths[i].contact;
       if (offset >= 64) {
-        EXPECT_EQ(by_narrow->ask(crossing->balls[i], cases::Question::Contact).contact, truth) << s << " " << offset;
+        EXPECT_EQ(by_narrow->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
       }
       if (offset >= 1) {
-        EXPECT_EQ(by_wide->ask(crossing->balls[i], cases::Question::Contact).contact, truth) << s << " " << offset;
+        EXPECT_EQ(by_wide->ask(crossing->balls[i], cases::QueryKind::Contact).contact, truth) << s << " " << offset;
       }
     }
   }
 }
 
-// No scalar is computed in a narrower one on the way: each step up gets more of the thresholds right.
+// No scalar is computed in a narrower one on the way: each wider scalar gets more thresholds right.
 TEST(FastScalars, ErrLessTheWiderTheyAre) {
   std::vector<std::uint64_t> wrong;
   for (const char* name : {"fast-float", "fast", "fast-long-double", "fast-double-double"}) {
@@ -162,7 +162,7 @@ TEST(FastScalars, ErrLessTheWiderTheyAre) {
       ASSERT_TRUE(crossing);
       const auto prepared = find_method(name)->prepare(crossing->polygon);
       for (std::size_t i = 0; i < crossing->balls.size(); ++i)
-        if (prepared->ask(crossing->balls[i], cases::Question::Contact).contact != crossing->truths[i].contact)
+        if (prepared->ask(crossing->balls[i], cases::QueryKind::Contact).contact != crossing->truths[i].contact)
           ++wrong.back();
     }
   }
@@ -176,15 +176,15 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
     EXPECT_TRUE(names.insert(method->name()).second) << method->name();
     EXPECT_LE(method->summary().size(), 96U) << method->name();
     const auto prepared = method->prepare(square);
-    const cases::PartialAnswer whole = prepared->ask({{1, 1, 1}, 1.25}, cases::Question::Answer);
+    const cases::PartialAnswer whole = prepared->ask({{1, 1, 1}, 1.25}, cases::QueryKind::Answer);
     EXPECT_FALSE(whole.unsure) << method->name();
     EXPECT_TRUE(whole.contact || whole.foot) << method->name() << " answers nothing";
     if (whole.contact) {
       EXPECT_TRUE(*whole.contact) << method->name();
-      EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, cases::Question::Contact).contact, true) << method->name();
-      EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, cases::Question::Contact).contact, false) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 1.25}, cases::QueryKind::Contact).contact, true) << method->name();
+      EXPECT_EQ(prepared->ask({{1, 1, 1}, 0.75}, cases::QueryKind::Contact).contact, false) << method->name();
     }
-    // Engines of others answer one of these questions, ours all.
+    // Third-party engines answer one of these queries, ours all.
     EXPECT_EQ(whole.foot.value_or(PointLocation::Inside), PointLocation::Inside) << method->name();
     EXPECT_EQ(whole.plane.value_or(PlaneSide::Intersects), PlaneSide::Intersects) << method->name();
     EXPECT_EQ(whole.edges_hit.value_or(std::vector<std::size_t>{}), std::vector<std::size_t>{}) << method->name();
@@ -193,13 +193,13 @@ TEST(AllMethods, HaveNamesOfTheirOwnAndAnswerThePlainestCase) {
 
 // Intervals round upwards while they compute, and only then.
 // Planes, feet and squares of such numbers overflow; exact predicates of what is not finite would end the program.
-TEST(AllMethods, GoOnWhereNumbersOverflow) {
+TEST(AllMethods, ContinueWhenNumbersOverflow) {
   const std::set<std::string_view> exact_ones{"exact", "filtered", "rational", "cgal-epeck"};
   for (const double size : {1e100, 1e155, 1e200, 1e300, 0x1p1022}) {
     const Polygon triangle({{0, 0, 0}, {size, 0, size / 4}, {0, size, 0}});
     for (const Ball& ball : {Ball{{size / 3, size / 3, size}, size / 2}, Ball{{1, 1, 1}, size}, Ball{{-size, 0, 0}, 1}})
       for (const auto& method : all_methods()) {
-        const auto answer = method->prepare(triangle)->ask(ball, cases::Question::Answer);
+        const auto answer = method->prepare(triangle)->ask(ball, cases::QueryKind::Answer);
         if (exact_ones.count(method->name()) == 1) {
           EXPECT_EQ(answer.contact, exact::contact(ball, triangle)) << method->name() << ", " << size;
         }
@@ -212,23 +212,23 @@ TEST(AllMethods, LeaveTheRoundingModeAsItWas) {
     for (const auto& method : all_methods()) {
       const auto prepared = method->prepare(sample.polygon);
       ASSERT_TRUE(rounds_to_nearest()) << method->name();
-      (void)prepared->ask(sample.ball, cases::Question::Answer);
+      (void)prepared->ask(sample.ball, cases::QueryKind::Answer);
       ASSERT_TRUE(rounds_to_nearest()) << method->name();
     }
 }
 
-// What one thread asks of a prepared polygon does not disturb another: lazy numbers are shared, and change.
+// Queries of one thread do not disturb another, although they share lazy numbers, which change.
 TEST(AllMethods, MayBeAskedFromSeveralThreads) {
   workloads::Workload workload{.placement = Placement::Rotated, .ball = BallPlace::NearEdge};
   const auto sample = workloads::sample(workload, 1, 0);
   for (const auto& method : all_methods()) {
-    const auto alone = cases::object_of(method->prepare(sample.polygon)->ask(sample.ball, cases::Question::Answer));
+    const auto alone = cases::object_of(method->prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Answer));
     const auto shared = method->prepare(sample.polygon);
     std::array<cases::Verdict, 4> answers;
     {
       std::vector<std::jthread> threads;
       for (auto& answer : answers)
-        threads.emplace_back([&] { answer = cases::object_of(shared->ask(sample.ball, cases::Question::Answer)); });
+        threads.emplace_back([&] { answer = cases::object_of(shared->ask(sample.ball, cases::QueryKind::Answer)); });
     }
     for (const auto& answer : answers) EXPECT_EQ(answer, alone) << method->name();
   }

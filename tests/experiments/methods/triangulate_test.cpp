@@ -13,7 +13,7 @@
 namespace touchstone::cell_model_tests {
 namespace {
 
-/// Twice the area, signed as seen from above; exact for whole coordinates below 2^24.
+/// Returns twice the area, signed as seen from above; exact for whole coordinates below 2^24.
 double twice_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   return (b - a).cross(c - a).z();
 }

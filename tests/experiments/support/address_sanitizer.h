@@ -9,7 +9,8 @@
 
 namespace touchstone::run_tests {
 
-/// The address sanitizer has an allocator of its own, which malloc does not count, and takes terabytes of addresses.
+/// Whether the address sanitizer is active. It has its own allocator, which malloc does not count, and reserves
+/// terabytes of addresses.
 #if defined(__SANITIZE_ADDRESS__) || TOUCHSTONE_HAS_FEATURE(address_sanitizer)
 inline constexpr bool kAddressSanitizer = true;
 #else

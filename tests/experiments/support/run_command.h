@@ -12,7 +12,7 @@ namespace touchstone::run_tests {
 
 using MakeCommand = harness::Command (*)();
 
-/// Runs the command with these arguments. Returns the exit status; throws what it throws.
+/// Runs the command with these arguments. Returns the exit status; throws the exceptions of the command.
 inline int run_command(MakeCommand make, const std::vector<std::string>& arguments) { return make()(arguments); }
 
 struct Ran {
@@ -20,7 +20,7 @@ struct Ran {
   std::string out, err;
 };
 
-/// The same, with what it prints; what is thrown stands in `err` as main would print it.
+/// The same, with its output; the message of an exception is in `err`, as main would print it.
 inline Ran run_captured(MakeCommand make, const std::vector<std::string>& arguments) {
   Ran ran{0, "", ""};
   std::string thrown;

@@ -10,7 +10,7 @@
 
 namespace touchstone::run_tests {
 
-/// A folder of this process that goes away again.
+/// A temporary folder of this process, removed at the end.
 struct Scratch {
   Scratch() : path(std::filesystem::temp_directory_path() / ("touchstone-tests-" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path);
@@ -22,7 +22,7 @@ struct Scratch {
   std::filesystem::path path;
 };
 
-/// All bytes of a file.
+/// Returns all bytes of a file.
 inline std::string text_of(const std::filesystem::path& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();

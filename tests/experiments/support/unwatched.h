@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cstdint>
 
-#include "experiments/harness/course.h"
 #include "experiments/harness/processes.h"
+#include "experiments/harness/run_control.h"
 
-/// A study's run that nobody stops or looks at, in one process.
+/// The control of a run in one process that is never stopped and shows no progress.
 namespace touchstone::run_tests {
 
 inline const std::atomic<bool> kNeverStop = false;

@@ -50,7 +50,7 @@ std::uint64_t hash(const Sample& sample) {
   return hash.value();
 }
 
-/// Every family, placement and ball place that go together.
+/// Returns every valid combination of family, placement and ball place.
 std::vector<Workload> all_workloads() {
   std::vector<Workload> workloads;
   for (const Family family : all_families())
@@ -128,7 +128,7 @@ TEST(Random, IntegerReachesBothBoundsAndNoMore) {
   EXPECT_TRUE(negative && positive);
 }
 
-// Of 3 * 2^62 values, 2^62 draws are rejected: without that the lowest third would come up half the time.
+// For 3 * 2^62 values, 2^62 of 2^64 draws are rejected; otherwise the lowest third would occur half of the time.
 TEST(Random, IntegerIsUnbiasedWhereTheRangeDoesNotDivide) {
   Random random(kSeed, 0);
   constexpr std::int64_t kThird = std::int64_t{1} << 62;
@@ -211,7 +211,7 @@ TEST(Outline, HasTheVerticesAskedForAsNearlyAsTheFamilyAllows) {
   for (const Family family : all_families()) EXPECT_GE(count(family, 0, 0), 3u);
 }
 
-// Without an end to the moves, this test has none.
+// If the moves were unbounded, this test would not end.
 TEST(Outline, IsFoundThoughTheMovesOfARandomSimplePolygonGoInCircles) {
   Workload workload;
   workload.family = Family::RandomSimple;
@@ -232,7 +232,7 @@ TEST(Outline, KochDimensionChangesTheOutlineAndNothingElse) {
   EXPECT_LE(kept, 4u);
 }
 
-// An outer loop stays the same when holes are asked for, while they fit.
+// Holes do not change the outer loop, as long as they fit.
 TEST(Outline, HolesAreDrawnApart) {
   Workload workload;
   workload.family = Family::Star;

@@ -222,7 +222,7 @@ TEST_F(ExportCommand, WritesOverNothingUnlessForced) {
   harness::write_file(path("run.glb"), "mine");
   const run_tests::Ran refused = run({file, path("run.glb")});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.err, path("run.glb") + ": is there already; --force writes over it");
+  EXPECT_EQ(refused.err, path("run.glb") + ": exists already; --force overwrites it");
   EXPECT_EQ(run_tests::text_of(path("run.glb")), "mine");
   EXPECT_EQ(run({file, path("run.glb"), "--force"}).status, 0);
   EXPECT_EQ(run_tests::text_of(path("run.glb")).rfind("glTF", 0), 0U);

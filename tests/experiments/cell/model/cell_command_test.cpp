@@ -88,7 +88,7 @@ TEST_F(CellCommand, ConvertNamesWhatIsWrong) {
   EXPECT_EQ(err({path("two words.obj"), path("a.step")}),
             path("a.step") + ": the extension '.step' must be .txt, .obj, .off, .stl or .ply");
   EXPECT_EQ(err({path("two words.obj"), path("two words.obj")}),
-            path("two words.obj") + ": is there already; --force writes over it");
+            path("two words.obj") + ": exists already; --force overwrites it");
   harness::write_file(path("bad.txt"), "Link A\nParts x\n");
   EXPECT_EQ(err({path("bad.txt"), path("a.obj")}), path("bad.txt") + ": line 2: 'x' is not a count");
 }

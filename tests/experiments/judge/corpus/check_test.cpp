@@ -22,7 +22,7 @@ using corpus::is_nearest_root;
 constexpr const char* kGood =
     R"({"id":"good","ball":{"center":[1,1,2],"radius":2},"polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]]},"expected":{"plane":"intersects","plane_tangent":true,"foot":"inside","edges_hit":[],"relation":"touching","contact":true,"nearest":{"kind":"face"},"point":[1,1,0],"distance":2,"off_plane":0}})";
 
-/// Findings about a file of these lines.
+/// Returns the findings about a file of these lines.
 corpus::Findings check(const std::vector<std::string>& lines) {
   const auto file = std::filesystem::temp_directory_path() /
                     ("touchstone-check-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
@@ -70,7 +70,7 @@ TEST(Check, WantsEveryKey) {
   EXPECT_NE(findings.faults[0].find("distance: is missing"), std::string::npos);
 }
 
-TEST(Check, NamesLinesThatAreNoCasesAndGoesOn) {
+TEST(Check, NamesLinesThatAreNotCasesAndContinues) {
   const auto findings =
       check({"{", kGood, R"({"id":"none"})", with(R"("radius":2)", R"("radius":-2)", "negative"), kGood});
   EXPECT_EQ(findings.cases, 5u);
@@ -78,7 +78,7 @@ TEST(Check, NamesLinesThatAreNoCasesAndGoesOn) {
   EXPECT_NE(findings.faults[0].find("line 1: case without id: not JSON"), std::string::npos);
   EXPECT_NE(findings.faults[1].find("line 3: case none: rejected: malformed-case"), std::string::npos);
   EXPECT_NE(findings.faults[2].find("line 4: case negative: rejected: negative-radius"), std::string::npos);
-  EXPECT_NE(findings.faults[3].find("line 5: case good: id: stands twice"), std::string::npos);
+  EXPECT_NE(findings.faults[3].find("line 5: case good: id: duplicate"), std::string::npos);
 }
 
 TEST(Check, NamesAFileThatCannotBeRead) {

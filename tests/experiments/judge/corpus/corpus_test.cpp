@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corpus against everything that this project answers with, asked in every way: planted bugs are told by it
+// Compares all implementations of the project with the corpus, through every interface. The corpus detects planted bugs
 // (tests/system/mutants/run.py --corpus).
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
   }
 }
 
-// The hand-made cases of ordinary size are small integers, in which doubles round nothing that decides.
+// The hand-made cases of ordinary size have small integers, for which doubles round nothing that affects decisions.
 TEST(Corpus, FastMeetsTheHandMadeCasesOfOrdinarySize) {
   int compared = 0;
   for (const Stored& stored : stored_cases()) {
@@ -147,7 +147,7 @@ TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
 }
 
 // Radii on both sides of the stored distance, which is the double nearest to the exact one: two doubles away the answer
-// is known without asking anyone. Nine balls, so that vectors of 2, 4 and 8 leave one over.
+// is known without an oracle. Nine balls, so that vectors of 2, 4 and 8 leave a remainder of one.
 TEST(Corpus, FilteredMeetsEveryCaseInABatch) {
   for (const Stored& stored : stored_cases()) {
     const Asked asked(stored);
@@ -167,8 +167,8 @@ TEST(Corpus, FilteredMeetsEveryCaseInABatch) {
   }
 }
 
-// Preparing and asking; what stands in the corpus is compared when the environment is as it was, since a comparison
-// under flush-to-zero takes subnormals for zero.
+// Prepares and queries in each environment. The comparison with the corpus takes place in the original environment,
+// since a comparison under flush-to-zero treats subnormals as zero.
 TEST(Corpus, FilteredMeetsEveryCaseInEveryEnvironment) {
   using contact_tests::Environment;
   for (const Stored& stored : stored_cases()) {

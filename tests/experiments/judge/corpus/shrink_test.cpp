@@ -22,7 +22,7 @@ using corpus::Shrunk;
 
 const std::atomic<bool> never = false;
 
-/// Every so many of the cases that the method fails.
+/// Returns one in `every` of the cases that the method fails.
 std::vector<const Stored*> failed_by(const std::string& method, std::size_t every) {
   std::vector<const Stored*> failed;
   for (const Stored& stored : stored_cases())
@@ -74,8 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, Shrink, testing::Values("fast", "fast-float", 
                            return name;
                          });
 
-// The thesis's tests are strict: a ball that touches a face is nowhere near it. Nothing of the U but a triangle, and
-// nothing of the numbers but ones, has to do with that.
+// The tests of the thesis are strict: they miss a ball that touches a face. A triangle with coordinates 0 and 1 is all
+// of the U that this failure needs.
 TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
   const Polygon u(
       {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
@@ -88,7 +88,7 @@ TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
 }
 
 TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
-  // Doubles lose the ball that touches an edge of the second hole alone.
+  // Doubles miss the ball that touches only an edge of the second hole.
   for (const Stored* stored : failed_by("fast", 1)) {
     if (stored->file != "holes" || stored->polygon().loop_count() != 3) continue;
     const cases::Method& fast = *methods::find_method("fast");

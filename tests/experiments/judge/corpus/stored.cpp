@@ -26,7 +26,7 @@ Enumerator named(const json& name, std::initializer_list<Enumerator> all) {
   throw std::invalid_argument("unknown word " + name.dump());
 }
 
-/// Null stands for an infinite number.
+/// Null means an infinite number.
 double number(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
 }

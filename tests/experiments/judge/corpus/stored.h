@@ -22,10 +22,10 @@ struct Stored {
   [[nodiscard]] bool fails(const std::string& method) const;
 };
 
-/// All of them, by file.
+/// Returns all lines, by file.
 [[nodiscard]] const std::vector<Stored>& stored_cases();
 
-/// While one lives, a crash is told with `case ID of FILE` on standard output.
+/// While an object of this class exists, a crash reports `case ID of FILE` on standard output.
 class Asked {
  public:
   Asked(const std::string& id, const std::string& file);
@@ -35,7 +35,7 @@ class Asked {
   ~Asked();
 };
 
-/// `case ID of FILE`: how failures name a case.
+/// Returns `case ID of FILE`, the name of a case in failures.
 std::ostream& operator<<(std::ostream& out, const Stored& stored);
 
 }  // namespace touchstone

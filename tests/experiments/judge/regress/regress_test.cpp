@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Failures held against a baseline: a change of one answer is seen, and named.
+// Failures compared with a baseline: a changed answer is noticed and named.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,28 +27,28 @@ using namespace regress;
 
 const Settings kSmall{.seed = 5, .samples = 2};
 
-Standing standing_of(const std::vector<std::string>& methods, unsigned threads = 1) {
+OutcomeTable outcomes_of(const std::vector<std::string>& methods, unsigned threads = 1) {
   const std::atomic<bool> stop = false;
-  return find_standing(kSmall, methods::find_methods(methods), threads, stop, [](std::uint64_t) {}).value();
+  return find_outcomes(kSmall, methods::find_methods(methods), threads, stop, [](std::uint64_t) {}).value();
 }
 
-TEST(Standing, IsWhatTheMethodSaysOfTheCaseOfThatNumber) {
-  const Standing standing = standing_of({"fast", "exact"});
+TEST(OutcomeTable, HoldsTheAnswerOfTheMethodToTheCaseOfThatNumber) {
+  const OutcomeTable table = outcomes_of({"fast", "exact"});
   const cases::Method& fast = *methods::find_method("fast");
   for (const auto family : workloads::all_families()) {
-    const Outcomes& outcomes = standing.at("fast").at(std::string(word(family)));
+    const Outcomes& outcomes = table.at("fast").at(std::string(word(family)));
     ASSERT_EQ(outcomes.size(), kSmall.cases());
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
       const auto sample = draw_case(kSmall, family, n);
-      const auto said = fast.prepare(sample.polygon)->ask(sample.ball, cases::Question::Contact).contact;
+      const auto said = fast.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Contact).contact;
       EXPECT_EQ(outcomes[n] == Outcome::Wrong, said != exact::contact(sample.ball, sample.polygon))
           << word(family) << " " << n;
     }
-    EXPECT_EQ(summary_of(standing.at("exact").at(std::string(word(family)))).wrong, 0U);
+    EXPECT_EQ(summary_of(table.at("exact").at(std::string(word(family)))).wrong, 0U);
   }
 }
 
-TEST(Standing, RadiiGoThroughTheDistanceFromBelow) {
+TEST(OutcomeTable, RadiiGoThroughTheDistanceFromBelow) {
   for (std::size_t n = 0; n + 1 < kRadii; ++n)
     EXPECT_LT(draw_case(kSmall, workloads::Family::Star, n).ball.radius,
               draw_case(kSmall, workloads::Family::Star, n + 1).ball.radius);
@@ -57,23 +58,23 @@ TEST(Standing, RadiiGoThroughTheDistanceFromBelow) {
   EXPECT_EQ(exponent_of(kRadii / 2 + 1), 52);
 }
 
-TEST(Standing, IsTheSameForAnyNumberOfThreads) {
-  EXPECT_EQ(standing_of({"fast", "thesis"}, 1), standing_of({"fast", "thesis"}, 3));
+TEST(OutcomeTable, IsTheSameForAnyNumberOfThreads) {
+  EXPECT_EQ(outcomes_of({"fast", "thesis"}, 1), outcomes_of({"fast", "thesis"}, 3));
 }
 
-TEST(Standing, AMethodIsNotWrongWhereItIsUnsure) {
-  const Standing standing = standing_of({"interval"});
-  EXPECT_GT(summary_of(standing.at("interval").at("star")).unsure, 10U);
-  EXPECT_EQ(summary_of(standing.at("interval").at("star")).wrong, 0U);
+TEST(OutcomeTable, AMethodIsNotWrongWhereItIsUnsure) {
+  const OutcomeTable table = outcomes_of({"interval"});
+  EXPECT_GT(summary_of(table.at("interval").at("star")).unsure, 10U);
+  EXPECT_EQ(summary_of(table.at("interval").at("star")).wrong, 0U);
 }
 
 TEST(Baseline, ReadsWhatItWrites) {
   const run_tests::Scratch scratch;
-  const Baseline baseline{kSmall, standing_of({"fast", "thesis-float", "interval"})};
+  const Baseline baseline{kSmall, outcomes_of({"fast", "thesis-float", "interval"})};
   harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const Baseline read = read_baseline(scratch.path / "baseline.json");
   EXPECT_EQ(read.settings, baseline.settings);
-  EXPECT_EQ(read.standing, baseline.standing);
+  EXPECT_EQ(read.table, baseline.table);
 }
 
 std::string with(std::string text, const std::string& part) { return text.replace(text.find("%s"), 2, part); }
@@ -101,19 +102,19 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
               ": \"methods\" has no method");
   for (const char* number : {"1.7", "-1", "\"1\"", "null"}) {
     EXPECT_EQ(fault(with(R"({"version":1,"seed":%s,"samples":1,"methods":{"fast":{}}})", number)),
-              ": \"seed\" is no whole number without a sign");
+              ": \"seed\" is not a whole number without a sign");
     EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
-              ": \"samples\" is no whole number without a sign");
+              ": \"samples\" is not a whole number without a sign");
   }
   for (const char* number : {"0", "100001"})
     EXPECT_EQ(fault(with(R"({"version":1,"seed":1,"samples":%s,"methods":{"fast":{}}})", number)),
               ": \"samples\" must be from 1 to 100000");
-  EXPECT_EQ(fault(R"({"version":1,"seed":1,"seed":1})"), ": has the key \"seed\" twice");
+  EXPECT_EQ(fault(R"({"version":1,"seed":1,"seed":1})"), ": has the duplicate key \"seed\"");
 
-  const nlohmann::json sound = nlohmann::json::parse(baseline_text({kSmall, standing_of({"fast"})}));
+  const nlohmann::json sound = nlohmann::json::parse(baseline_text({kSmall, outcomes_of({"fast"})}));
   nlohmann::json other = sound;
   other["methods"]["fast"]["star"] = "00";
-  EXPECT_EQ(fault(other.dump()), ": star of fast: are not the digits of so many cases");
+  EXPECT_EQ(fault(other.dump()), fmt::format(": star of fast: are not the digits of {} cases", kSmall.cases()));
   other = sound;
   other["methods"]["fast"]["star"] = 0;
   EXPECT_EQ(fault(other.dump()), ": star of fast: is not a string");
@@ -140,7 +141,7 @@ TEST(Baseline, NamesWhatIsWrongWithTheFile) {
   EXPECT_NE(fault(other.dump()).find(" is wrong and unsure"), std::string::npos);
   try {
     (void)read_baseline(scratch.path);
-    FAIL() << "a folder is no baseline";
+    FAIL() << "a folder is not a baseline";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), scratch.path.string() + ": cannot be read");
   }
@@ -156,9 +157,9 @@ TEST(Baseline, IsReadUpToALength) {
 }
 
 TEST(Baseline, EveryChangeIsNamedOnce) {
-  const Standing before = standing_of({"fast", "thesis"});
+  const OutcomeTable before = outcomes_of({"fast", "thesis"});
   EXPECT_TRUE(changes(before, before).empty());
-  Standing was = before, is = before;
+  OutcomeTable was = before, is = before;
   const std::vector<std::pair<Outcome, Outcome>> better = {
       {Outcome::Wrong, Outcome::Right}, {Outcome::Wrong, Outcome::Unsure}, {Outcome::Unsure, Outcome::Right}};
   for (std::size_t i = 0; i < better.size(); ++i) {
@@ -182,23 +183,23 @@ TEST(Regress, TakesSeedAndSamplesFromTheBaselineOrFromTheOptions) {
   }
 }
 
-TEST(Regress, RefusesABaselineOfNoMethodThatIsAsked) {
+TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--method", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
-  EXPECT_EQ(ran.err, file + ": has none of the methods that are asked");
+  EXPECT_EQ(ran.err, file + ": has none of the methods of this run");
 }
 
 TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  harness::write_file(file, baseline_text({kSmall, standing_of({"thesis"})}));
+  harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
   const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
   const auto refused = run_tests::run_captured(commands::regress_command, named);
   EXPECT_EQ(refused.status, 2) << refused.out;
-  EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing goes on without it");
+  EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing continues without it");
   std::vector<std::string> allowed = named;
   allowed.emplace_back("--allow-missing");
   for (const auto& arguments : {allowed, {"--baseline", file, "--method", "all", "--threads", "2"}}) {
@@ -218,7 +219,7 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const auto refused = run_tests::run_captured(commands::regress_command, arguments);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");  // no time was spent
-  EXPECT_EQ(refused.err, file + ": is there already; --force writes over it");
+  EXPECT_EQ(refused.err, file + ": exists already; --force overwrites it");
   EXPECT_EQ(run_tests::text_of(file), "mine");
   std::vector<std::string> forced = arguments;
   forced.emplace_back("--force");
@@ -228,8 +229,8 @@ TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
 
 TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   const run_tests::Scratch scratch;
-  Baseline baseline{kSmall, standing_of({"thesis"})};
-  Outcomes& outcomes = baseline.standing["thesis"]["star"];
+  Baseline baseline{kSmall, outcomes_of({"thesis"})};
+  Outcomes& outcomes = baseline.table["thesis"]["star"];
   const auto wrong = static_cast<std::size_t>(std::ranges::find(outcomes, Outcome::Wrong) - outcomes.begin());
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
   harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
@@ -239,14 +240,15 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   EXPECT_EQ(ran.status, 1) << ran.err;
   EXPECT_NE(ran.out.find("thesis on star: 0 better, 1 worse: cases " + std::to_string(wrong) + "\n"), std::string::npos)
       << ran.out;
-  EXPECT_NE(ran.out.find("boost-geometry: does not say whether ball and polygon touch; left out"), std::string::npos);
+  EXPECT_NE(ran.out.find("boost-geometry: does not decide contact; left out"), std::string::npos);
   const std::string worse = run_tests::text_of(scratch.path / "out" / "worse.jsonl");
   ASSERT_EQ(std::count(worse.begin(), worse.end(), '\n'), 1);
   const auto judged = cases::read_case(worse);
   const auto& shapes = std::get<cases::Shapes>(judged.content);
   EXPECT_EQ(judged.expected->at("contact"), exact::contact(shapes.ball, shapes.polygon));
-  EXPECT_NE(methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Contact).contact,
-            judged.expected->at("contact").get<bool>());
+  EXPECT_NE(
+      methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Contact).contact,
+      judged.expected->at("contact").get<bool>());
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using run_tests::kNeverStop;
 using run_tests::kSilent;
 
 /// Answers the numbers that it is asked; right about all but those below `wrong`.
-timing::Contestant counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
+timing::Candidate counter(std::string name, std::size_t queries, std::size_t wrong, std::vector<std::string>* log) {
   const auto ask = [name, log](std::size_t count) {
     if (count > 1 && log != nullptr) log->push_back(name);
     return static_cast<std::uint64_t>(count);
@@ -32,13 +32,13 @@ timing::Contestant counter(std::string name, std::size_t queries, std::size_t wr
   return {name, queries, ask, [wrong](std::size_t count) { return std::min(wrong, count); }, {}, {}};
 }
 
-timing::Contest duel(std::vector<std::string>* log = nullptr) {
-  timing::Contest contest;
-  contest.name = "duel";
-  contest.checked = 10;
-  contest.contestants = {counter("base", 100, 0, log), counter("other", 100, 3, log)};
-  contest.contestants[1].comparison = timing::Comparison{"base", timing::Goal{1e9}};
-  return contest;
+timing::Benchmark duel(std::vector<std::string>* log = nullptr) {
+  timing::Benchmark benchmark;
+  benchmark.name = "duel";
+  benchmark.checked = 10;
+  benchmark.candidates = {counter("base", 100, 0, log), counter("other", 100, 3, log)};
+  benchmark.candidates[1].comparison = timing::Comparison{"base", timing::Goal{1e9}};
+  return benchmark;
 }
 
 TEST(BenchMeasurement, QuartilesLieBetweenTheSortedValues) {
@@ -52,9 +52,9 @@ TEST(BenchMeasurement, QuartilesLieBetweenTheSortedValues) {
   EXPECT_EQ(timing::quartiles({7}).upper, 7);
 }
 
-TEST(BenchMeasurement, ContestantsTakeTurnsAndEachBegins) {
+TEST(BenchMeasurement, CandidatesTakeTurnsAndEachBegins) {
   std::vector<std::string> log;
-  EXPECT_EQ(measure("test", duel(&log), 4, kNeverStop, kSilent).contestants.size(), 2U);
+  EXPECT_EQ(measure("test", duel(&log), 4, kNeverStop, kSilent).candidates.size(), 2U);
   ASSERT_GE(log.size(), 8U);
   const std::vector<std::string> timed(log.end() - 8, log.end());
   EXPECT_EQ(timed, (std::vector<std::string>{"base", "other", "other", "base", "base", "other", "other", "base"}));
@@ -62,8 +62,8 @@ TEST(BenchMeasurement, ContestantsTakeTurnsAndEachBegins) {
 
 TEST(BenchMeasurement, HoldsEveryRepetitionRatioAndWrongAnswer) {
   const timing::Result result = measure("test", duel(), 5, kNeverStop, kSilent);
-  ASSERT_EQ(result.contestants.size(), 2U);
-  const auto& [base, other] = std::tie(result.contestants[0], result.contestants[1]);
+  ASSERT_EQ(result.candidates.size(), 2U);
+  const auto& [base, other] = std::tie(result.candidates[0], result.candidates[1]);
   EXPECT_EQ(base.queries, 100U);
   EXPECT_EQ(base.nanoseconds.size(), 5U);
   EXPECT_TRUE(base.ratios.empty());
@@ -75,9 +75,9 @@ TEST(BenchMeasurement, HoldsEveryRepetitionRatioAndWrongAnswer) {
 }
 
 TEST(BenchMeasurement, AComparisonWithNobodyIsRefused) {
-  timing::Contest contest = duel();
-  contest.contestants[1].comparison->base = "nobody";
-  EXPECT_THROW((void)measure("test", contest, 1, kNeverStop, kSilent), std::logic_error);
+  timing::Benchmark benchmark = duel();
+  benchmark.candidates[1].comparison->base = "nobody";
+  EXPECT_THROW((void)measure("test", benchmark, 1, kNeverStop, kSilent), std::logic_error);
 }
 
 TEST(BenchMeasurement, PoolsAreMeans) {
@@ -89,13 +89,13 @@ TEST(BenchMeasurement, PoolsAreMeans) {
                      {{"base", 10, {2, 4}, timing::Wrong{1, 5}, {}, {}},
                       {"other", 10, {2, 2}, {}, timing::Comparison{"base", {}}, {1, 0.5}}}};
   timing::Result two = one;
-  two.contestants[0].nanoseconds = {4, 8};
+  two.candidates[0].nanoseconds = {4, 8};
   const auto both = timing::pooled({one, two}, "all");
   ASSERT_TRUE(both);
   EXPECT_EQ(both->name, "all");
-  EXPECT_EQ(both->contestants[0].nanoseconds, (std::vector<double>{3, 6}));
-  EXPECT_EQ(both->contestants[0].wrong->of, 10U);
-  EXPECT_EQ(both->contestants[1].ratios, (std::vector<double>{2 / 3.0, 2 / 6.0}));
+  EXPECT_EQ(both->candidates[0].nanoseconds, (std::vector<double>{3, 6}));
+  EXPECT_EQ(both->candidates[0].wrong->of, 10U);
+  EXPECT_EQ(both->candidates[1].ratios, (std::vector<double>{2 / 3.0, 2 / 6.0}));
   EXPECT_FALSE(timing::pooled({one}, "all"));
   EXPECT_FALSE(timing::pooled({one, two}, "none"));
 }
@@ -103,9 +103,9 @@ TEST(BenchMeasurement, PoolsAreMeans) {
 TEST(BenchMeasurement, AStopLeavesWhatWasMeasured) {
   std::atomic<bool> stop = false;
   const timing::Result result = measure("test", duel(), 10, stop, [&](std::uint64_t done) { stop = done == 3; });
-  EXPECT_EQ(result.contestants[0].nanoseconds.size(), 3U);
-  EXPECT_EQ(result.contestants[1].ratios.size(), 3U);
-  EXPECT_FALSE(result.contestants[0].wrong);
+  EXPECT_EQ(result.candidates[0].nanoseconds.size(), 3U);
+  EXPECT_EQ(result.candidates[1].ratios.size(), 3U);
+  EXPECT_FALSE(result.candidates[0].wrong);
 }
 
 TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
@@ -120,7 +120,7 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
   EXPECT_NE(timing::goals({result}).find("0 of 1 goals met; missed:\n  test: other is 3.00 x base, not <= 2"),
             std::string::npos);
   EXPECT_EQ(timing::json({result})[0]["contestants"][1]["goal"]["met"], false);
-  result.contestants[1].comparison->goal = timing::Goal{2, false};
+  result.candidates[1].comparison->goal = timing::Goal{2, false};
   EXPECT_NE(timing::table(result).find(">= 2 met"), std::string::npos);
   EXPECT_NE(timing::goals({result}).find("1 of 1 goals met\n"), std::string::npos);
 }
@@ -143,21 +143,21 @@ TEST(BenchCommand, PrintsAndWritesEveryRow) {
   EXPECT_TRUE(all["processor_features"].contains("compiled_for"));
   EXPECT_TRUE(fs::exists(file.parent_path() / "run.json"));
   EXPECT_EQ(all["contests"].size(), 6U + (4 + 1 + 1) + 3 + 10 + 3);
-  for (const auto& contest : all["contests"]) {
-    const std::string family = contest["family"], name = contest["name"];
+  for (const auto& benchmark : all["contests"]) {
+    const std::string family = benchmark["family"], name = benchmark["name"];
     EXPECT_NE(text.find("\n" + family + (name.empty() ? "" : ", " + name)), std::string::npos);
-    EXPECT_GE(contest["contestants"].size(), 2U) << family << ", " << name;
-    for (const auto& contestant : contest["contestants"]) {
-      const std::string who = contestant["name"];
-      EXPECT_EQ(contestant["nanoseconds"]["repetitions"].size(), 2U);
+    EXPECT_GE(benchmark["contestants"].size(), 2U) << family << ", " << name;
+    for (const auto& candidate : benchmark["contestants"]) {
+      const std::string who = candidate["name"];
+      EXPECT_EQ(candidate["nanoseconds"]["repetitions"].size(), 2U);
       if (name != "preparation") {
-        EXPECT_GT(contestant["wrong"]["of"], 0) << family << ", " << name << ", " << who;
+        EXPECT_GT(candidate["wrong"]["of"], 0) << family << ", " << name << ", " << who;
       }
       if (who.starts_with("filtered") || who.starts_with("EPECK") || family == "off-plane") {
-        EXPECT_EQ(contestant.value("/wrong/count"_json_pointer, 0), 0) << family << ", " << name << ", " << who;
+        EXPECT_EQ(candidate.value("/wrong/count"_json_pointer, 0), 0) << family << ", " << name << ", " << who;
       }
       if (who.starts_with("filtered")) {
-        EXPECT_EQ(contestant["ratio"]["repetitions"].size(), 2U);
+        EXPECT_EQ(candidate["ratio"]["repetitions"].size(), 2U);
       }
     }
   }
@@ -165,13 +165,13 @@ TEST(BenchCommand, PrintsAndWritesEveryRow) {
   EXPECT_NE(text.find("Fewer than 100000 samples"), std::string::npos);
 }
 
-// The contestants of the families that a test has no time for.
+// The candidates of the families that a test has no time for.
 TEST(BenchFamilies, AreAllThere) {
   std::vector<std::string> names;
   for (const Family& family : all_families()) {
     names.push_back(family.name);
     EXPECT_FALSE(family.summary.empty());
-    EXPECT_FALSE(family.contests.empty());
+    EXPECT_FALSE(family.benchmarks.empty());
   }
   for (const char* name : {"polygons-8", "polygons-32", "polygons-128", "polygons-1024", "polygons-10000",
                            "polygons-100000", "off-plane", "questions", "batches"})
@@ -180,13 +180,13 @@ TEST(BenchFamilies, AreAllThere) {
 
 // Goals are part of what is measured.
 TEST(BenchFamilies, KnowTheirGoals) {
-  const auto goal = [](const std::string& family, const std::string& contestant) {
+  const auto goal = [](const std::string& family, const std::string& candidate) {
     Settings settings;
     settings.samples = 1;
     settings.checks = false;
     const auto found = std::ranges::find(all_families(), family, &Family::name);
-    for (const timing::Contestant& c : found->contests.front()(settings).contestants)
-      if (c.name == contestant && c.comparison && c.comparison->goal) return c.comparison->goal->ratio;
+    for (const timing::Candidate& c : found->benchmarks.front()(settings).candidates)
+      if (c.name == candidate && c.comparison && c.comparison->goal) return c.comparison->goal->ratio;
     return 0.0;
   };
   EXPECT_EQ(goal("random-triangles", "filtered"), 1);
@@ -200,7 +200,7 @@ TEST(BenchFamilies, KnowTheirGoals) {
   EXPECT_EQ(goal("polygons-100000", "filtered"), 0.002);
 }
 
-TEST(BenchCommand, CountsAsksOneContestantOnly) {
+TEST(BenchCommand, CountsAsksOneCandidateOnly) {
   testing::internal::CaptureStdout();
   ASSERT_EQ(run_bench({"--family", "random-triangles", "--count", "fast", "--samples", "30", "--repetitions", "3"}), 0);
   const std::string text = testing::internal::GetCapturedStdout();

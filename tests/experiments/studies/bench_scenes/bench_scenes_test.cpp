@@ -34,7 +34,7 @@ SceneSettings small_settings() { return {.samples = 60, .seed = 3, .repetitions 
 SceneResult measure_small(const std::vector<Library>& libraries, std::size_t triangles = 400) {
   return measure_scene(
       {"torus", torus(triangles)}, libraries, small_settings(), kNeverStop, [](const SceneResult&) {},
-      [](const SceneContest&) {});
+      [](const SceneBenchmark&) {});
 }
 
 /// Says that every ball touches something, leaves out the last triangle that is touched, and names triangle 0 as the
@@ -57,11 +57,11 @@ Library planted(bool exact) {
   return {"planted", [](std::span<const Triangle> triangles) { return std::make_unique<Planted>(triangles); }, exact};
 }
 
-const timing::Measured& find(const SceneContest& contest, const std::string& library) {
-  return *std::ranges::find(contest.result.contestants, library, &timing::Measured::name);
+const timing::Measured& find(const SceneBenchmark& benchmark, const std::string& library) {
+  return *std::ranges::find(benchmark.result.candidates, library, &timing::Measured::name);
 }
 
-std::string title(const SceneContest& contest) { return contest.result.name; }
+std::string title(const SceneBenchmark& benchmark) { return benchmark.result.name; }
 
 std::array<double, 9> numbers(const Triangle& t) {
   return {t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
@@ -130,17 +130,17 @@ TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
       EXPECT_GT(build.bytes, 8) << build.library;
     }
   }
-  ASSERT_EQ(result.contests.size(), 3U + 3U + 2U);
-  for (const SceneContest& contest : result.contests) {
+  ASSERT_EQ(result.benchmarks.size(), 3U + 3U + 2U);
+  for (const SceneBenchmark& benchmark : result.benchmarks) {
     for (const Library& library : libraries) {
-      if (contest.question == SceneQuestion::Nearest && !library.knows_nearest) continue;
-      const timing::Measured& measured = find(contest, library.name);
+      if (benchmark.question == SceneQuestion::Nearest && !library.knows_nearest) continue;
+      const timing::Measured& measured = find(benchmark, library.name);
       EXPECT_EQ(measured.nanoseconds.size(), 2U);
       ASSERT_TRUE(measured.wrong);
       EXPECT_EQ(measured.wrong->of, 60U);
-      const bool spheres = library.name == "CGAL AABB_tree" && contest.question != SceneQuestion::Nearest;
-      if (library.exact || (!spheres && contest.place != BallPlace::Touching)) {
-        EXPECT_EQ(measured.wrong->count, 0U) << library.name << ", " << title(contest);
+      const bool spheres = library.name == "CGAL AABB_tree" && benchmark.question != SceneQuestion::Nearest;
+      if (library.exact || (!spheres && benchmark.place != BallPlace::Touching)) {
+        EXPECT_EQ(measured.wrong->count, 0U) << library.name << ", " << title(benchmark);
       }
     }
   }
@@ -149,24 +149,24 @@ TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
 
 TEST(SceneBench, DoublesAreWrongAboutSomeBallsThatTouch) {
   const SceneResult result = measure_small({touchstone_library(), boost_rtree_library()});
-  const auto touching = std::ranges::find(result.contests, BallPlace::Touching, &SceneContest::place);
+  const auto touching = std::ranges::find(result.benchmarks, BallPlace::Touching, &SceneBenchmark::place);
   EXPECT_GT(find(*touching, "Boost R-tree").wrong->count, 0U);
   EXPECT_EQ(find(*touching, "Scene").wrong->count, 0U);
 }
 
 TEST(SceneBench, APlantedErrorIsCounted) {
   const SceneResult result = measure_small({touchstone_library(), planted(false)});
-  for (const SceneContest& contest : result.contests) {
-    EXPECT_GT(find(contest, "planted").wrong->count, 0U) << title(contest);
-    EXPECT_EQ(find(contest, "Scene").wrong->count, 0U) << title(contest);
+  for (const SceneBenchmark& benchmark : result.benchmarks) {
+    EXPECT_GT(find(benchmark, "planted").wrong->count, 0U) << title(benchmark);
+    EXPECT_EQ(find(benchmark, "Scene").wrong->count, 0U) << title(benchmark);
   }
 }
 
 // Were the exact scene wrong, all would be held against a wrong truth: brute force would say so.
 TEST(SceneBench, AnErrorOfTheTruthIsDisputed) {
   const SceneResult result = measure_small({planted(true)});
-  for (const SceneContest& contest : result.contests)
-    EXPECT_GT(find(contest, "planted").wrong->count, 0U) << title(contest);
+  for (const SceneBenchmark& benchmark : result.benchmarks)
+    EXPECT_GT(find(benchmark, "planted").wrong->count, 0U) << title(benchmark);
   ASSERT_FALSE(result.disputes.empty());
   EXPECT_EQ(result.disputes.front().rfind("torus, 400 triangles, near, any, seed 3, ball ", 0), 0U)
       << result.disputes.front();
@@ -180,8 +180,8 @@ TEST(SceneBench, AStopEndsWithWhatWasMeasured) {
   std::atomic<bool> stop = false;
   const SceneResult result = measure_scene(
       {"torus", torus(100)}, {touchstone_library()}, small_settings(), stop, [](const SceneResult&) {},
-      [&](const SceneContest& contest) { stop = contest.question == SceneQuestion::All; });
-  EXPECT_EQ(result.contests.size(), 2U);
+      [&](const SceneBenchmark& benchmark) { stop = benchmark.question == SceneQuestion::All; });
+  EXPECT_EQ(result.benchmarks.size(), 2U);
   EXPECT_EQ(result.builds.size(), 1U);
 }
 
@@ -205,8 +205,8 @@ TEST(SceneBench, GrowthIsHeldAgainstTheLogarithmFromTenThousandOn) {
 
 TEST(SceneBench, GoalsOfAMillionTriangles) {
   SceneResult result = timed(1'000'000, 100);
-  result.contests[0].result.contestants[0].comparison = timing::Comparison{"Embree 3", timing::Goal{1}};
-  result.contests[0].result.contestants[0].ratios = {1.25};
+  result.benchmarks[0].result.candidates[0].comparison = timing::Comparison{"Embree 3", timing::Goal{1}};
+  result.benchmarks[0].result.candidates[0].ratios = {1.25};
   EXPECT_NE(builds_table(result).find("build <= 1 MISSED, memory <= 100 MISSED"), std::string::npos);
   const std::string goals = scene_goals({result}, "Scene");
   EXPECT_EQ(goals.rfind("0 of 3 goals met; missed:\n", 0), 0U) << goals;

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "experiments/commands.h"
-#include "experiments/harness/interrupt.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"

@@ -55,7 +55,7 @@ class Watching : public cases::Method {
   class Prepared : public cases::PreparedMethod {
    public:
     explicit Prepared(Seen& seen) : seen_(seen) {}
-    cases::PartialAnswer ask(const Ball& ball, cases::Question) const override {
+    cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
       seen_.balls.push_back(ball);
       return {};
     }
@@ -79,7 +79,7 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
     const auto truth = methods::find_method("exact")->prepare(polygon);
     std::set<std::size_t> edges;
     for (std::size_t pixel = 0; pixel < balls.size(); pixel += 13) {
-      const Feature nearest = *truth->ask(balls[pixel], cases::Question::Answer).nearest;
+      const Feature nearest = *truth->ask(balls[pixel], cases::QueryKind::Answer).nearest;
       const auto expected = spot == Spot::Face     ? Feature::Kind::Face
                             : spot == Spot::Vertex ? Feature::Kind::Vertex
                                                    : Feature::Kind::Edge;

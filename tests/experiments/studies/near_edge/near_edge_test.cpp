@@ -234,10 +234,10 @@ class WrongTruth : public cases::Method {
   class Prepared : public cases::PreparedMethod {
    public:
     explicit Prepared(const Polygon& polygon) : exact_(kExact.prepare(polygon)) {}
-    PartialAnswer ask(const Ball& ball, cases::Question question) const override {
-      PartialAnswer answer = exact_->ask(ball, question);
+    PartialAnswer ask(const Ball& ball, cases::QueryKind kind) const override {
+      PartialAnswer answer = exact_->ask(ball, kind);
       if (answer.contact)
-        answer.contact = exact_->ask(ball, cases::Question::Relation).relation == Relation::Overlapping;
+        answer.contact = exact_->ask(ball, cases::QueryKind::Relation).relation == Relation::Overlapping;
       if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
       return answer;
     }
@@ -268,7 +268,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
     const cases::Case read = cases::read_case(found.line);
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
     const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
-    const auto truth = cases::object_of(kExact.prepare(polygon)->ask(ball, cases::Question::Answer));
+    const auto truth = cases::object_of(kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
   }
 }

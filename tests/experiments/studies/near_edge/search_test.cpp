@@ -63,7 +63,7 @@ class WrongWithin : public cases::Method {
    public:
     Prepared(const Polygon& polygon, double low, double high)
         : polygon_(polygon), size_(AtThreshold{polygon, {}, -1}.size()), low_(low), high_(high) {}
-    cases::PartialAnswer ask(const Ball& ball, cases::Question) const override {
+    cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
       const Answer answer = exact::answer(ball, polygon_);
       const double share = (ball.radius - answer.distance) / size_;
       cases::PartialAnswer wrong;
@@ -170,7 +170,7 @@ TEST(Search, ReportsCasesThatAreWrong) {
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << line;
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto meets = [&](const cases::Method& asked) {
-      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, cases::Question::Answer);
+      const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Answer);
       return cases::differences(*read.expected, cases::object_of(answer)).empty();
     };
     EXPECT_TRUE(meets(method("exact"))) << line;

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
-#include "experiments/harness/interrupt.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"

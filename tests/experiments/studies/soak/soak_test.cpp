@@ -13,7 +13,7 @@
 #include "experiments/cases/case.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/commands.h"
-#include "experiments/harness/course.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/comparison.h"
@@ -314,7 +314,7 @@ TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
   const std::string text = text_of(checkpoint.path());
   for (const std::string& damaged : {text.substr(0, text.size() / 2), std::string("[]"), std::string()}) {
     harness::write_file(checkpoint.path(), damaged);
-    expect_refused(scratch, settings, "is no checkpoint");
+    expect_refused(scratch, settings, "is not a checkpoint");
   }
 }
 

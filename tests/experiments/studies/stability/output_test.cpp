@@ -39,7 +39,7 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
       const auto differences = [&](std::string_view name) {
         const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
         return cases::differences(*read.expected,
-                                  cases::object_of(prepared->ask(shapes.ball, cases::Question::Answer)));
+                                  cases::object_of(prepared->ask(shapes.ball, cases::QueryKind::Answer)));
       };
       const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
       EXPECT_TRUE(differences("exact").empty()) << worst->line;

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using cases::PartialAnswer;
-using cases::Question;
+using cases::QueryKind;
 using run_tests::Scratch;
 using run_tests::text_of;
 using Tested = cases::Test;  // within TEST, Test is GoogleTest's
@@ -38,7 +38,7 @@ using run_tests::kSilent;
 /// `filtered`, but for what a test replaces.
 class Planted : public cases::Method {
  public:
-  using Change = std::function<PartialAnswer(PartialAnswer, Question)>;
+  using Change = std::function<PartialAnswer(PartialAnswer, QueryKind)>;
   explicit Planted(Change change) : change_(std::move(change)) {}
 
   std::string_view name() const override { return "planted"; }
@@ -52,8 +52,8 @@ class Planted : public cases::Method {
    public:
     Prepared(std::unique_ptr<cases::PreparedMethod> right, const Change& change)
         : right_(std::move(right)), change_(change) {}
-    PartialAnswer ask(const Ball& ball, Question question) const override {
-      return change_(right_->ask(ball, question), question);
+    PartialAnswer ask(const Ball& ball, QueryKind kind) const override {
+      return change_(right_->ask(ball, kind), kind);
     }
 
    private:
@@ -125,23 +125,23 @@ TEST(StabilityStudy, AMotionIsNotWhatWasMeant) {
 }
 
 TEST(StabilityStudy, FindsPlantedErrors) {
-  const Planted swapped([](PartialAnswer answer, Question) {
+  const Planted swapped([](PartialAnswer answer, QueryKind) {
     if (answer.contact) answer.contact = !*answer.contact;
     return answer;
   });
-  const Planted no_boundary([](PartialAnswer answer, Question) {
+  const Planted no_boundary([](PartialAnswer answer, QueryKind) {
     if (answer.foot == PointLocation::Boundary) answer.foot = PointLocation::Inside;
     return answer;
   });
-  const Planted throwing([](PartialAnswer answer, Question question) {
-    if (question == Question::Relation) throw std::runtime_error("no relations, please");
+  const Planted throwing([](PartialAnswer answer, QueryKind kind) {
+    if (kind == QueryKind::Relation) throw std::runtime_error("no relations, please");
     return answer;
   });
-  const Planted silent([](PartialAnswer answer, Question) {
+  const Planted silent([](PartialAnswer answer, QueryKind) {
     answer.edges_hit.reset();
     return answer;
   });
-  const Planted long_distance([](PartialAnswer answer, Question) {
+  const Planted long_distance([](PartialAnswer answer, QueryKind) {
     if (answer.distance) *answer.distance *= 1 + 0x1p-40;
     return answer;
   });
@@ -172,7 +172,7 @@ TEST(StabilityStudy, FindsPlantedErrors) {
 // A method finds the mode that its level names, and the study leaves none behind.
 TEST(StabilityStudy, AsksInTheModeOfTheLevel) {
   std::set<int> seen;
-  const Planted watching([&](PartialAnswer answer, Question) {
+  const Planted watching([&](PartialAnswer answer, QueryKind) {
     seen.insert(std::fegetround());
     return answer;
   });

@@ -13,7 +13,7 @@
 namespace touchstone::tradeoff {
 namespace {
 
-using cases::Question;
+using cases::QueryKind;
 using workloads::Family;
 using workloads::Placement;
 
@@ -78,8 +78,8 @@ TEST(Front, DropsWhatIsSlowerOnlyWhereNoiseCannotBeWhy) {
   EXPECT_EQ(list[4].front, Front::WithinNoise) << "slower and less right, but perhaps not slower";
 }
 
-Timing timing(Family family, Question question, const std::vector<double>& nanoseconds) {
-  Timing timing{{family, Placement::Rotated}, Balls::Near, question, {}};
+Timing timing(Family family, QueryKind kind, const std::vector<double>& nanoseconds) {
+  Timing timing{{family, Placement::Rotated}, Balls::Near, kind, {}};
   for (const double ns : nanoseconds) timing.methods.push_back({"", 1, {ns}, {}, {}, {}});
   return timing;
 }
@@ -87,9 +87,9 @@ Timing timing(Family family, Question question, const std::vector<double>& nanos
 TEST(Front, StandsOnTheMeasureItNames) {
   const auto setting = settings({"fast", "thesis", "filtered", "interval"}, 4);
   const Errors errors = whole(setting);
-  const std::vector<Timing> timings{timing(Family::Star, Question::Contact, {1, 2, 3, 4}),
-                                    timing(Family::L, Question::Contact, {3, 4, 5, 6}),
-                                    timing(Family::Star, Question::Answer, {10, 20, 30, 40})};
+  const std::vector<Timing> timings{timing(Family::Star, QueryKind::Contact, {1, 2, 3, 4}),
+                                    timing(Family::L, QueryKind::Contact, {3, 4, 5, 6}),
+                                    timing(Family::Star, QueryKind::Answer, {10, 20, 30, 40})};
   const auto shares = standings(Measure::NotRight, std::nullopt, Placement::Rotated, errors, timings);
   ASSERT_EQ(shares.size(), 4U);
   expect_front(shares);

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using cases::PartialAnswer;
-using cases::Question;
+using cases::QueryKind;
 using run_tests::Scratch;
 using workloads::Family;
 using workloads::Placement;
@@ -45,7 +45,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// `exact` with something changed in the ball or the answer.
 class Changed final : public cases::Method {
  public:
-  using Change = std::function<PartialAnswer(const cases::PreparedMethod& exact, const Ball&, Question)>;
+  using Change = std::function<PartialAnswer(const cases::PreparedMethod& exact, const Ball&, QueryKind)>;
   explicit Changed(Change change) : change_(std::move(change)) {}
   std::string_view name() const override { return "changed"; }
   std::string_view summary() const override { return ""; }
@@ -58,7 +58,7 @@ class Changed final : public cases::Method {
    public:
     Prepared(std::unique_ptr<cases::PreparedMethod> exact, Change change)
         : exact_(std::move(exact)), change_(std::move(change)) {}
-    PartialAnswer ask(const Ball& ball, Question question) const override { return change_(*exact_, ball, question); }
+    PartialAnswer ask(const Ball& ball, QueryKind kind) const override { return change_(*exact_, ball, kind); }
 
    private:
     std::unique_ptr<cases::PreparedMethod> exact_;
@@ -103,9 +103,9 @@ TEST(TradeoffErrors, OfOnePolygonAtSeveralThresholdsAreOfOnePolygon) {
 }
 
 TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
-  const Changed method([](const auto& exact, const Ball& ball, Question question) {
-    PartialAnswer answer = exact.ask(ball, question);
-    if (question != Question::Answer) return answer;
+  const Changed method([](const auto& exact, const Ball& ball, QueryKind kind) {
+    PartialAnswer answer = exact.ask(ball, kind);
+    if (kind != QueryKind::Answer) return answer;
     answer.distance = std::nextafter(*answer.distance, kInfinity);
     int axis = 0;
     answer.point->cwiseAbs().maxCoeff(&axis);
@@ -122,8 +122,8 @@ TEST(TradeoffErrors, OfOneUnitAreMeasuredAsOne) {
 
 // A ball that is taken for three doubles larger than it is: wrong from -3 doubles up to the threshold.
 TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
-  const Changed method([](const auto& exact, const Ball& ball, Question question) {
-    return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, question);
+  const Changed method([](const auto& exact, const Ball& ball, QueryKind kind) {
+    return exact.ask({ball.center, workloads::move_by_doubles(ball.radius, 3)}, kind);
   });
   const MethodErrors errors = errors_of(method);
   const Band band = band_of(errors);
@@ -137,7 +137,7 @@ TEST(TradeoffErrors, AreSeenInTheBandWhereTheyWerePlanted) {
 }
 
 TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
-  const Changed method([](const auto&, const Ball&, Question) {
+  const Changed method([](const auto&, const Ball&, QueryKind) {
     PartialAnswer answer;
     answer.unsure = true;
     return answer;
@@ -152,9 +152,9 @@ TEST(TradeoffErrors, CountWhatIsLeftOpenApart) {
 // other distances are still told.
 TEST(TradeoffErrors, OfWhatIsNotFiniteAreCountedApart) {
   int number = 0;
-  const Changed method([&number](const auto& exact, const Ball& ball, Question question) {
-    PartialAnswer answer = exact.ask(ball, question);
-    if (question != Question::Answer) {
+  const Changed method([&number](const auto& exact, const Ball& ball, QueryKind kind) {
+    PartialAnswer answer = exact.ask(ball, kind);
+    if (kind != QueryKind::Answer) {
       answer.contact = !*answer.contact;
       return answer;
     }
@@ -205,7 +205,7 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
     const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
     EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << *read.id;
     const std::string method = nlohmann::json::parse(line)["tags"][0];
-    const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, Question::Answer);
+    const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, QueryKind::Answer);
     EXPECT_FALSE(cases::differences(*read.expected, cases::object_of(given)).empty()) << *read.id;
   }
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing

@@ -19,8 +19,8 @@ constexpr std::size_t kTriangles = 1024;  // that one ball is asked about
 /// Fills the first so many answers.
 using Fill = std::function<void(std::span<bool> touches)>;
 
-timing::Contestant fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,
-                         const Fill& fill, std::optional<timing::Comparison> comparison = std::nullopt) {
+timing::Candidate fills(std::string name, std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truths,
+                        const Fill& fill, std::optional<timing::Comparison> comparison = std::nullopt) {
   const std::shared_ptr<bool[]> touches(new bool[queries]());
   const auto ask = [touches, fill](std::size_t count) {
     const std::span<bool> first(touches.get(), count);
@@ -45,14 +45,14 @@ std::shared_ptr<const std::vector<bool>> truths(std::size_t count, const Fill& f
   return std::make_shared<const std::vector<bool>>(touches.get(), touches.get() + count);
 }
 
-std::vector<timing::Contestant> contestants(std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truth,
-                                            const Fill& fast, const Fill& single, const Fill& batch) {
+std::vector<timing::Candidate> candidates(std::size_t queries, const std::shared_ptr<const std::vector<bool>>& truth,
+                                          const Fill& fast, const Fill& single, const Fill& batch) {
   return {fills("fast", queries, truth, fast),
           fills("filtered", queries, truth, single, timing::Comparison{"fast", {}}),
           fills("filtered, batch", queries, truth, batch, timing::Comparison{"filtered", {}})};
 }
 
-timing::Contest balls_against_polygon(std::size_t vertices, const Settings& settings) {
+timing::Benchmark balls_against_polygon(std::size_t vertices, const Settings& settings) {
   struct Data {
     std::vector<Ball> balls;
     fast::PreparedPolygon<> fast;
@@ -73,15 +73,15 @@ timing::Contest balls_against_polygon(std::size_t vertices, const Settings& sett
   const Fill batch = [data](std::span<bool> touches) {
     filtered::contact(std::span(data->balls).first(touches.size()), data->filtered, touches);
   };
-  timing::Contest contest;
-  contest.name = fmt::format("many balls, one star of {} vertices", vertices);
-  contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, 200'000 / vertices) : 0;
-  contest.contestants = contestants(data->balls.size(), truths(contest.checked, one_by_one(&Data::exact)),
+  timing::Benchmark benchmark;
+  benchmark.name = fmt::format("many balls, one star of {} vertices", vertices);
+  benchmark.checked = settings.checks ? std::min<std::size_t>(settings.samples, 200'000 / vertices) : 0;
+  benchmark.candidates = candidates(data->balls.size(), truths(benchmark.checked, one_by_one(&Data::exact)),
                                     one_by_one(&Data::fast), one_by_one(&Data::filtered), batch);
-  return contest;
+  return benchmark;
 }
 
-timing::Contest ball_against_triangles(const Settings& settings) {
+timing::Benchmark ball_against_triangles(const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;
   struct Data {
     std::vector<Ball> balls;  ///< one for each kTriangles of the triangles
@@ -111,21 +111,21 @@ timing::Contest ball_against_triangles(const Settings& settings) {
   const auto fast = [](const Ball& ball, const Triangle& t) { return fast::contact(ball, t); };
   const auto filtered = [](const Ball& ball, const Triangle& t) { return filtered::contact(ball, t); };
   const auto exact = [](const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); };
-  timing::Contest contest;
-  contest.name = fmt::format("one ball, {} triangles", kTriangles);
-  contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
-  contest.contestants = contestants(data->triangles.size(), truths(contest.checked, one_by_one(exact)),
+  timing::Benchmark benchmark;
+  benchmark.name = fmt::format("one ball, {} triangles", kTriangles);
+  benchmark.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
+  benchmark.candidates = candidates(data->triangles.size(), truths(benchmark.checked, one_by_one(exact)),
                                     one_by_one(fast), one_by_one(filtered), batch);
-  return contest;
+  return benchmark;
 }
 
 }  // namespace
 
 Family batch_family() {
   Family family{"batches", "contact: filtered's functions of spans against single calls", {}};
-  family.contests.emplace_back(ball_against_triangles);
+  family.benchmarks.emplace_back(ball_against_triangles);
   for (const std::size_t vertices : {8U, 128U})
-    family.contests.emplace_back([=](const Settings& settings) { return balls_against_polygon(vertices, settings); });
+    family.benchmarks.emplace_back([=](const Settings& settings) { return balls_against_polygon(vertices, settings); });
   return family;
 }
 

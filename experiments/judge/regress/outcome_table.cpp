@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/regress/standing.h"
+#include "experiments/judge/regress/outcome_table.h"
 
 #include <fmt/core.h>
 
@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t kMiddle = kExponents.size();
 
-/// By which the radius is multiplied, from the smallest up.
+/// Returns the factor of the radius, in ascending order.
 double factor(std::size_t radius) {
   if (radius == kMiddle) return 1;
   if (radius < kMiddle) return 1 - std::ldexp(1.0, -kExponents[radius]);
   return 1 + std::ldexp(1.0, -kExponents[kRadii - 1 - radius]);
 }
 
-/// The ball and polygon of a block of kRadii cases.
+/// Draws the ball and polygon of a block of kRadii cases.
 workloads::Sample draw(const Settings& settings, workloads::Family family, std::size_t block) {
   return workloads::sample({.family = family, .ball = kPlaces[block / settings.samples]}, settings.seed,
                            block % settings.samples);
@@ -44,7 +44,7 @@ workloads::Sample draw_case(const Settings& settings, workloads::Family family, 
 
 bool answers(const cases::Method& method) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
-  const auto answer = method.prepare(square)->ask({{1, 1, 1}, 2}, cases::Question::Contact);
+  const auto answer = method.prepare(square)->ask({{1, 1, 1}, 2}, cases::QueryKind::Contact);
   return answer.contact || answer.unsure;
 }
 
@@ -52,9 +52,9 @@ std::uint64_t blocks_of(const Settings& settings) {
   return workloads::all_families().size() * kPlaces.size() * settings.samples;
 }
 
-std::optional<Standing> find_standing(const Settings& settings, const std::vector<const cases::Method*>& methods,
-                                      unsigned threads, const std::atomic<bool>& stop,
-                                      const harness::Progress& progress) {
+std::optional<OutcomeTable> find_outcomes(const Settings& settings, const std::vector<const cases::Method*>& methods,
+                                          unsigned threads, const std::atomic<bool>& stop,
+                                          const harness::Progress& progress) {
   const auto& families = workloads::all_families();
   const std::size_t blocks = kPlaces.size() * settings.samples;
   std::vector<Outcomes> outcomes(methods.size(), Outcomes(families.size() * settings.cases()));
@@ -70,7 +70,7 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
           const auto prepared = methods[m]->prepare(sample.polygon);
           for (std::size_t i = 0; i < kRadii; ++i) {
             const Ball ball{sample.ball.center, sample.ball.radius * factor(i)};
-            const auto said = prepared->ask(ball, cases::Question::Contact).contact;
+            const auto said = prepared->ask(ball, cases::QueryKind::Contact).contact;
             if (said == truth[i]) continue;
             outcomes[m][family * settings.cases() + block * kRadii + i] = said ? Outcome::Wrong : Outcome::Unsure;
             if (exact::contact(ball, sample.polygon) != truth[i])
@@ -81,14 +81,14 @@ std::optional<Standing> find_standing(const Settings& settings, const std::vecto
       });
   if (done < blocks_of(settings)) return std::nullopt;
 
-  Standing standing;
+  OutcomeTable table;
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t f = 0; f < families.size(); ++f) {
       const auto begin = outcomes[m].begin() + static_cast<std::ptrdiff_t>(f * settings.cases());
-      standing[std::string(methods[m]->name())][std::string(word(families[f]))] =
+      table[std::string(methods[m]->name())][std::string(word(families[f]))] =
           Outcomes(begin, begin + static_cast<std::ptrdiff_t>(settings.cases()));
     }
-  return standing;
+  return table;
 }
 
 Summary summary_of(const Outcomes& outcomes) {

@@ -82,10 +82,10 @@ auto truths(const Question& question, const std::vector<Polygon>& polygons, cons
 }
 
 template <class Prepared, class Question, class Truths>
-timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries,
-                        const Truths& truths, const Question& question,
-                        std::optional<timing::Comparison> comparison = std::nullopt) {
-  return contestant(
+timing::Candidate asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries,
+                       const Truths& truths, const Question& question,
+                       std::optional<timing::Comparison> comparison = std::nullopt) {
+  return candidate(
       std::move(name), queries, truths,
       [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
       std::move(comparison));
@@ -93,35 +93,36 @@ timing::Contestant asks(std::string name, const Polygons<Prepared>& polygons, co
 
 /// One question about the same polygons, to fast and to filtered.
 template <class Question>
-timing::Contest compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices,
-                        const Settings& settings, const Question& question, std::optional<timing::Goal> goal) {
+timing::Benchmark compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices,
+                          const Settings& settings, const Question& question, std::optional<timing::Goal> goal) {
   const auto queries =
       std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
-  timing::Contest contest;
-  contest.name = std::move(name);
-  contest.checked = checked(settings, vertices);
-  const auto truth = truths(question, polygons, queries, contest.checked);
-  contest.contestants = {asks("fast", prepare<fast::PreparedPolygon<>>(polygons), queries, truth, question),
-                         asks("filtered", prepare<filtered::PreparedPolygon>(polygons), queries, truth, question,
-                              timing::Comparison{"fast", goal})};
-  return contest;
+  timing::Benchmark benchmark;
+  benchmark.name = std::move(name);
+  benchmark.checked = checked(settings, vertices);
+  const auto truth = truths(question, polygons, queries, benchmark.checked);
+  benchmark.candidates = {asks("fast", prepare<fast::PreparedPolygon<>>(polygons), queries, truth, question),
+                          asks("filtered", prepare<filtered::PreparedPolygon>(polygons), queries, truth, question,
+                               timing::Comparison{"fast", goal})};
+  return benchmark;
 }
 
 constexpr auto kContact = [](const Ball& ball, const auto& polygon) { return contact(ball, polygon); };
 
-timing::Contest contacts(Outline outline, const Size& size, const Settings& settings) {
+timing::Benchmark contacts(Outline outline, const Size& size, const Settings& settings) {
   const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
-  timing::Contest contest = compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
-  contest.note = fmt::format("{} of {} vertices",
-                             polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
-                             polygons.front().vertex_count());
-  contest.pool = "all outlines";
-  return contest;
+  timing::Benchmark benchmark =
+      compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
+  benchmark.note = fmt::format("{} of {} vertices",
+                               polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
+                               polygons.front().vertex_count());
+  benchmark.pool = "all outlines";
+  return benchmark;
 }
 
 template <class Prepared>
-timing::Contestant prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons,
-                            std::size_t most, std::optional<timing::Comparison> comparison = std::nullopt) {
+timing::Candidate prepares(std::string name, const std::shared_ptr<const std::vector<Polygon>>& polygons,
+                           std::size_t most, std::optional<timing::Comparison> comparison = std::nullopt) {
   const auto ask = [polygons](std::size_t count) {
     std::uint64_t made = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -133,47 +134,47 @@ timing::Contestant prepares(std::string name, const std::shared_ptr<const std::v
   return {std::move(name), most, ask, {}, {}, std::move(comparison)};
 }
 
-timing::Contest preparations(std::size_t vertices, const Settings& settings) {
+timing::Benchmark preparations(std::size_t vertices, const Settings& settings) {
   const auto polygons =
       std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
   const std::size_t most = std::min<std::size_t>(settings.samples, 1000);
-  timing::Contest contest;
-  contest.name = "preparation";
-  contest.note = "all outlines";
-  contest.unit = "polygon";
-  contest.contestants = {
+  timing::Benchmark benchmark;
+  benchmark.name = "preparation";
+  benchmark.note = "all outlines";
+  benchmark.unit = "polygon";
+  benchmark.candidates = {
       prepares<fast::PreparedPolygon<>>("fast", polygons, most),
       prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", {}})};
-  return contest;
+  return benchmark;
 }
 
 Family contact_family(const Size& size) {
   Family family{
       fmt::format("polygons-{}", size.vertices), "contact of small balls near the plane with prepared polygons", {}};
   for (const Outline outline : outlines_of(size.vertices))
-    family.contests.emplace_back([=](const Settings& settings) { return contacts(outline, size, settings); });
-  family.contests.emplace_back([=](const Settings& settings) { return preparations(size.vertices, settings); });
+    family.benchmarks.emplace_back([=](const Settings& settings) { return contacts(outline, size, settings); });
+  family.benchmarks.emplace_back([=](const Settings& settings) { return preparations(size.vertices, settings); });
   return family;
 }
 
-timing::Contest off_plane(std::size_t vertices, const Settings& settings) {
+timing::Benchmark off_plane(std::size_t vertices, const Settings& settings) {
   constexpr timing::Goal kGoal{1.5};
-  timing::Contest contest;
-  contest.name = fmt::format("{} vertices", vertices);
-  contest.note = "filtered, all outlines";
-  contest.checked = checked(settings, vertices);
+  timing::Benchmark benchmark;
+  benchmark.name = fmt::format("{} vertices", vertices);
+  benchmark.note = "filtered, all outlines";
+  benchmark.checked = checked(settings, vertices);
   const auto planar = draw_polygons_of_all_outlines(vertices, settings.seed);
   for (const OffPlane& moved : all_off_plane()) {
     const auto polygons = move_off_plane(planar, moved, settings.seed);
     const Queries queries =
         std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
-    const auto truth = truths(kContact, polygons, queries, contest.checked);
+    const auto truth = truths(kContact, polygons, queries, benchmark.checked);
     const bool base = moved.share == 0;
-    contest.contestants.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
-                                       kContact,
-                                       base ? std::nullopt : std::optional(timing::Comparison{"planar", kGoal})));
+    benchmark.candidates.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
+                                        kContact,
+                                        base ? std::nullopt : std::optional(timing::Comparison{"planar", kGoal})));
   }
-  return contest;
+  return benchmark;
 }
 
 /// The part of an answer on which fast and exact agree up to rounding, in a form that can be compared and summed.
@@ -199,7 +200,7 @@ Family question_family() {
   Family family{"questions", "the other questions about prepared polygons, all outlines", {}};
   for (const std::size_t vertices : {8U, 128U}) {
     const auto add = [&](const char* name, auto question) {
-      family.contests.emplace_back([=](const Settings& settings) {
+      family.benchmarks.emplace_back([=](const Settings& settings) {
         const auto polygons = draw_polygons_of_all_outlines(vertices, settings.seed);
         return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices, settings, question, {});
       });
@@ -220,7 +221,7 @@ std::vector<Family> polygon_families() {
   for (const Size& size : sizes()) families.push_back(contact_family(size));
   Family moved{"off-plane", "filtered's contact with polygons whose vertices are off the plane", {}};
   for (const std::size_t vertices : {8U, 128U, 1024U})
-    moved.contests.emplace_back([=](const Settings& settings) { return off_plane(vertices, settings); });
+    moved.benchmarks.emplace_back([=](const Settings& settings) { return off_plane(vertices, settings); });
   families.push_back(std::move(moved));
   families.push_back(question_family());
   return families;

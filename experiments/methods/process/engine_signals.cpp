@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/process/interruption.h"
+#include "experiments/methods/process/engine_signals.h"
 
 #include <unistd.h>
 
@@ -7,18 +7,18 @@
 #include <csignal>
 #include <string_view>
 
-#include "experiments/harness/interrupt.h"
+#include "experiments/harness/stop_signal.h"
 
 namespace touchstone::methods {
 namespace {
 
-constexpr int kInterruptions[] = {SIGINT, SIGTERM};
+constexpr int kStopSignals[] = {SIGINT, SIGTERM};
 
 std::atomic<bool> is_writing = false, is_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "used within a signal handler");
 
 void handle_by(void (*handler)(int)) {
-  for (const int signal : kInterruptions) std::signal(signal, handler);
+  for (const int signal : kStopSignals) std::signal(signal, handler);
 }
 
 [[noreturn]] void leave() {
@@ -35,21 +35,21 @@ extern "C" void interrupt_judge(int) {
 
 }  // namespace
 
-Interruption::Interruption() { handle_by(interrupt_judge); }
+KillEngineOnSignal::KillEngineOnSignal() { handle_by(interrupt_judge); }
 
-Interruption::~Interruption() { handle_by(SIG_DFL); }
+KillEngineOnSignal::~KillEngineOnSignal() { handle_by(SIG_DFL); }
 
-Writing::Writing() { is_writing = true; }
+DeferSignals::DeferSignals() { is_writing = true; }
 
-Writing::~Writing() {
+DeferSignals::~DeferSignals() {
   is_writing = false;
   if (is_interrupted) leave();
 }
 
-void leave_interruptions_to_others() {
+void leave_signals_to_other_threads() {
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : kInterruptions) sigaddset(&signals, signal);
+  for (const int signal : kStopSignals) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 

@@ -13,36 +13,37 @@
 
 namespace touchstone::judge {
 
-/// Lines on their way from the thread that sends cases to an engine to the one that receives its replies.
+/// The queue of lines from the thread that sends cases to an engine to the thread that receives its replies.
 ///
-/// It holds at most kMost lines, unless the receiver awaits a reply: an engine may read all before it answers.
-class Waiting {
+/// It holds at most kMost lines, unless the receiver waits for a reply: an engine may read all cases before it answers.
+class PendingCases {
  public:
   static constexpr std::size_t kMost = 256;
 
   struct Entry {
     cases::Line line;
-    bool sent;  ///< the engine is asked about it
+    bool sent;  ///< the case is sent to the engine
   };
 
-  /// Waits for room. False if nobody will take the line.
+  /// Appends a line; waits for room. Returns false if the receiver takes no more lines.
   bool push(Entry&& entry);
-  /// Would a line be pushed without waiting?
+  /// Returns whether push would not wait.
   [[nodiscard]] bool has_room();
-  /// For the sender: nothing more will come.
+  /// For the sender: closes the queue.
   void close();
-  /// For the sender: the engine reads no more, so that further lines need not wait for it to answer.
+  /// For the sender: reports that the engine has stopped reading, so that the queue no longer grows while the receiver
+  /// waits for a reply.
   void stop_growing();
 
-  /// Waits for a line or the end of them, no longer than `time`. False if there is neither.
+  /// Waits for a line or the end of the queue, but no longer than `time`. Returns false on timeout.
   [[nodiscard]] bool wait_for(std::chrono::milliseconds time);
-  /// Does a line wait that is a case of this id, about which the engine is asked?
+  /// Returns whether a line waits that is a case of this id and was sent to the engine.
   [[nodiscard]] bool is_asked(const std::string& id);
-  /// The next line, waiting for it; nothing at the end.
+  /// Waits for the next line and removes it; returns nothing at the end.
   [[nodiscard]] std::optional<Entry> pop();
-  /// For the receiver: it begins or ends to wait for a reply.
+  /// For the receiver: states whether it now waits for a reply.
   void await_reply(bool awaiting);
-  /// For the receiver: it takes no more lines.
+  /// For the receiver: refuses all further lines.
   void abandon();
 
  private:
@@ -52,7 +53,7 @@ class Waiting {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Entry> entries_;
-  std::unordered_multiset<std::string> asked_;  ///< ids of the entries about which the engine is asked
+  std::unordered_multiset<std::string> asked_;  ///< ids of the entries that were sent to the engine
   bool closed_ = false, abandoned_ = false, awaiting_reply_ = false, may_grow_ = true;
 };
 

@@ -44,8 +44,8 @@ std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
 }
 
 /// EPECK's objects are made before each repetition, so that none knows its exact value yet.
-timing::Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
-                                  const std::shared_ptr<const std::vector<bool>>& truth) {
+timing::Candidate prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
+                                 const std::shared_ptr<const std::vector<bool>>& truth) {
   const auto objects = std::make_shared<cgal::EpeckQueries>();
   const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
   const auto ask = [objects](std::size_t count) {
@@ -63,7 +63,7 @@ timing::Contestant prepared_epeck(const std::shared_ptr<const TriangleQueries>& 
   return {"EPECK, objects made", queries->size(), ask, count_wrong, make, timing::Comparison{"filtered", {}}};
 }
 
-timing::Contest draw(workloads::TriangleFamily family, const Settings& settings) {
+timing::Benchmark draw(workloads::TriangleFamily family, const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;  // a second
   TriangleQueries drawn;
   drawn.reserve(settings.samples);
@@ -71,17 +71,17 @@ timing::Contest draw(workloads::TriangleFamily family, const Settings& settings)
     drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
   const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
 
-  timing::Contest contest;
-  contest.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
-  const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, contest.checked));
-  if (contest.checked > 0)
-    contest.note =
+  timing::Benchmark benchmark;
+  benchmark.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
+  const auto truth = std::make_shared<const std::vector<bool>>(truths(*queries, benchmark.checked));
+  if (benchmark.checked > 0)
+    benchmark.note =
         statistics::percent_to_places(
-            statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), contest.checked), 1) +
+            statistics::share_of(static_cast<std::uint64_t>(std::ranges::count(*truth, true)), benchmark.checked), 1) +
         " % touch";
 
   const auto add = [&](std::string name, auto ask, std::optional<timing::Comparison> comparison) {
-    contest.contestants.push_back(contestant(
+    benchmark.candidates.push_back(candidate(
         std::move(name), queries, truth, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
         comparison));
   };
@@ -100,9 +100,9 @@ timing::Contest draw(workloads::TriangleFamily family, const Settings& settings)
     add("CGAL, doubles", cartesian, timing::Comparison{"filtered", {}});
     add("EPICK", epick, timing::Comparison{"filtered", {}});
     add("EPECK", epeck, timing::Comparison{"filtered", goal});
-    contest.contestants.push_back(prepared_epeck(queries, truth));
+    benchmark.candidates.push_back(prepared_epeck(queries, truth));
   }
-  return contest;
+  return benchmark;
 }
 
 }  // namespace

@@ -13,19 +13,19 @@
 
 namespace touchstone::harness {
 
-/// How a study is run: none of this changes what comes out.
+/// The control of a run. It does not affect the results.
 template <class State>
-struct Course {
+struct RunControl {
   const Processes& processes;
   const std::atomic<bool>& stop;
-  Progress progress;                                             ///< told how many items are done, of all
+  Progress progress;                                             ///< receives the number of finished items
   std::function<void(const State&)> save = [](const State&) {};  ///< every few seconds, at the first process
 };
 
-/// One that shows its progress on a line and is saved in a checkpoint; keeps references to all.
+/// Returns a control that shows progress on a line and saves to a checkpoint; keeps references to all arguments.
 template <class State>
-Course<State> course(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
-                     const Checkpoint& checkpoint) {
+RunControl<State> run_control(const Processes& processes, const std::atomic<bool>& stop, ProgressLine& line,
+                              const Checkpoint& checkpoint) {
   return {.processes = processes,
           .stop = stop,
           .progress = [&line](std::uint64_t done) { line(done); },

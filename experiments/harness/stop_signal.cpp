@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/harness/interrupt.h"
+#include "experiments/harness/stop_signal.h"
 
 #include <csignal>
 
@@ -18,15 +18,15 @@ extern "C" void request(int) {
 
 }  // namespace
 
-Interrupt::Interrupt() {
+StopSignal::StopSignal() {
   requested_once = false;
   for (const int signal : kSignals) std::signal(signal, request);
 }
 
-Interrupt::~Interrupt() {
+StopSignal::~StopSignal() {
   for (const int signal : kSignals) std::signal(signal, SIG_DFL);
 }
 
-const std::atomic<bool>& Interrupt::requested() const { return requested_once; }
+const std::atomic<bool>& StopSignal::requested() const { return requested_once; }
 
 }  // namespace touchstone::harness

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/methods/process/engine.h"
+#include "experiments/methods/process/engine_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,13 +17,13 @@
 namespace touchstone::methods {
 namespace {
 
-/// Rounded up; 0 where it is past.
-int milliseconds_until(Engine::Deadline deadline) {
+/// Returns the time until the deadline, rounded up; 0 if it has passed.
+int milliseconds_until(EngineProcess::Deadline deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
   return static_cast<int>(std::clamp<std::int64_t>(left, 0, std::numeric_limits<int>::max()));
 }
 
-/// Two descriptors that are closed where they are still here; -1 is none.
+/// Closes two descriptors that were not released; -1 means released.
 struct Ends {
   int* descriptors;
   ~Ends() {
@@ -34,9 +34,9 @@ struct Ends {
 
 }  // namespace
 
-// The input is a socket, not a pipe: writing to a program that has gone away is then an error for this call alone
-// (MSG_NOSIGNAL) and no signal for the whole process.
-Engine::Engine(const std::string& command) : input_(-1), output_(-1) {
+// The input is a socket, not a pipe: writing to a program that has ended then fails for this call only (MSG_NOSIGNAL)
+// and does not send a signal to the whole process.
+EngineProcess::EngineProcess(const std::string& command) : input_(-1), output_(-1) {
   int input[2], output[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot reach the engine");
@@ -48,13 +48,13 @@ Engine::Engine(const std::string& command) : input_(-1), output_(-1) {
   output_ = std::exchange(output[0], -1);
 }
 
-Engine::~Engine() {
+EngineProcess::~EngineProcess() {
   stop_reading();
   supervisor_.reset();
   close(input_);
 }
 
-bool Engine::send(const std::string& line) {
+bool EngineProcess::send(const std::string& line) {
   for (std::size_t sent = 0; sent < line.size();) {
     const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
     if (written < 0 && errno == EINTR) continue;
@@ -64,7 +64,7 @@ bool Engine::send(const std::string& line) {
   return true;
 }
 
-bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
+bool EngineProcess::send_by(Deadline deadline, const std::string& line, bool& late) {
   late = false;
   for (std::size_t sent = 0; sent < line.size();) {
     const ssize_t written = ::send(input_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -81,10 +81,11 @@ bool Engine::send_by(Deadline deadline, const std::string& line, bool& late) {
   return true;
 }
 
-void Engine::end_input() { shutdown(input_, SHUT_WR); }
+void EngineProcess::end_input() { shutdown(input_, SHUT_WR); }
 
-/// The first line of what is unread, whose first bytes, so many, have no end of a line. Drops one that is too long.
-std::optional<std::string> Engine::take_line(std::size_t& searched) {
+/// Takes the first line of the unread bytes, of which the first `searched` contain no line end. Drops a line that is
+/// too long.
+std::optional<std::string> EngineProcess::take_line(std::size_t& searched) {
   const std::size_t found = unread_.find('\n', received_ + searched);
   const std::size_t end = std::min(found, unread_.size());
   searched = end - received_;
@@ -100,7 +101,7 @@ std::optional<std::string> Engine::take_line(std::size_t& searched) {
   return line;
 }
 
-std::optional<std::string> Engine::receive() {
+std::optional<std::string> EngineProcess::receive() {
   std::size_t searched = 0;
   do {
     if (auto line = take_line(searched)) return line;
@@ -111,7 +112,7 @@ std::optional<std::string> Engine::receive() {
   return rest;
 }
 
-std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
+std::optional<std::string> EngineProcess::receive_by(Deadline deadline, bool& late) {
   late = false;
   for (std::size_t searched = 0;;) {
     if (auto line = take_line(searched)) return line;
@@ -120,11 +121,11 @@ std::optional<std::string> Engine::receive_by(Deadline deadline, bool& late) {
       late = true;
       return std::nullopt;
     }
-    if (!read_some()) return receive();  // what is left without the end of a line
+    if (!read_some()) return receive();  // the rest, without a line end
   }
 }
 
-bool Engine::drop_unread() {
+bool EngineProcess::drop_unread() {
   while (has_news(0) && read_some()) {
   }
   const bool any = received_ < unread_.size();
@@ -132,38 +133,38 @@ bool Engine::drop_unread() {
   return any;
 }
 
-/// Waits no longer than `milliseconds` (-1: for ever) for some of its output, or for its end, which it may share with
-/// others that hold the pipe open. Was there either?
-bool Engine::has_news(int milliseconds) const {
+/// Waits no longer than `milliseconds` (-1: forever) for output, or for the end of the program, even if other processes
+/// hold the pipe open. Returns whether either occurred.
+bool EngineProcess::has_news(int milliseconds) const {
   if (output_ < 0) return false;
   pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
                 {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
   return poll(news, 2, milliseconds) > 0;
 }
 
-bool Engine::read_ahead(std::size_t most) {
+bool EngineProcess::read_ahead(std::size_t most) {
   while (unread_.size() - received_ < most && has_news(0) && read_some()) {
   }
   return output_ >= 0 && unread_.size() - received_ >= most;
 }
 
-// A socket is reset by who closes it with something unread in it.
-bool Engine::left_unread() const {
+// Closing a socket with unread input resets the connection.
+bool EngineProcess::left_unread() const {
   char byte;
   return recv(input_, &byte, 1, MSG_DONTWAIT) < 0 && errno == ECONNRESET;
 }
 
-void Engine::stop_reading() {
+void EngineProcess::stop_reading() {
   if (output_ >= 0) close(output_);
   output_ = -1;
 }
 
-/// Waits for some of its output; false if there will be none.
-bool Engine::read_some() {
+/// Waits for output. Returns false if there will be no more.
+bool EngineProcess::read_some() {
   while (output_ >= 0 && !has_news(-1)) {
   }
   if (output_ < 0) return false;
-  // What it has printed before its end is there; whoever else holds the pipe, or the socket, is not waited for.
+  // The output before its end has arrived; other processes that hold the pipe or the socket are not waited for.
   if (supervisor_->ended_within(std::chrono::milliseconds(0))) {
     fcntl(output_, F_SETFL, O_NONBLOCK);
     end_input();
@@ -182,7 +183,7 @@ bool Engine::read_some() {
   return true;
 }
 
-std::optional<std::string> Engine::wait_within(std::chrono::milliseconds time) {
+std::optional<std::string> EngineProcess::wait_within(std::chrono::milliseconds time) {
   if (!supervisor_->ended_within(time)) return std::nullopt;
   return wait();
 }

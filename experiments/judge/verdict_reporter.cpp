@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/proceedings.h"
+#include "experiments/judge/verdict_reporter.h"
 
 #include <fmt/core.h>
 
@@ -8,84 +8,84 @@
 #include <exception>
 #include <system_error>
 
-#include "experiments/methods/process/interruption.h"
+#include "experiments/methods/process/engine_signals.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {
 
-/// The case, as complaints name it.
+/// Returns the name of the case in complaints.
 std::string name(const cases::Line& line) { return line.read->id ? "case " + io::legible(*line.read->id) : line.place; }
 
 }  // namespace
 
-void Proceedings::complain(const std::string& sentence) {
+void VerdictReporter::complain(const std::string& sentence) {
   fmt::print(order_.complaints, "{}\n", io::all_legible(sentence));
 }
 
-void Proceedings::worsen(Status status) { status_ = std::max(status_, status); }
+void VerdictReporter::worsen(Status status) { status_ = std::max(status_, status); }
 
-void Proceedings::give_rejection(const cases::Line& line) {
-  const cases::Case& question = *line.read;
-  Rejection rejection = std::get<Rejection>(question.content);
+void VerdictReporter::report_rejection(const cases::Line& line) {
+  const cases::Case& given = *line.read;
+  Rejection rejection = std::get<Rejection>(given.content);
   const std::string reason = rejection.message;
-  if (!question.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
-  const bool expected = question.expected && question.expected->contains("error");
+  if (!given.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
+  const bool expected = given.expected && given.expected->contains("error");
   const auto give = [&](std::string_view method) {
-    const cases::Verdict verdict = cases::verdict_of(question.id, method, rejection);
+    const cases::Verdict verdict = cases::verdict_of(given.id, method, rejection);
     print(verdict);
     if (expected) compare(line, verdict);
   };
   for (const auto* method : order_.methods) give(method->name());
   if (!order_.engine.empty()) give(order_.engine);
   if (expected) return;
-  complain(fmt::format("{}{}: rejected: {}: {}", line.place, question.id ? ": " + name(line) : "", word(rejection.code),
+  complain(fmt::format("{}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "", word(rejection.code),
                        reason));
   worsen(InputRejected);
 }
 
-void Proceedings::give_own(const cases::Line& line) {
-  const cases::Case& question = *line.read;
-  if (std::holds_alternative<Rejection>(question.content)) {
-    give_rejection(line);
+void VerdictReporter::report_own_methods(const cases::Line& line) {
+  const cases::Case& given = *line.read;
+  if (std::holds_alternative<Rejection>(given.content)) {
+    report_rejection(line);
     return;
   }
-  const auto& [ball, polygon] = std::get<cases::Shapes>(question.content);
+  const auto& [ball, polygon] = std::get<cases::Shapes>(given.content);
   for (const auto* method : order_.methods) {
     cases::PartialAnswer answer;
     try {
-      answer = method->prepare(polygon)->ask(ball, cases::Question::Answer);
-    } catch (const std::exception& error) {  // of another's engine, which others' verdicts shall not suffer from
+      answer = method->prepare(polygon)->ask(ball, cases::QueryKind::Answer);
+    } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
-    cases::Verdict verdict = cases::verdict_of(*question.id, method->name(), answer);
+    cases::Verdict verdict = cases::verdict_of(*given.id, method->name(), answer);
     if (order_.explain) explain(verdict, answer, ball.radius);
     print(verdict);
     compare(line, verdict);
   }
 }
 
-bool Proceedings::give_reply(const cases::Line& line, const Reply& reply) {
+bool VerdictReporter::report_reply(const cases::Line& line, const Reply& reply) {
   const bool is_verdict = reply.id == line.read->id && reply.answer;
   if (!is_verdict) blame_engine(line, reply);
-  give_answer(line, is_verdict ? *reply.answer : cases::Verdict::object());
+  report_answer(line, is_verdict ? *reply.answer : cases::Verdict::object());
   return is_verdict;
 }
 
-void Proceedings::give_no_reply(const cases::Line& line) { give_answer(line, cases::Verdict::object()); }
+void VerdictReporter::report_missing_reply(const cases::Line& line) { report_answer(line, cases::Verdict::object()); }
 
-void Proceedings::blame_engine(const cases::Line& line, const Reply& reply) {
+void VerdictReporter::blame_engine(const cases::Line& line, const Reply& reply) {
   blame_engine(line, "not a verdict on this case: " + reply.echo);
 }
 
-void Proceedings::blame_engine(const cases::Line& line, const std::string& reason) {
+void VerdictReporter::blame_engine(const cases::Line& line, const std::string& reason) {
   complain(fmt::format("{}: method {}: {}", name(line), order_.engine, reason));
   worsen(ExpectationNotMet);
 }
 
-/// What the engine answers; nothing where it gives no verdict.
-void Proceedings::give_answer(const cases::Line& line, const cases::Verdict& answer) {
+/// Reports the answer of the engine; an empty object if it gave no verdict.
+void VerdictReporter::report_answer(const cases::Line& line, const cases::Verdict& answer) {
   cases::Verdict verdict = cases::Verdict::object();
   verdict["id"] = *line.read->id;
   verdict["method"] = order_.engine;
@@ -94,16 +94,16 @@ void Proceedings::give_answer(const cases::Line& line, const cases::Verdict& ans
   compare(line, verdict);
 }
 
-void Proceedings::print(const cases::Verdict& verdict) {
+void VerdictReporter::print(const cases::Verdict& verdict) {
   const std::string line = cases::to_line(verdict);
-  const methods::Writing whole;
+  const methods::DeferSignals whole;
   const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();
   if (!written || std::fflush(order_.verdicts) != 0)
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
 }
 
-/// Holds a verdict against what the case expects.
-void Proceedings::compare(const cases::Line& line, const cases::Verdict& verdict) {
+/// Compares a verdict with the expectation of the case.
+void VerdictReporter::compare(const cases::Line& line, const cases::Verdict& verdict) {
   if (!line.read->expected) return;
   for (const std::string& difference : cases::differences(*line.read->expected, verdict)) {
     complain(fmt::format("{}: method {}: {}", name(line), verdict["method"].get<std::string>(), difference));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/waiting.h"
+#include "experiments/judge/pending_cases.h"
 
 #include <utility>
 
@@ -7,14 +7,14 @@ namespace touchstone::judge {
 
 namespace {
 
-/// The id of a case about which the engine is asked.
-std::optional<std::string> asked_id(const Waiting::Entry& entry) {
+/// Returns the id of a case that was sent to the engine.
+std::optional<std::string> asked_id(const PendingCases::Entry& entry) {
   return entry.sent && entry.line.read ? entry.line.read->id : std::nullopt;
 }
 
 }  // namespace
 
-bool Waiting::push(Entry&& entry) {
+bool PendingCases::push(Entry&& entry) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return room(); });
   if (abandoned_) return false;
@@ -24,33 +24,33 @@ bool Waiting::push(Entry&& entry) {
   return true;
 }
 
-bool Waiting::has_room() {
+bool PendingCases::has_room() {
   const std::lock_guard lock(mutex_);
   return room();
 }
 
-void Waiting::close() {
+void PendingCases::close() {
   const std::lock_guard lock(mutex_);
   closed_ = true;
   changed_.notify_all();
 }
 
-void Waiting::stop_growing() {
+void PendingCases::stop_growing() {
   const std::lock_guard lock(mutex_);
   may_grow_ = false;
 }
 
-bool Waiting::wait_for(std::chrono::milliseconds time) {
+bool PendingCases::wait_for(std::chrono::milliseconds time) {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, time, [this] { return has_news(); });
 }
 
-bool Waiting::is_asked(const std::string& id) {
+bool PendingCases::is_asked(const std::string& id) {
   const std::lock_guard lock(mutex_);
   return asked_.contains(id);
 }
 
-std::optional<Waiting::Entry> Waiting::pop() {
+std::optional<PendingCases::Entry> PendingCases::pop() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return has_news(); });
   if (entries_.empty()) return std::nullopt;
@@ -61,13 +61,13 @@ std::optional<Waiting::Entry> Waiting::pop() {
   return entry;
 }
 
-void Waiting::await_reply(bool awaiting) {
+void PendingCases::await_reply(bool awaiting) {
   const std::lock_guard lock(mutex_);
   awaiting_reply_ = awaiting;
   changed_.notify_all();
 }
 
-void Waiting::abandon() {
+void PendingCases::abandon() {
   const std::lock_guard lock(mutex_);
   abandoned_ = true;
   changed_.notify_all();

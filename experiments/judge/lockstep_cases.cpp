@@ -6,22 +6,22 @@
 #include <variant>
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/judge/engine_trial.h"
-#include "experiments/judge/proceedings.h"
-#include "experiments/methods/process/engine.h"
+#include "experiments/judge/stream_cases.h"
+#include "experiments/judge/verdict_reporter.h"
+#include "experiments/methods/process/engine_process.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::judge {
 namespace {
 
-/// An engine that is started when it is first asked, and anew after it has failed.
-class Restarted {
+/// An engine that is started for the first case, and restarted after a failure.
+class SupervisedEngine {
  public:
-  explicit Restarted(const Order& order) : order_(order) {}
-  ~Restarted() { stop(); }
+  explicit SupervisedEngine(const Order& order) : order_(order) {}
+  ~SupervisedEngine() { stop(); }
 
-  /// Its reply to one case; nothing, and why, where there is none. One that had ended before it read the case is
-  /// started anew and asked again: `ended_before` says how it ended, where not well.
+  /// Returns its reply to one case, or nothing and a reason. An engine that had ended before it read the case is
+  /// restarted and gets the case again; `ended_before` then says how it ended, unless with exit status 0.
   std::optional<std::string> ask(const std::string& line, std::string& reason, std::string& ended_before) {
     for (;;) {
       const bool fresh = !engine_;
@@ -38,7 +38,7 @@ class Restarted {
         return std::nullopt;
       }
       if (engine_->too_long()) {
-        reason = methods::Engine::kTooLong;
+        reason = methods::EngineProcess::kTooLong;
         stop();
         return std::nullopt;
       }
@@ -54,20 +54,20 @@ class Restarted {
     }
   }
 
-  /// Has it printed more than one line for the last case? Then it is ended, and what it printed is forgotten.
+  /// Returns whether it has printed more than one line for the last case. If so, ends it and discards its output.
   [[nodiscard]] bool has_surplus() {
     const bool surplus = engine_ && engine_->drop_unread();
     if (surplus) stop();
     return surplus;
   }
 
-  /// Ends it; the next case starts it anew.
+  /// Ends it; the next case restarts it.
   void stop() {
     if (engine_) engine_->kill();
     engine_.reset();
   }
 
-  /// How it ended, once it has nothing more to read; it has the time limit for that.
+  /// Closes its input and returns how it ended; it has the time limit to end.
   [[nodiscard]] std::string end() {
     if (!engine_) return {};
     engine_->end_input();
@@ -86,12 +86,12 @@ class Restarted {
  private:
   static constexpr const char* kWell = "ended";
 
-  [[nodiscard]] methods::Engine::Deadline in_time() const {
+  [[nodiscard]] methods::EngineProcess::Deadline in_time() const {
     return std::chrono::steady_clock::now() + *order_.time_limit;
   }
 
-  /// Of one that has closed its output, or will be read no more: it has the time limit to end.
-  [[nodiscard]] std::string ending_of(methods::Engine& engine) const {
+  /// Returns how an engine ended that has closed its output or will not be read any more; it has the time limit to end.
+  [[nodiscard]] std::string ending_of(methods::EngineProcess& engine) const {
     engine.stop_reading();
     const auto ending = engine.wait_within(*order_.time_limit);
     if (!ending) {
@@ -102,50 +102,50 @@ class Restarted {
   }
 
   const Order& order_;
-  std::optional<methods::Engine> engine_;
+  std::optional<methods::EngineProcess> engine_;
 };
 
 }  // namespace
 
-Status judge_one_by_one(const Order& order) {
-  Proceedings proceedings(order);
-  Restarted engine(order);
-  std::optional<cases::Line> last;  // that the engine was asked about
+Status judge_in_lockstep(const Order& order) {
+  VerdictReporter reporter(order);
+  SupervisedEngine engine(order);
+  std::optional<cases::Line> last;  // the last case that the engine got
   const auto complain_of_surplus = [&] {
-    if (engine.has_surplus()) proceedings.blame_engine(*last, "printed more than a line");
+    if (engine.has_surplus()) reporter.blame_engine(*last, "printed more than a line");
   };
   cases::read_lines(order.files, [&](cases::Line&& line) {
     complain_of_surplus();
     if (!line.read) {
-      proceedings.complain(line.complaint);
-      proceedings.worsen(InputRejected);
+      reporter.complain(line.complaint);
+      reporter.worsen(InputRejected);
       return true;
     }
-    proceedings.give_own(line);
+    reporter.report_own_methods(line);
     if (std::holds_alternative<Rejection>(line.read->content)) return true;
     last = std::move(line);
     std::string reason, ended_before;
     const auto text = engine.ask(last->text, reason, ended_before);
     if (!ended_before.empty()) {
-      proceedings.complain(
+      reporter.complain(
           fmt::format("engine {}: {} before case {}", order.engine, ended_before, io::legible(*last->read->id)));
-      proceedings.worsen(ExpectationNotMet);
+      reporter.worsen(ExpectationNotMet);
     }
     if (!text) {
-      proceedings.blame_engine(*last, reason);
-      proceedings.give_no_reply(*last);
+      reporter.blame_engine(*last, reason);
+      reporter.report_missing_reply(*last);
       return true;
     }
-    // Once out of step, it would be so about every later case.
-    if (!proceedings.give_reply(*last, read_reply(*text))) engine.stop();
+    // An engine that is out of step would remain so for every later case.
+    if (!reporter.report_reply(*last, read_reply(*text))) engine.stop();
     return true;
   });
   complain_of_surplus();
   if (const std::string ending = engine.end(); !ending.empty()) {
-    proceedings.complain(fmt::format("engine {}: {}", order.engine, ending));
-    proceedings.worsen(ExpectationNotMet);
+    reporter.complain(fmt::format("engine {}: {}", order.engine, ending));
+    reporter.worsen(ExpectationNotMet);
   }
-  return proceedings.status();
+  return reporter.status();
 }
 
 }  // namespace touchstone::judge

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace touchstone::timing {
+
+/// The target for the ratio of two times: at most `ratio`, or at least.
+struct Goal {
+  double ratio;
+  bool at_most = true;
+
+  [[nodiscard]] bool met_by(double value) const { return at_most ? value <= ratio : value >= ratio; }
+};
+
+/// The candidate with whose time a candidate's time is compared, and the target.
+struct Comparison {
+  std::string base;
+  std::optional<Goal> goal;
+};
+
+/// A candidate: one way of answering queries.
+struct Candidate {
+  std::string name;
+  std::size_t queries;
+  /// Answers the first n queries. Returns a sum of the answers, so that no answer is optimised away.
+  std::function<std::uint64_t(std::size_t)> ask;
+  /// Returns the number of wrong answers among the first n; not timed. Empty if there are no wrong answers.
+  std::function<std::size_t(std::size_t)> count_wrong;
+  /// Prepares for the first n queries; not timed. May be empty.
+  std::function<void(std::size_t)> before;
+  std::optional<Comparison> comparison;
+  /// The maximal number of answers checked, for candidates whose check is costly.
+  std::size_t most_checked = std::numeric_limits<std::size_t>::max();
+};
+
+/// A benchmark: candidates that answer the same queries.
+struct Benchmark {
+  std::string name;            ///< within its family; empty if it is the only one
+  std::string note;            ///< a description of the drawn queries
+  std::string unit = "query";  ///< the name of one repeated item
+  std::size_t checked = 0;     ///< the number of answers of each candidate that are compared with `exact`
+  std::string pool;            ///< benchmarks of a family with the same non-empty pool are also reported together
+  std::vector<Candidate> candidates;
+};
+
+/// Returns a candidate that applies `ask` to a list of queries and compares the first answers with `truths`.
+template <class Query, class Truth, class Ask>
+Candidate candidate(std::string name, std::shared_ptr<const std::vector<Query>> queries,
+                    std::shared_ptr<const std::vector<Truth>> truths, Ask ask,
+                    std::optional<Comparison> comparison = std::nullopt) {
+  const std::size_t size = queries->size();
+  const auto sum_of_answers = [queries, ask](std::size_t count) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += static_cast<std::uint64_t>(ask((*queries)[i]));
+    return sum;
+  };
+  const auto count_wrong = [queries, truths, ask](std::size_t count) {
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (ask((*queries)[i]) != (*truths)[i]) ++wrong;
+    return wrong;
+  };
+  return {std::move(name), size, sum_of_answers, count_wrong, {}, std::move(comparison)};
+}
+
+}  // namespace touchstone::timing

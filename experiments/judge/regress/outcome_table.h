@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/cases/method.h"
+#include "experiments/harness/blocks.h"
+#include "experiments/workloads/workload.h"
+
+/// The outcome of each method for each case, so that a changed answer is noticed.
+namespace touchstone::regress {
+
+/// The radii of a case: the double nearest to the exact distance, itself and times 1 + 2^-k and 1 - 2^-k for each of
+/// these k.
+inline constexpr std::array kExponents{8, 16, 20, 24, 28, 32, 36, 40, 43, 46, 48, 49, 50, 51, 52};
+inline constexpr std::size_t kRadii = 2 * kExponents.size() + 1;
+inline constexpr std::array kPlaces{workloads::BallPlace::NearFace, workloads::BallPlace::NearEdge,
+                                    workloads::BallPlace::NearVertex};
+
+inline constexpr std::size_t kMostSamples = 100'000;
+
+struct Settings {
+  std::uint64_t seed = 2026;
+  std::size_t samples = 30;  ///< of each family and place, at most kMostSamples
+  [[nodiscard]] std::size_t cases() const { return kPlaces.size() * samples * kRadii; }  ///< of each family
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// Draws case number `n` of a family: a function of (settings, family, n) alone. The 2 kExponents.size() + 1 radii of
+/// one ball and polygon follow each other, in ascending order.
+[[nodiscard]] workloads::Sample draw_case(const Settings& settings, workloads::Family family, std::size_t n);
+/// Returns the relative offset of the radius from the distance, as k of 2^-k; nothing at the distance itself.
+[[nodiscard]] std::optional<int> exponent_of(std::size_t n);
+
+/// Returns whether the method decides contact at all, or reports that it is unsure.
+[[nodiscard]] bool answers(const cases::Method& method);
+
+/// The outcome of comparing a yes or no with the exact one; Unsure if the method gives none. Each outcome is better
+/// than those after it.
+enum class Outcome : char { Right, Unsure, Wrong };
+/// The outcomes of one family, case by case.
+using Outcomes = std::vector<Outcome>;
+/// Outcomes by the name of the method, then by family.
+using OutcomeTable = std::map<std::string, std::map<std::string, Outcomes>>;
+
+/// Queries every method about every case; each method must satisfy `answers`. The truth is that of `filtered`, and of
+/// `exact` for each case in which a method differs. Throws std::logic_error, which names the case, if these two differ.
+/// The result does not depend on the number of threads; it is nothing if `stop` became true. `progress` receives the
+/// number of finished blocks, out of `blocks_of(settings)`.
+[[nodiscard]] std::optional<OutcomeTable> find_outcomes(const Settings& settings,
+                                                        const std::vector<const cases::Method*>& methods,
+                                                        unsigned threads, const std::atomic<bool>& stop,
+                                                        const harness::Progress& progress);
+[[nodiscard]] std::uint64_t blocks_of(const Settings& settings);
+
+/// The summary of a method for a family.
+struct Summary {
+  std::size_t wrong = 0, unsure = 0, cases = 0;
+  std::optional<int>
+      first;  ///< the least k of 2^-k at which it is wrong; nothing if it is wrong at most at the distance
+};
+[[nodiscard]] Summary summary_of(const Outcomes& outcomes);
+
+}  // namespace touchstone::regress

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "experiments/methods/process/supervisor.h"
+
+namespace touchstone::methods {
+
+/// An external program that reads cases on its standard input and prints verdicts on its standard output, one per line
+/// and in the same order. One thread may send lines while another receives.
+class EngineProcess {
+ public:
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
+  static constexpr const char* kTooLong = "printed a line longer than 64 MiB";
+  using Deadline = std::chrono::steady_clock::time_point;
+
+  /// Starts `command` in a shell. None of its processes outlives this one (see Supervisor). Throws std::system_error if
+  /// no process can be created.
+  explicit EngineProcess(const std::string& command);
+  EngineProcess(const EngineProcess&) = delete;
+  EngineProcess& operator=(const EngineProcess&) = delete;
+  /// Kills the program and the processes that it has started.
+  ~EngineProcess();
+
+  /// Sends a line. Returns false if the program no longer reads.
+  bool send(const std::string& line);
+  /// The same, but waits no longer than until `deadline`. Returns false, with `late` true, if the program has not read
+  /// the whole line by then.
+  bool send_by(Deadline deadline, const std::string& line, bool& late);
+  /// Closes the input of the program.
+  void end_input();
+  /// Returns the next printed line, without its end; nothing if the program has ended or closed its output, or prints a
+  /// line longer than kLongestLine, after which nothing more is read.
+  [[nodiscard]] std::optional<std::string> receive();
+  /// The same, but waits no longer than until `deadline`. Returns nothing, with `late` true, if there was no complete
+  /// line by then.
+  [[nodiscard]] std::optional<std::string> receive_by(Deadline deadline, bool& late);
+  /// Returns whether the program has printed a line longer than kLongestLine.
+  [[nodiscard]] bool too_long() const { return too_long_; }
+  /// Discards the output printed so far that was not received. Returns whether there was a line.
+  [[nodiscard]] bool drop_unread();
+  /// Buffers the output printed so far, without waiting. Returns whether the buffer holds at least `most` bytes that
+  /// were not received.
+  [[nodiscard]] bool read_ahead(std::size_t most);
+  /// Stops reading. The signal SIGPIPE ends a program that continues to print.
+  void stop_reading();
+  /// Kills the program and the processes that it has started.
+  void kill() { supervisor_->kill(); }
+  /// Returns whether a program that has ended left sent lines unread.
+  [[nodiscard]] bool left_unread() const;
+  /// Waits for the end of the program and kills the processes that it left behind. Returns how it ended, such as `exit
+  /// status 3` or `signal 11`; empty for exit status 0.
+  [[nodiscard]] std::string wait() { return supervisor_->wait(); }
+  /// The same, but waits no longer than `time`. Returns nothing if the program has not ended by then.
+  [[nodiscard]] std::optional<std::string> wait_within(std::chrono::milliseconds time);
+
+ private:
+  bool read_some();
+  [[nodiscard]] bool has_news(int milliseconds) const;
+  [[nodiscard]] std::optional<std::string> take_line(std::size_t& searched);
+
+  int input_, output_;  ///< output_ is -1 when reading has stopped
+  std::optional<Supervisor> supervisor_;
+  std::string unread_;  ///< the buffer; the bytes before received_ were received
+  std::size_t received_ = 0;
+  bool too_long_ = false;
+};
+
+}  // namespace touchstone::methods
