@@ -43,7 +43,7 @@ struct SceneResult {
   std::string kind;
   std::size_t triangles;
   std::vector<Build> builds;
-  std::vector<SceneContest> contests;
+  std::vector<SceneBenchmark> benchmarks;
   std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
 };
 

@@ -13,6 +13,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/harness/stop_signal.h"
 #include "experiments/harness/table.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/output.h"
@@ -184,7 +185,7 @@ class Run {
       fmt::print("{} was compared with exact for {} balls: {} differences.\n", options_.truth, result_.checked,
                  result_.disagreements.count());
     harness::flush_standard_output();
-    if (interrupt_.requested()) {
+    if (stop_signal_.requested()) {
       fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
                  options_.output, result_.samples, settings_.samples);
       return harness::kInterrupted;

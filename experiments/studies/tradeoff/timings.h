@@ -21,7 +21,7 @@ enum class Balls {
 inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
 [[nodiscard]] std::string_view word(Balls balls);
 
-inline constexpr std::array kTimedQuestions{cases::QueryKind::Contact, cases::QueryKind::Answer};
+inline constexpr std::array kTimedKinds{cases::QueryKind::Contact, cases::QueryKind::Answer};
 /// Requires one of these two.
 [[nodiscard]] std::string_view word(cases::QueryKind question);
 
