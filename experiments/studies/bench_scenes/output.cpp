@@ -116,12 +116,12 @@ std::string scene_legend() {
   return R"(
 Each library builds the scene, with one thread, and all take turns in every repetition, each about the first so many
 ("asked") of the same balls: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions,
-+- half the distance of the timing::quartiles or (timing::quartiles); a ratio is one of times in the same repetition.
++- half the distance of the quartiles or (quartiles); a ratio is one of times in the same repetition.
 Balls: near, within two radii along each axis of a random point of a random triangle; anywhere in the scene's box;
 touching, as near, but with the double that is nearest to the exact distance as the radius.
 Embree and the R-tree find boxes; fast, careful plain doubles, then asks the triangles, Ericson's closest point which
 is nearest. CGAL, FCL and Bullet ask their own; CGAL (EPICK) means the ball's surface, Bullet knows no nearest.
-timing::Wrong: answers that differ from those of Scene. Those of Scene: what differs from exact, asked triangle by triangle. A
+Wrong: answers that differ from those of Scene. Those of Scene: what differs from exact, asked triangle by triangle. A
 nearest triangle is right where its distance, correctly rounded, is the least. Not timed.
 Memory: what malloc handed out, or, of Embree, what it says itself, with its copy of the triangles in floats; the
 triangles that were given are not counted.
