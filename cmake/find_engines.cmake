@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Contact engines of other projects: methods, and candidates of the study of scenes. Each that is found becomes a target
+# Contact engines of other projects: methods, and candidates of the study bench_scenes. Each that is found becomes a target
 # engine::NAME and an entry of `engines_found`; the program names those that it was built without.
 set(engines_found "")
 
@@ -7,7 +7,6 @@ set(engines_found "")
 function(find_engine name header)
   cmake_parse_arguments(PARSE_ARGV 2 engine "" "FOLDER" "LIBRARIES")
   find_path(${name}_HEADERS ${header} PATH_SUFFIXES ${engine_FOLDER})
-  set(found ${${name}_HEADERS})
   set(libraries "")
   foreach(library ${engine_LIBRARIES})
     find_library(${name}_${library} ${library})

@@ -2,7 +2,7 @@
 # touchstone_room(NAME [STANDS_ON ROOM...] [OPTIMISED] SOURCES FILE...)
 #
 # A room of experiments/: one folder, one library touchstone_NAME of the files that are listed. Its files may include
-# headers of the rooms that it stands on, and no others; tests/system/rooms holds the includes to this. A room of which
+# headers of the rooms that it stands on, and no others; tests/system/rooms.py holds the includes to this. A room of which
 # nothing is timed is compiled quickly, at -O1; OPTIMISED ones at the level of the build type.
 function(touchstone_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "OPTIMISED" "" "STANDS_ON;SOURCES")

@@ -22,7 +22,7 @@ const std::string kProgram = "touchstone";
 struct Declared {
   std::string name;
   const CLI::Option* option;
-  bool has_default;
+  bool has_default, takes_value;
   std::function<std::vector<std::string>()> words;
 };
 
@@ -31,7 +31,8 @@ bool is_positional(const std::string& name) { return !name.starts_with("--"); }
 /// Returns a word of a shell command, quoted only if needed.
 std::string quoted_where_needed(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789,.:/_=+-";
-  return word.find_first_not_of(kPlain) == std::string::npos ? word : shell_quoted(word);
+  const bool is_plain = !word.empty() && word.find_first_not_of(kPlain) == std::string::npos;
+  return is_plain ? word : shell_quoted(word);
 }
 
 /// Returns the shortest text that reads back as the same number.
@@ -78,7 +79,7 @@ std::string Command::Parts::line() const {
     for (const std::string& word : declared.words()) {
       std::string& text = is_positional(declared.name) ? line : options_text;
       if (!is_positional(declared.name)) text += " " + declared.name;
-      if (!word.empty()) text += " " + quoted_where_needed(word);
+      if (declared.takes_value) text += " " + quoted_where_needed(word);
     }
   }
   return line + options_text;
@@ -119,8 +120,8 @@ CLI::App& Command::app() const { return *parts_->app; }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& about) {
   CLI::Option* option = app().add_flag(name, value, about);
-  parts_->options.push_back(
-      {name, option, true, [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
+  parts_->options.push_back({name, option, true, false,
+                             [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
   return {app(), *option};
 }
 
@@ -129,15 +130,14 @@ Option Command::text(const std::string& name, std::string& value, const std::str
   const bool has_default = !value.empty();
   if (has_default) option->capture_default_str();
   if (check) option->check(check);
-  parts_->options.push_back({name, option, has_default,
-                             [&value] { return value.empty() ? std::vector<std::string>{} : std::vector{value}; }});
+  parts_->options.push_back({name, option, has_default, true, [&value] { return std::vector{value}; }});
   return {app(), *option};
 }
 
 Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                        const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->check(CLI::IsMember(words))->capture_default_str();
-  parts_->options.push_back({name, option, true, [&value] { return std::vector{value}; }});
+  parts_->options.push_back({name, option, true, true, [&value] { return std::vector{value}; }});
   return {app(), *option};
 }
 
@@ -149,7 +149,7 @@ Option Command::word_option(const std::string& name, const std::function<std::st
     return true;
   };
   CLI::Option* option = app().add_option(name, assign, about, true, get)->check(CLI::IsMember(words));
-  parts_->options.push_back({name, option, true, [get] { return std::vector{get()}; }});
+  parts_->options.push_back({name, option, true, true, [get] { return std::vector{get()}; }});
   return {app(), *option};
 }
 
@@ -157,7 +157,7 @@ Option Command::names(const std::string& name, std::vector<std::string>& values,
   CLI::Option* option = app().add_option(name, values, about)->delimiter(',')->allow_extra_args(false);
   const bool has_default = !values.empty();
   if (has_default) option->capture_default_str();
-  parts_->options.push_back({name, option, has_default, [&values] {
+  parts_->options.push_back({name, option, has_default, true, [&values] {
                                return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)};
                              }});
   return {app(), *option};
@@ -168,7 +168,7 @@ Option Command::texts(const std::string& name, std::vector<std::string>& values,
   CLI::Option* option = app().add_option(name, values, about);
   if (!is_positional(name)) option->allow_extra_args(false);
   if (check) option->check(check);
-  parts_->options.push_back({name, option, false, [&values] { return values; }});
+  parts_->options.push_back({name, option, false, true, [&values] { return values; }});
   return {app(), *option};
 }
 
@@ -185,13 +185,13 @@ Option Command::whole_number_option(const std::string& name, const std::function
   const bool has_default = get() >= lowest && get() <= highest;
   CLI::Option* option = app().add_option(name, assign, about, has_default, [get] { return std::to_string(get()); });
   option->type_name("UINT")->check(whole_number(lowest, highest), "");
-  parts_->options.push_back({name, option, has_default, [get] { return std::vector{std::to_string(get())}; }});
+  parts_->options.push_back({name, option, has_default, true, [get] { return std::vector{std::to_string(get())}; }});
   return {app(), *option};
 }
 
 Option Command::integer(const std::string& name, int& value, const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->capture_default_str();
-  parts_->options.push_back({name, option, true, [&value] { return std::vector{std::to_string(value)}; }});
+  parts_->options.push_back({name, option, true, true, [&value] { return std::vector{std::to_string(value)}; }});
   return {app(), *option};
 }
 
@@ -200,7 +200,7 @@ Option Command::real(const std::string& name, double& value, const std::string& 
   CLI::Option* option = app().add_option(name, value, about);
   if (has_default) option->capture_default_str();
   option->check(real_number(lowest, highest), "");
-  parts_->options.push_back({name, option, has_default, [&value] { return std::vector{shortest(value)}; }});
+  parts_->options.push_back({name, option, has_default, true, [&value] { return std::vector{shortest(value)}; }});
   return {app(), *option};
 }
 

@@ -80,6 +80,8 @@ TEST(Command, ItsLineRepeatsTheRun) {
       {{"--file", "it's", "--step", "1"}, "--file 'it'\\''s'"},
       {{"--quick"}, "--quick"},
       {{"--output", "elsewhere"}, "--output elsewhere"},
+      {{"--output", ""}, "--output ''"},
+      {{"--set", "", "--quick"}, "--set '' --quick"},
       {{"--resume"}, "--resume"},
       {{"m.obj", "my mesh.obj"}, "measure m.obj 'my mesh.obj' --seed"}};
   for (const auto& [arguments, expected] : given) {
