@@ -17,30 +17,30 @@
 
 namespace touchstone::harness {
 
-/// A text that is not what was archived.
+/// An error: the text does not hold the value that is read from it.
 class DamagedArchive : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The values of a study's state, one after the other, as text: what a checkpoint holds and what processes send.
+/// The values of a study's state as text, one after the other. Checkpoints hold such texts, and processes send them.
 ///
-/// The same function writes and reads: `pass(value)` appends the value to a new archive, or takes it from one that was
-/// made of a text. A type takes part if it is a number, an enumerator, a string, an optional, array, vector, map, pair
-/// or tuple of such types, or if it has a function `members()` that returns std::tie of its members. Doubles come back
-/// with the same bits, NaN payloads apart.
+/// The same function writes and reads: `pass(value)` appends the value to a new archive, or takes it from an archive
+/// that was constructed from a text. It accepts numbers, enumerators, strings; optionals, arrays, vectors, maps, pairs
+/// and tuples of accepted types; and types with a function `members()` that returns std::tie of their members. Doubles
+/// keep their bits; only the payload of a NaN is lost. Boost.Serialization is not used: its texts lose infinities.
 class Archive {
  public:
   Archive() = default;
   explicit Archive(std::string text) : text_(std::move(text)), reading_(true) {}
 
-  /// Throws DamagedArchive where the text has no such value.
+  /// Throws DamagedArchive if the text does not hold such a value here.
   template <class T>
   void pass(T& value);
 
-  /// What was written.
+  /// Returns the values written so far.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Throws DamagedArchive where something is left to be read.
+  /// Throws DamagedArchive if anything is left to read.
   void expect_end() const;
 
  private:
@@ -136,7 +136,7 @@ void Archive::pass(T& value) {
   }
 }
 
-/// The value as text.
+/// Returns the value as text.
 template <class T>
 [[nodiscard]] std::string archived(T value) {
   Archive archive;
@@ -144,7 +144,7 @@ template <class T>
   return archive.text();
 }
 
-/// The value of a text that `archived` made. Throws DamagedArchive.
+/// Reads the value from a text that `archived` returned. Throws DamagedArchive for any other text.
 template <class T>
 void restore(const std::string& text, T& value) {
   Archive archive(text);

@@ -12,27 +12,27 @@
 
 namespace touchstone::harness {
 
-/// Everything that results depend on: the values of options by their names (without dashes), and a version, which is
-/// raised where sample n of a seed becomes another one, or a state's form or meaning changes.
+/// Everything that results depend on: the values of options by their names (without dashes), and a version. The version
+/// is raised when sample n of a seed changes, or when the form or the meaning of a state changes.
 struct ResultSettings {
   int version;
   std::vector<std::pair<std::string, std::string>> options;
 };
 
-/// The state of a long run, in a file that always holds one whole state. States are archived; items_done(state), found
-/// by its argument, returns how much of the run a state holds.
+/// The state of a long run, in a file that always holds one complete state. A state is written as an Archive; a
+/// function items_done(state) in its namespace returns how many items it covers.
 class Checkpoint {
  public:
   Checkpoint(std::filesystem::path path, ResultSettings settings)
       : path_(std::move(path)), settings_(std::move(settings)) {}
 
-  /// Throws std::runtime_error, which names the file, where it cannot be written.
+  /// Throws std::runtime_error, which names the file, if it cannot be written.
   template <class State>
   void write(const State& state) const {
     write_text(items_done(state), archived(state));
   }
 
-  /// Returns the state to continue with, or nothing where there is no file yet. Throws std::runtime_error for a file
+  /// Returns the state to continue with, or nothing if there is no file yet. Throws std::runtime_error for a file
   /// that is damaged, of another version, or of other settings: it names those that differ.
   template <class State>
   [[nodiscard]] std::optional<State> read(State state) const {
@@ -46,8 +46,8 @@ class Checkpoint {
     }
   }
 
-  /// Renames an existing file to the same name with `.previous`: a new run loses no other. Returns whether there was
-  /// one. Throws std::runtime_error, which names the file, where that cannot be done.
+  /// Renames an existing file to the same name with `.previous`: a new run overwrites no earlier one. Returns whether
+  /// there was one. Throws std::runtime_error, which names the file, if that fails.
   bool set_aside() const;
 
   /// Throws std::runtime_error, which names the file, if the checkpoint holds more items than requested.

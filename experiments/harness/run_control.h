@@ -32,10 +32,10 @@ RunControl<State> run_control(const Processes& processes, const std::atomic<bool
           .save = [&checkpoint](const State& now) { checkpoint.write(now); }};
 }
 
-/// What a run begins with: `zero`, or at the first process, where `resume` is asked for, what the checkpoint holds. The
-/// first process's checkpoint then holds it; one that stood there and is not gone on from is set aside, and stderr says
-/// so. Throws as Checkpoint does, and std::runtime_error where it holds more than the `asked` items, as
-/// items_done(state) tells.
+/// Returns the state from which a run begins: `zero`, or what the checkpoint of the first process holds if `resume` is
+/// true. The first process then writes this state to its checkpoint. Without `resume` it renames an existing checkpoint
+/// first, and says so on stderr. Throws as Checkpoint does, and std::runtime_error if the checkpoint holds more than
+/// `asked` items, as items_done(state) counts them.
 template <class State>
 State begin(const Checkpoint& checkpoint, const Processes& processes, bool resume, std::uint64_t asked, State zero) {
   if (!processes.first()) return zero;

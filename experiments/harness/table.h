@@ -21,7 +21,7 @@ template <std::integral T>
 [[nodiscard]] std::string field(T number) {
   return std::to_string(number);
 }
-/// Empty where there is none.
+/// The value's field, or an empty one.
 template <class T>
 [[nodiscard]] std::string field(const std::optional<T>& value) {
   return value ? field(*value) : std::string();
@@ -41,7 +41,7 @@ struct Column {
   std::function<std::string(const Row&)> print;
 };
 
-/// What is known of a table without its rows.
+/// A table's file and columns, without rows.
 struct TableDescription {
   std::string file;
   std::string rows;                                          ///< what a row is, as in `a method and a test`

@@ -86,8 +86,6 @@ struct Items {
     all.insert(other.all.begin(), other.all.end());
     return *this;
   }
-  friend void to_json(nlohmann::ordered_json& json, const Items& items) { json = items.all; }
-  friend void from_json(const nlohmann::json& json, Items& items) { items.all = json.get<decltype(items.all)>(); }
 };
 
 Items first_items(std::uint64_t count) {

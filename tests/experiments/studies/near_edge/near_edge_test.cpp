@@ -197,7 +197,7 @@ TEST(NearEdgeStudy, AStoppedRunIsAShorterOne) {
 TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
   const auto setting = settings({"fast", "thesis"}, 12, 2);
   std::atomic<bool> stop = false;
-  nlohmann::ordered_json saved;
+  std::string saved;
   Result lost = no_result(setting);
   run_study(setting,
             {.processes = kAlone,
@@ -205,12 +205,13 @@ TEST(NearEdgeStudy, AKilledRunGoesOnFromItsLastCheckpoint) {
              .progress = kSilent,
              .save =
                  [&](const Result& now) {
-                   if (saved.is_null()) saved = now;
+                   if (saved.empty()) saved = harness::archived(now);
                    stop = now.samples >= 4;
                  }},
             lost);
   EXPECT_GE(lost.samples, 4U);
-  auto result = nlohmann::json::parse(saved.dump()).get<Result>();
+  Result result = no_result(setting);
+  harness::restore(saved, result);
   EXPECT_GT(result.samples, 0U);
   EXPECT_LT(result.samples, 4U);
   run_study(setting, {.processes = kAlone, .stop = kNeverStop, .progress = kSilent}, result);

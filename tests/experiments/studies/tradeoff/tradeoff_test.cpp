@@ -224,8 +224,12 @@ TEST(Tradeoff, AStoppedRunIsAShorterOne) {
 
 // Errors that were written and read again are the same, to the last bit.
 TEST(Tradeoff, ErrorsPassThroughACheckpoint) {
-  const nlohmann::ordered_json json = whole(settings({"fast", "thesis", "interval"}, 3));
-  EXPECT_EQ(nlohmann::ordered_json(nlohmann::json::parse(json.dump()).get<Errors>()), json);
+  const auto setting = settings({"fast", "thesis", "interval"}, 3);
+  const std::string text = harness::archived(whole(setting));
+  Errors read = no_errors(setting);
+  harness::restore(text, read);
+  EXPECT_EQ(harness::archived(read), text);
+  EXPECT_EQ(table(setting, read, {}), table(setting, whole(setting), {}));
 }
 
 int run_command(std::vector<std::string> arguments) {
