@@ -18,14 +18,6 @@ namespace {
 
 const std::string kProgram = "touchstone";
 
-/// An option, and the words of its value as the command line would hold them; empty if it has no value.
-struct Declared {
-  std::string name;
-  const CLI::Option* option;
-  bool has_default, takes_value;
-  std::function<std::vector<std::string>()> words;
-};
-
 bool is_positional(const std::string& name) { return !name.starts_with("--"); }
 
 /// Returns a word of a shell command, quoted only if needed.
@@ -58,15 +50,35 @@ std::string check_utf8(const std::string& name) {
 
 }  // namespace
 
+/// An option, and the words of its value as the command line would hold them; empty if it has no value.
+struct Declared {
+  std::string name;
+  CLI::Option* option;
+  bool has_default, takes_value;
+  std::function<std::vector<std::string>()> words;
+  bool changes_results = false;
+  std::function<std::string()> canonical{};
+
+  /// Returns the value that is compared when a run continues another one.
+  [[nodiscard]] std::string value() const { return canonical ? canonical() : joined(words()); }
+};
+
 struct Command::Parts {
   std::shared_ptr<CLI::App> app;
-  std::vector<Declared> options;
+  std::vector<std::shared_ptr<Declared>> options;
   std::function<int()> run;
   std::string* kept_line = nullptr;
+  std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
+  std::vector<TableDescription> tables;
   std::vector<Command> subcommands;
   int status = 0;
 
+  Option declare(Declared declared) {
+    options.push_back(std::make_shared<Declared>(std::move(declared)));
+    return {*app, options.back()};
+  }
   [[nodiscard]] std::string line() const;
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
 
 std::string Command::Parts::line() const {
@@ -74,29 +86,43 @@ std::string Command::Parts::line() const {
   for (const CLI::App* of = app.get(); of != nullptr && of->get_name() != kProgram; of = of->get_parent())
     line = " " + of->get_name() + line;
   line = kProgram + line;
-  for (const Declared& declared : options) {
-    if (declared.name == "--force" || (!declared.has_default && declared.option->count() == 0)) continue;
-    for (const std::string& word : declared.words()) {
-      std::string& text = is_positional(declared.name) ? line : options_text;
-      if (!is_positional(declared.name)) text += " " + declared.name;
-      if (declared.takes_value) text += " " + quoted_where_needed(word);
+  for (const auto& declared : options) {
+    const auto& [name, option, has_default, takes_value, words, changes_results, canonical] = *declared;
+    if (name == "--force" || (!has_default && option->count() == 0)) continue;
+    for (const std::string& word : words()) {
+      std::string& text = is_positional(name) ? line : options_text;
+      if (!is_positional(name)) text += " " + name;
+      if (takes_value) text += " " + quoted_where_needed(word);
     }
   }
   return line + options_text;
 }
 
+std::vector<std::pair<std::string, std::string>> Command::Parts::result_options() const {
+  std::vector<std::pair<std::string, std::string>> values;
+  for (const auto& declared : options)
+    if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->value());
+  return values;
+}
+
 Option& Option::required() {
-  option_->required();
+  declared_->option->required();
   return *this;
 }
 
 Option& Option::needs(const std::string& other) {
-  option_->needs(app_->get_option(other));
+  declared_->option->needs(app_->get_option(other));
   return *this;
 }
 
 Option& Option::excludes(const std::string& other) {
-  option_->excludes(app_->get_option(other));
+  declared_->option->excludes(app_->get_option(other));
+  return *this;
+}
+
+Option& Option::changes_results(std::function<std::string()> canonical) {
+  declared_->changes_results = true;
+  declared_->canonical = std::move(canonical);
   return *this;
 }
 
@@ -105,6 +131,8 @@ Command::Command(const std::string& name, const std::string& about) : parts_(std
   // The application must not keep its own parts alive.
   parts_->app->callback([parts = parts_.get()] {
     if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
+    if (parts->kept_result_options != nullptr)
+      *parts->kept_result_options = [parts] { return parts->result_options(); };
     if (parts->run) parts->status = parts->run();
   });
 }
@@ -120,9 +148,8 @@ CLI::App& Command::app() const { return *parts_->app; }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& about) {
   CLI::Option* option = app().add_flag(name, value, about);
-  parts_->options.push_back({name, option, true, false,
-                             [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, true, false,
+                          [&value] { return value ? std::vector<std::string>{""} : std::vector<std::string>{}; }});
 }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& about, const Check& check) {
@@ -130,15 +157,13 @@ Option Command::text(const std::string& name, std::string& value, const std::str
   const bool has_default = !value.empty();
   if (has_default) option->capture_default_str();
   if (check) option->check(check);
-  parts_->options.push_back({name, option, has_default, true, [&value] { return std::vector{value}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, has_default, true, [&value] { return std::vector{value}; }});
 }
 
 Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                        const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->check(CLI::IsMember(words))->capture_default_str();
-  parts_->options.push_back({name, option, true, true, [&value] { return std::vector{value}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, true, true, [&value] { return std::vector{value}; }});
 }
 
 Option Command::word_option(const std::string& name, const std::function<std::string()>& get,
@@ -149,18 +174,16 @@ Option Command::word_option(const std::string& name, const std::function<std::st
     return true;
   };
   CLI::Option* option = app().add_option(name, assign, about, true, get)->check(CLI::IsMember(words));
-  parts_->options.push_back({name, option, true, true, [get] { return std::vector{get()}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, true, true, [get] { return std::vector{get()}; }});
 }
 
 Option Command::names(const std::string& name, std::vector<std::string>& values, const std::string& about) {
   CLI::Option* option = app().add_option(name, values, about)->delimiter(',')->allow_extra_args(false);
   const bool has_default = !values.empty();
   if (has_default) option->capture_default_str();
-  parts_->options.push_back({name, option, has_default, true, [&values] {
-                               return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)};
-                             }});
-  return {app(), *option};
+  return parts_->declare({name, option, has_default, true, [&values] {
+                            return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)};
+                          }});
 }
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
@@ -168,8 +191,7 @@ Option Command::texts(const std::string& name, std::vector<std::string>& values,
   CLI::Option* option = app().add_option(name, values, about);
   if (!is_positional(name)) option->allow_extra_args(false);
   if (check) option->check(check);
-  parts_->options.push_back({name, option, false, true, [&values] { return values; }});
-  return {app(), *option};
+  return parts_->declare({name, option, false, true, [&values] { return values; }});
 }
 
 Option Command::whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
@@ -185,14 +207,12 @@ Option Command::whole_number_option(const std::string& name, const std::function
   const bool has_default = get() >= lowest && get() <= highest;
   CLI::Option* option = app().add_option(name, assign, about, has_default, [get] { return std::to_string(get()); });
   option->type_name("UINT")->check(whole_number(lowest, highest), "");
-  parts_->options.push_back({name, option, has_default, true, [get] { return std::vector{std::to_string(get())}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, has_default, true, [get] { return std::vector{std::to_string(get())}; }});
 }
 
 Option Command::integer(const std::string& name, int& value, const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->capture_default_str();
-  parts_->options.push_back({name, option, true, true, [&value] { return std::vector{std::to_string(value)}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, true, true, [&value] { return std::vector{std::to_string(value)}; }});
 }
 
 Option Command::real(const std::string& name, double& value, const std::string& about, double lowest, double highest) {
@@ -200,8 +220,7 @@ Option Command::real(const std::string& name, double& value, const std::string& 
   CLI::Option* option = app().add_option(name, value, about);
   if (has_default) option->capture_default_str();
   option->check(real_number(lowest, highest), "");
-  parts_->options.push_back({name, option, has_default, true, [&value] { return std::vector{shortest(value)}; }});
-  return {app(), *option};
+  return parts_->declare({name, option, has_default, true, [&value] { return std::vector{shortest(value)}; }});
 }
 
 Option Command::positive(const std::string& name, double& value, const std::string& about) {
@@ -259,6 +278,20 @@ void Command::footer(const std::string& text) { app().footer("\n" + text); }
 void Command::runs(std::function<int()> run) { parts_->run = std::move(run); }
 
 void Command::keep_line(std::string& line) { parts_->kept_line = &line; }
+
+void Command::keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options) {
+  parts_->kept_result_options = &options;
+}
+
+void Command::writes(const std::vector<TableDescription>& tables) {
+  parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());
+}
+
+std::string Command::name() const { return app().get_name(); }
+
+const std::vector<TableDescription>& Command::tables() const { return parts_->tables; }
+
+const std::vector<Command>& Command::subcommands() const { return parts_->subcommands; }
 
 int Command::operator()(std::vector<std::string> arguments) const {
   std::ranges::reverse(arguments);

@@ -9,7 +9,10 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "experiments/harness/table.h"
 
 namespace CLI {
 class App;
@@ -25,17 +28,22 @@ class UsageError : public std::runtime_error {
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
+struct Declared;
+
 /// A declared option. Other options are named as on the command line and must be declared before.
 class Option {
  public:
-  Option(CLI::App& app, CLI::Option& option) : app_(&app), option_(&option) {}
+  Option(CLI::App& app, std::shared_ptr<Declared> declared) : app_(&app), declared_(std::move(declared)) {}
   Option& required();
   Option& needs(const std::string& other);
   Option& excludes(const std::string& other);
+  /// Declares that results depend on this option, so that runs with other values do not continue each other's
+  /// checkpoints. `canonical` returns the value in its canonical form, without it, the value itself is compared.
+  Option& changes_results(std::function<std::string()> canonical = {});
 
  private:
   CLI::App* app_;
-  CLI::Option* option_;
+  std::shared_ptr<Declared> declared_;
 };
 
 /// A subcommand of the program: its options, each declared once, and the function that it runs.
@@ -111,6 +119,16 @@ class Command {
   /// Sets a variable that receives, before the command runs, the command line that repeats the run: every option that
   /// has a default or was given, except --force.
   void keep_line(std::string& line);
+  /// Sets a variable that receives, before the command runs, a function: it returns the options that change results by
+  /// their names without dashes, with their values.
+  void keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options);
+  /// Adds tables to the description of what the command writes.
+  void writes(const std::vector<TableDescription>& tables);
+
+  [[nodiscard]] std::string name() const;
+  /// Returns the tables of the command, or of its subcommand.
+  [[nodiscard]] const std::vector<TableDescription>& tables() const;
+  [[nodiscard]] const std::vector<Command>& subcommands() const;
 
   /// Parses the arguments after the name of the command and runs it. Returns the exit status. Throws UsageError, and
   /// the exceptions of the run.

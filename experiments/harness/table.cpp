@@ -8,28 +8,19 @@
 
 namespace touchstone::harness {
 
-std::string field(std::string_view text) { return csv_field(std::string(text)); }
+std::string text_field(std::string_view text) { return csv_field(std::string(text)); }
 
-std::string digits(double number, int count) { return fmt::format("{:.{}g}", number, count); }
+std::string number_field(std::int64_t number, const char* format) { return fmt::format(fmt::runtime(format), number); }
 
-std::string places(double number, int count) { return fmt::format("{:.{}f}", number, count); }
+std::string number_field(std::uint64_t number, const char* format) { return fmt::format(fmt::runtime(format), number); }
 
-std::string shortest(double number) { return fmt::format("{}", number); }
+std::string number_field(double number, const char* format) { return fmt::format(fmt::runtime(format), number); }
 
-void write_table_file(const std::filesystem::path& file, const std::string& text) { write_file(file, text); }
+void write_table(const std::filesystem::path& file, const std::string& text) { write_file(file, text); }
 
-double rate_of(const Share& share) {
-  return share.trials == 0 ? 0 : static_cast<double>(share.count) / static_cast<double>(share.trials);
-}
-
-std::string rate_field(const Share& share) { return digits(rate_of(share)); }
-
-std::string lower_field(const Share& share) {
-  return digits(statistics::clopper_pearson(share.count, share.trials).lower);
-}
-
-std::string upper_field(const Share& share) {
-  return digits(statistics::clopper_pearson(share.count, share.trials).upper);
+Rate rate(std::uint64_t count, std::uint64_t trials) {
+  const auto limits = statistics::clopper_pearson(count, trials);
+  return {trials == 0 ? 0 : static_cast<double>(count) / static_cast<double>(trials), limits.lower, limits.upper};
 }
 
 }  // namespace touchstone::harness

@@ -8,112 +8,133 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace touchstone::harness {
 
-// Fields of CSV.
+/// @{
+/// Returns a value as a field of a CSV file: a text, quoted if needed; a number by a format of fmt, in which `{}` is
+/// the shortest text that reads back as the same number.
+[[nodiscard]] std::string text_field(std::string_view text);
+[[nodiscard]] std::string number_field(std::int64_t number, const char* format);
+[[nodiscard]] std::string number_field(std::uint64_t number, const char* format);
+[[nodiscard]] std::string number_field(double number, const char* format);
+/// @}
 
-/// A text, in quotes where it needs them.
-[[nodiscard]] std::string field(std::string_view text);
-template <std::integral T>
-[[nodiscard]] std::string field(T number) {
-  return std::to_string(number);
-}
-/// The value's field, or an empty one.
+/// Returns any value as a field: texts and numbers as above, an enumerator by its word(), a missing value as an empty
+/// field.
 template <class T>
-[[nodiscard]] std::string field(const std::optional<T>& value) {
-  return value ? field(*value) : std::string();
+[[nodiscard]] std::string field(const T& value, const char* format = "{}") {
+  if constexpr (std::is_enum_v<T>)
+    return text_field(word(value));
+  else if constexpr (std::signed_integral<T>)
+    return number_field(std::int64_t{value}, format);
+  else if constexpr (std::unsigned_integral<T>)
+    return number_field(std::uint64_t{value}, format);
+  else if constexpr (std::floating_point<T>)
+    return number_field(double{value}, format);
+  else if constexpr (std::convertible_to<T, std::string_view>)
+    return text_field(value);
+  else
+    return value ? field(*value, format) : std::string();
 }
-/// With this many significant digits.
-[[nodiscard]] std::string digits(double number, int count = 6);
-/// With this many decimal places.
-[[nodiscard]] std::string places(double number, int count);
-/// The shortest text that reads back as the same double.
-[[nodiscard]] std::string shortest(double number);
 
-/// One column: its name in the heading, with the unit at its end (`_ns`), what it means, and how a row's field is
-/// printed.
+/// Returns the function of a row that finds a member of a member: path(&Row::tally, &Tally::wrong) is row.tally.wrong.
+/// A member that is a pointer is followed.
+template <class First, class Second>
+[[nodiscard]] auto path(First first, Second second) {
+  return [=](const auto& row) { return std::invoke(second, std::invoke(first, row)); };
+}
+
+/// A column of a table: its name in the heading, with the unit at its end (`_ns`), its meaning, and how the field of a
+/// row is found and printed.
 template <class Row>
 struct Column {
+  /// `value`: a member of Row, or a function of a row; the value is printed by `field`.
+  template <class Value>
+  Column(std::string name, std::string meaning, Value value, const char* format = "{}")
+      : name(std::move(name)),
+        meaning(std::move(meaning)),
+        print([value, format](const Row& row) { return field(std::invoke(value, row), format); }) {}
+
   std::string name, meaning;
   std::function<std::string(const Row&)> print;
 };
 
-/// A table's file and columns, without rows.
+/// A table without its rows, for help and pages.
 struct TableDescription {
   std::string file;
-  std::string rows;                                          ///< what a row is, as in `a method and a test`
+  std::string row;                                           ///< the subject of a row, as in `a method and a test`
   std::vector<std::pair<std::string, std::string>> columns;  ///< names and meanings
 };
 
-/// A CSV file that a study writes: every column is declared here, and nowhere else.
+/// Writes the whole file. Throws std::runtime_error, which names it, if it cannot be written.
+void write_table(const std::filesystem::path& file, const std::string& text);
+
+/// A CSV file that a command writes. Its columns are declared here and nowhere else: heading, rows and description all
+/// follow from the declaration. The same rows give the same bytes.
 template <class Row>
 class Table {
  public:
-  Table(std::string file, std::string rows, std::vector<Column<Row>> columns)
-      : file_(std::move(file)), rows_(std::move(rows)), columns_(std::move(columns)) {}
+  Table(std::string file, std::string row, std::vector<Column<Row>> columns)
+      : file_(std::move(file)), row_(std::move(row)), columns_(std::move(columns)) {}
 
+  /// Returns the text of the file.
   [[nodiscard]] std::string csv(const std::vector<Row>& rows) const {
     std::string text;
     for (const Column<Row>& column : columns_) text.append(text.empty() ? "" : ",").append(column.name);
     for (const Row& row : rows) {
       char separator = '\n';
       for (const Column<Row>& column : columns_) {
-        text += separator;
-        text += column.print(row);
+        text.append(1, separator).append(column.print(row));
         separator = ',';
       }
     }
     return text + '\n';
   }
-  /// Writes the file. Throws std::runtime_error, which names it, where it cannot be written.
+  /// Writes the file into the folder. Throws as write_table does.
   void write(const std::filesystem::path& folder, const std::vector<Row>& rows) const {
-    write_text(folder / file_, csv(rows));
+    write_table(folder / file_, csv(rows));
   }
   [[nodiscard]] TableDescription description() const {
-    TableDescription description{file_, rows_, {}};
+    TableDescription description{file_, row_, {}};
     for (const Column<Row>& column : columns_) description.columns.emplace_back(column.name, column.meaning);
     return description;
   }
 
  private:
-  static void write_text(const std::filesystem::path& file, const std::string& text);
-
-  std::string file_, rows_;
+  std::string file_, row_;
   std::vector<Column<Row>> columns_;
 };
 
-/// The file, whole. Throws std::runtime_error.
-void write_table_file(const std::filesystem::path& file, const std::string& text);
-
-template <class Row>
-void Table<Row>::write_text(const std::filesystem::path& file, const std::string& text) {
-  write_table_file(file, text);
-}
-
-/// Successes of trials; three columns: their share and its Clopper-Pearson limits of 95 %.
-struct Share {
-  std::uint64_t count, trials;
+/// A share and its confidence limits.
+struct Rate {
+  double share, lower, upper;
 };
-[[nodiscard]] double rate_of(const Share& share);
-[[nodiscard]] std::string rate_field(const Share& share);
-[[nodiscard]] std::string lower_field(const Share& share);
-[[nodiscard]] std::string upper_field(const Share& share);
 
-/// The columns `rate`, `lower` and `upper`, each with this in front of its name.
-template <class Row>
-[[nodiscard]] std::vector<Column<Row>> share_columns(const std::string& of, std::function<Share(const Row&)> share,
-                                                     const std::string& prefix = "") {
-  return {{prefix + "rate", "the share of " + of, [share](const Row& row) { return rate_field(share(row)); }},
-          {prefix + "lower", "its lower limit", [share](const Row& row) { return lower_field(share(row)); }},
-          {prefix + "upper", "its upper limit", [share](const Row& row) { return upper_field(share(row)); }}};
+/// Returns the share with its Clopper-Pearson limits of 95 %; the share of no trials is 0. Requires count <= trials,
+/// and independent trials.
+[[nodiscard]] Rate rate(std::uint64_t count, std::uint64_t trials);
+
+/// Returns the columns `rate`, `lower` and `upper`, each with the prefix before its name. `counted`: the events;
+/// `value`: a member of Row, or a function of a row, that is a Rate.
+template <class Row, class Value>
+[[nodiscard]] std::vector<Column<Row>> rate_columns(const std::string& counted, const Value& value,
+                                                    const std::string& prefix = "") {
+  const auto part = [value](double Rate::*member) {
+    return [value, member](const Row& row) { return std::invoke(value, row).*member; };
+  };
+  constexpr const char* kFormat = "{:.6g}";
+  return {{prefix + "rate", "the share of " + counted, part(&Rate::share), kFormat},
+          {prefix + "lower", "its lower limit", part(&Rate::lower), kFormat},
+          {prefix + "upper", "its upper limit", part(&Rate::upper), kFormat}};
 }
 
-/// One list of columns after the other.
+/// Returns the columns of all lists, in order.
 template <class Row>
-[[nodiscard]] std::vector<Column<Row>> columns(std::initializer_list<std::vector<Column<Row>>> lists) {
+[[nodiscard]] std::vector<Column<Row>> all_columns(std::initializer_list<std::vector<Column<Row>>> lists) {
   std::vector<Column<Row>> all;
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;

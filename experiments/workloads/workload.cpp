@@ -107,6 +107,12 @@ std::vector<Family> find_families(const std::vector<std::string>& names) {
   return found;
 }
 
+std::string selected_names(const std::vector<std::string>& names) {
+  std::string selected;
+  for (const Family family : find_families(names)) selected.append(selected.empty() ? "" : ",").append(word(family));
+  return selected;
+}
+
 const std::vector<BallPlace>& all_ball_places() {
   static const std::vector<BallPlace> places{
       BallPlace::Anywhere,     BallPlace::NearFace,       BallPlace::NearEdge,      BallPlace::NearVertex,

@@ -65,6 +65,8 @@ struct Sample {
 /// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
 /// std::invalid_argument, which names the first unknown one.
 [[nodiscard]] std::vector<Family> find_families(const std::vector<std::string>& names);
+/// Returns the names of the families that find_families selects, joined by commas. Throws as it does.
+[[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();
 
 }  // namespace touchstone::workloads

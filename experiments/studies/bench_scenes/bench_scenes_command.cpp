@@ -138,6 +138,7 @@ harness::Command bench_scenes_command() {
   command.output(options->output, "The folder for tables and pictures");
   command.no_pictures(options->no_pictures);
   command.force(options->force);
+  command.writes(tables());
   command.runs([options] { return harness::run_alone([&] { return measure_scenes(*options); }); });
   return command;
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/harness/table.h"
 #include "experiments/harness/timing/output.h"
-#include "experiments/harness/write_file.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -63,6 +63,76 @@ Json growth_json(const Growth& growth) {
           {"balls", word(growth.place)}, {"question", word(growth.question)},
           {"from", growth.from},         {"to", growth.to},
           {"times", growth.times},       {"log_times", growth.log_times}};
+}
+
+struct QueryRow {
+  const SceneResult* scene;
+  const SceneBenchmark* benchmark;
+  const timing::Measured* measured;
+  timing::Quartiles nanoseconds;
+
+  [[nodiscard]] bool has_ratio() const { return !measured->ratios.empty(); }
+};
+
+const harness::Table<QueryRow>& queries_table() {
+  using Row = QueryRow;
+  using harness::path;
+  constexpr const char* kFormat = "{:.6g}";
+  static const harness::Table<Row> table(
+      "queries.csv", "a scene, place of balls, question and library",
+      {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
+       {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
+       {"balls", "where the balls are", path(&Row::benchmark, &SceneBenchmark::place)},
+       {"question", "any, all or nearest", path(&Row::benchmark, &SceneBenchmark::question)},
+       {"library", "the library", path(&Row::measured, &timing::Measured::name)},
+       {"nanoseconds", "a question, median", path(&Row::nanoseconds, &timing::Quartiles::median), kFormat},
+       {"lower_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::lower), kFormat},
+       {"upper_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::upper), kFormat},
+       {"ratio", "the median ratio to the time of another library",
+        [](const Row& row) {
+          return row.has_ratio() ? std::optional(timing::quartiles(row.measured->ratios).median) : std::nullopt;
+        },
+        kFormat},
+       {"ratio_to", "that library",
+        [](const Row& row) { return row.has_ratio() ? std::optional(row.measured->comparison->base) : std::nullopt; }},
+       {"wrong", "wrong answers",
+        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->count) : std::nullopt; }},
+       {"checked", "checked answers",
+        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->of) : std::nullopt; }}});
+  return table;
+}
+
+struct BuildRow {
+  const SceneResult* scene;
+  const Build* build;
+};
+
+const harness::Table<BuildRow>& builds_csv() {
+  using harness::path;
+  static const harness::Table<BuildRow> table(
+      "builds.csv", "a scene and library",
+      {{"scene", "the kind of scene", path(&BuildRow::scene, &SceneResult::kind)},
+       {"triangles", "its triangles", path(&BuildRow::scene, &SceneResult::triangles)},
+       {"library", "the library", path(&BuildRow::build, &Build::library)},
+       {"seconds", "to build the scene, median",
+        [](const BuildRow& row) { return timing::quartiles(row.build->seconds).median; }, "{:.6g}"},
+       {"bytes_a_triangle", "memory", path(&BuildRow::build, &Build::bytes), "{:.4f}"}});
+  return table;
+}
+
+const harness::Table<Growth>& growths_csv() {
+  constexpr const char* kFormat = "{:.6g}";
+  static const harness::Table<Growth> table(
+      "growth.csv", "a scene, place of balls, question and library",
+      {{"scene", "the kind of scene", &Growth::kind},
+       {"balls", "where the balls are", &Growth::place},
+       {"question", "any, all or nearest", &Growth::question},
+       {"library", "the library", &Growth::library},
+       {"from", "triangles of the smallest scene", &Growth::from},
+       {"to", "triangles of the largest scene", &Growth::to},
+       {"times", "by how much the time of a question grows", &Growth::times, kFormat},
+       {"log_times", "by how much log(triangles) grows", &Growth::log_times, kFormat}});
+  return table;
 }
 
 }  // namespace
@@ -151,31 +221,21 @@ Json json(const std::vector<SceneResult>& results) {
 }
 
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results) {
-  std::string queries =
-      "scene,triangles,balls,question,library,nanoseconds,lower_quartile,upper_quartile,ratio,ratio_to,wrong,checked\n";
-  std::string builds = "scene,triangles,library,seconds,bytes_a_triangle\n";
-  std::string growth = "scene,balls,question,library,from,to,times,log_times\n";
+  std::vector<QueryRow> queries;
+  std::vector<BuildRow> builds;
   for (const SceneResult& result : results) {
-    for (const Build& build : result.builds)
-      builds += fmt::format("{},{},{},{:.6g},{:.4f}\n", result.kind, result.triangles, build.library,
-                            timing::quartiles(build.seconds).median, build.bytes);
+    for (const Build& build : result.builds) builds.push_back({&result, &build});
     for (const SceneBenchmark& benchmark : result.benchmarks)
-      for (const timing::Measured& m : benchmark.result.candidates) {
-        if (m.nanoseconds.empty()) continue;
-        const timing::Quartiles ns = timing::quartiles(m.nanoseconds);
-        queries += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},", result.kind, result.triangles,
-                               word(benchmark.place), word(benchmark.question), m.name, ns.median, ns.lower, ns.upper);
-        queries +=
-            m.ratios.empty() ? "," : fmt::format("{:.6g},{}", timing::quartiles(m.ratios).median, m.comparison->base);
-        queries += m.wrong ? fmt::format(",{},{}\n", m.wrong->count, m.wrong->of) : ",,\n";
-      }
+      for (const timing::Measured& m : benchmark.result.candidates)
+        if (!m.nanoseconds.empty()) queries.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
   }
-  for (const Growth& one : growths(results))
-    growth += fmt::format("{},{},{},{},{},{},{:.6g},{:.6g}\n", one.kind, word(one.place), word(one.question),
-                          one.library, one.from, one.to, one.times, one.log_times);
-  harness::write_file(folder / "queries.csv", queries);
-  harness::write_file(folder / "builds.csv", builds);
-  harness::write_file(folder / "growth.csv", growth);
+  queries_table().write(folder, queries);
+  builds_csv().write(folder, builds);
+  growths_csv().write(folder, growths(results));
+}
+
+std::vector<harness::TableDescription> tables() {
+  return {queries_table().description(), builds_csv().description(), growths_csv().description()};
 }
 
 }  // namespace touchstone::bench_scenes

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/harness/table.h"
 #include "experiments/studies/bench_scenes/study.h"
 
 namespace touchstone::bench_scenes {
@@ -21,7 +22,8 @@ namespace touchstone::bench_scenes {
 
 [[nodiscard]] nlohmann::ordered_json json(const std::vector<SceneResult>& results);
 
-/// Writes queries.csv, builds.csv and growth.csv. Throws std::runtime_error if they cannot be written.
+/// Writes all tables. Throws std::runtime_error, which names the file, if one cannot be written.
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results);
+[[nodiscard]] std::vector<harness::TableDescription> tables();
 
 }  // namespace touchstone::bench_scenes

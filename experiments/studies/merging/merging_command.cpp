@@ -132,6 +132,7 @@ harness::Command merging_command() {
   command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");
   command.output(options->output, "The folder for the tables");
   command.force(options->force);
+  command.writes(tables());
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/harness/write_file.h"
+#include "experiments/harness/table.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "geometry/io/detail/legible.h"
 
@@ -24,7 +24,7 @@ std::string counts_row(const std::string& name, const Counts& c, double seconds)
                      c.edges.kept_apart, c.edges.border, unmergeable, c.off_plane, 1e3 * seconds);
 }
 
-std::string counts_table(const std::vector<MeshResult>& results) {
+std::string counts_lines(const std::vector<MeshResult>& results) {
   std::string text = fmt::format("{:<28}{:>8}{:>6}{:>9}{:>8}{:>7}{:>8}{:>8}{:>8}{:>7}{:>8}{:>10}{:>10}{:>9}\n", "mesh",
                                  "faces", "bad", "polygons", "single", "holes", "largest", "mean", "splits", "apart",
                                  "border", "unmerged", "off plane", "ms");
@@ -106,55 +106,118 @@ polygons that stand for {} faces or more, and the other faces as they are. Times
 the surface; nearest: of every tenth ball. memory: what the scene has allocated. mean ratio: geometric, over meshes.
 )";
 
+const harness::Table<MeshResult>& counts_table() {
+  using Row = MeshResult;
+  using Edges = mesh::EdgeCounts;
+  const auto count = [](auto Counts::*member) { return harness::path(&Row::counts, member); };
+  const auto edges = [](std::size_t Edges::*member) {
+    return harness::path(&Row::counts, harness::path(&Counts::edges, member));
+  };
+  static const harness::Table<Row> table = [&] {
+    std::vector<harness::Column<Row>> columns{
+        {"mesh", "the mesh", &Row::name},
+        {"faces", "its faces", count(&Counts::faces)},
+        {"rejected", "faces that the contract rejects, left out", count(&Counts::rejected)},
+        {"polygons", "merged polygons", count(&Counts::polygons)},
+        {"single", "polygons of one face", count(&Counts::single)},
+        {"holes", "holes", count(&Counts::holes)},
+        {"vertices", "vertices of the polygons", count(&Counts::vertices)},
+        {"largest", "vertices of the largest polygon", count(&Counts::largest)},
+        {"splits", "cuts of a region that touched or covered itself", count(&Counts::splits)},
+        {"border", "edges of one face", edges(&Edges::border)},
+        {"non_manifold", "edges of more than two faces", edges(&Edges::non_manifold)},
+        {"inconsistent", "edges of two faces that are not oriented alike", edges(&Edges::inconsistent)},
+        {"merged_edges", "edges within a polygon", edges(&Edges::merged)},
+        {"folded", "edges of two faces that are folded onto each other", edges(&Edges::folded)},
+        {"kept_apart", "edges between coplanar faces left by splits", edges(&Edges::kept_apart)},
+        {"crease", "edges between faces that are not coplanar", edges(&Edges::crease)},
+        {"off_plane", "the largest move of a vertex onto its polygon's plane", count(&Counts::off_plane)}};
+    for (std::size_t i = 0; i < kQuestions.size(); ++i) {
+      const std::string question(word(kQuestions[i]));
+      columns.emplace_back(question + "_asked", "balls compared with the faces",
+                           [i](const Row& row) { return row.differences.asked[i]; });
+      columns.emplace_back(question + "_differ", "answers that differ",
+                           [i](const Row& row) { return row.differences.differ[i]; });
+    }
+    columns.emplace_back("distance_difference", "the largest difference of nearest distances",
+                         harness::path(&Row::differences, &Differences::distance));
+    return harness::Table<Row>("merge.csv", "a mesh", columns);
+  }();
+  return table;
+}
+
+struct PolygonRow {
+  std::string_view mesh;
+  std::size_t number;
+  const PolygonCounts* counts;
+};
+
+const harness::Table<PolygonRow>& polygons_table() {
+  using harness::path;
+  static const harness::Table<PolygonRow> table(
+      "polygons.csv", "a merged polygon, numbered by its lowest face",
+      {{"mesh", "the mesh", &PolygonRow::mesh},
+       {"polygon", "the polygon", &PolygonRow::number},
+       {"faces", "faces of the mesh that it is made of", path(&PolygonRow::counts, &PolygonCounts::faces)},
+       {"edges", "its edges", path(&PolygonRow::counts, &PolygonCounts::edges)},
+       {"holes", "its holes", path(&PolygonRow::counts, &PolygonCounts::holes)},
+       {"off_plane", "the largest distance of a vertex of these faces from its plane, in the mesh's unit",
+        path(&PolygonRow::counts, &PolygonCounts::off_plane)}});
+  return table;
+}
+
+struct TimesRow {
+  const MeshResult* mesh;
+  Kind kind;
+  const Measured* measured;
+};
+
+const harness::Table<TimesRow>& times_table() {
+  using harness::path;
+  const auto nanoseconds = [](std::size_t question) {
+    return [question](const TimesRow& row) { return row.measured->nanoseconds[question]; };
+  };
+  static const harness::Table<TimesRow> table(
+      "merge-times.csv", "a mesh and a scene of it",
+      {{"mesh", "the mesh", path(&TimesRow::mesh, &MeshResult::name)},
+       {"merge_seconds", "of merging", path(&TimesRow::mesh, &MeshResult::merge_seconds)},
+       {"scene", "of its faces, of merged polygons, or of both", &TimesRow::kind},
+       {"triangles", "triangles in the scene", path(&TimesRow::measured, &Measured::triangles)},
+       {"polygons", "polygons in the scene", path(&TimesRow::measured, &Measured::polygons)},
+       {"memory_bytes", "allocated by the scene", path(&TimesRow::measured, &Measured::memory)},
+       {"build_seconds", "of building the scene", path(&TimesRow::measured, &Measured::seconds)},
+       {"any_ns", "a ball near the surface: does it touch any face?", nanoseconds(0)},
+       {"all_ns", "which faces does it touch?", nanoseconds(1)},
+       {"nearest_ns", "which face is nearest?", nanoseconds(2)}});
+  return table;
+}
+
 }  // namespace
 
 void write_counts(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
-  std::string text =
-      "mesh,faces,rejected,polygons,single,holes,vertices,largest,splits,border,non_manifold,inconsistent,merged_edges,"
-      "folded,kept_apart,crease,off_plane";
-  for (const Question question : kQuestions) text += fmt::format(",{0}_asked,{0}_differ", word(question));
-  text += ",distance_difference\n";
-  for (const MeshResult& result : results) {
-    const Counts& c = result.counts;
-    const mesh::EdgeCounts& e = c.edges;
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", harness::csv_field(result.name), c.faces,
-                        c.rejected, c.polygons, c.single, c.holes, c.vertices, c.largest, c.splits, e.border,
-                        e.non_manifold, e.inconsistent, e.merged, e.folded, e.kept_apart, e.crease, c.off_plane);
-    for (std::size_t i = 0; i < kQuestions.size(); ++i)
-      text += fmt::format(",{},{}", result.differences.asked[i], result.differences.differ[i]);
-    text += fmt::format(",{}\n", result.differences.distance);
-  }
-  harness::write_file(folder / "merge.csv", text);
+  counts_table().write(folder, results);
 }
 
 void write_polygons(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
-  std::string text = "mesh,polygon,faces,edges,holes,off_plane\n";
-  for (const MeshResult& result : results) {
-    const std::string mesh = harness::csv_field(result.name);
-    for (std::size_t i = 0; i < result.polygons.size(); ++i) {
-      const PolygonCounts& polygon = result.polygons[i];
-      text +=
-          fmt::format("{},{},{},{},{},{}\n", mesh, i, polygon.faces, polygon.edges, polygon.holes, polygon.off_plane);
-    }
-  }
-  harness::write_file(folder / "polygons.csv", text);
+  std::vector<PolygonRow> rows;
+  for (const MeshResult& result : results)
+    for (std::size_t i = 0; i < result.polygons.size(); ++i) rows.push_back({result.name, i, &result.polygons[i]});
+  polygons_table().write(folder, rows);
 }
 
 void write_times(const std::filesystem::path& folder, const std::vector<MeshResult>& results) {
-  std::string text =
-      "mesh,merge_seconds,scene,triangles,polygons,memory_bytes,build_seconds,any_ns,all_ns,nearest_ns\n";
+  std::vector<TimesRow> rows;
   for (const MeshResult& result : results)
-    for (const Kind kind : kKinds) {
-      const Measured& m = result.measured[static_cast<std::size_t>(kind)];
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(result.name), result.merge_seconds,
-                          word(kind), m.triangles, m.polygons, m.memory, m.seconds, m.nanoseconds[0], m.nanoseconds[1],
-                          m.nanoseconds[2]);
-    }
-  harness::write_file(folder / "merge-times.csv", text);
+    for (const Kind kind : kKinds) rows.push_back({&result, kind, &result.measured[static_cast<std::size_t>(kind)]});
+  times_table().write(folder, rows);
+}
+
+std::vector<harness::TableDescription> tables() {
+  return {counts_table().description(), polygons_table().description(), times_table().description()};
 }
 
 std::string table(const Settings& settings, const std::vector<MeshResult>& results) {
-  std::string text = counts_table(results);
+  std::string text = counts_lines(results);
   const bool compared =
       std::ranges::any_of(results, [](const MeshResult& result) { return result.differences.asked[0] > 0; });
   if (compared) text += costs_table(results) + differences_lines(results);

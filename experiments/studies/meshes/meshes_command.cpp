@@ -109,6 +109,7 @@ harness::Command meshes_command() {
                "Leave out faulty parts of a file, and report them; rejected faces are then not an error");
   command.output(options->output, "The folder for the tables and the failing cases");
   command.force(options->force);
+  command.writes(tables());
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

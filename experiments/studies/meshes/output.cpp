@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/workloads/meshes/face_polygon.h"
 
@@ -40,32 +41,72 @@ std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint
   return cases::to_line(cases::case_of(id, drawn.ball, polygon, tags, expected));
 }
 
+struct MeshRow {
+  std::string_view mesh;
+  const MeshCounts* counts;
+  std::string_view method;
+  Place place;
+  Test test;
+  const Count* count;
+};
+
+const harness::Table<MeshRow>& meshes_table() {
+  using harness::path;
+  static const harness::Table<MeshRow> table(
+      "meshes.csv", "a mesh, method, place and test",
+      {{"mesh", "the mesh", &MeshRow::mesh},
+       {"faces", "its faces", path(&MeshRow::counts, &MeshCounts::faces)},
+       {"rejected", "faces that are not polygons", path(&MeshRow::counts, &MeshCounts::rejected)},
+       {"method", "the method", &MeshRow::method},
+       {"place", "what the balls are near", &MeshRow::place},
+       {"test", "the decision that is compared", &MeshRow::test},
+       {"trials", "answers", path(&MeshRow::count, &Count::trials)},
+       {"wrong", "wrong answers", path(&MeshRow::count, &Count::wrong)},
+       {"wrongly_in", "answers that wrongly say inside, or contact", path(&MeshRow::count, &Count::wrongly_in)},
+       {"wrongly_out", "answers that wrongly say outside, or no contact", path(&MeshRow::count, &Count::wrongly_out)},
+       {"boundary_missed", "answers that miss a boundary", path(&MeshRow::count, &Count::boundary_missed)}});
+  return table;
+}
+
+struct RejectedRow {
+  std::string_view mesh;
+  const RejectedFace* face;
+};
+
+const harness::Table<RejectedRow>& rejected_table() {
+  static const harness::Table<RejectedRow> table(
+      "rejected.csv", "a face that is not a polygon",
+      {{"mesh", "the mesh", &RejectedRow::mesh},
+       {"face", "the number of the face in its file", harness::path(&RejectedRow::face, &RejectedFace::face)},
+       {"code", "the code of the rejection", [](const RejectedRow& row) { return row.face->rejection.code; }},
+       {"message", "what is wrong", [](const RejectedRow& row) { return row.face->rejection.message; }}});
+  return table;
+}
+
 }  // namespace
 
 void write_meshes(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,
                   const Result& result) {
-  std::string text = "mesh,faces,rejected,method,place,test,trials,wrong,wrongly_in,wrongly_out,boundary_missed\n";
+  std::vector<MeshRow> rows;
   for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
     const MeshCounts& counts = result.meshes[mesh];
     for (std::size_t method = 0; method < settings.methods.size(); ++method)
       for (std::size_t place = 0; place < kPlaces.size(); ++place)
-        for (std::size_t test = 0; test < kTests.size(); ++test) {
-          const Count& count = counts.methods[method].at[place][test];
-          text +=
-              fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", harness::csv_field(meshes[mesh].name), counts.faces,
-                          counts.rejected, settings.methods[method]->name(), word(kPlaces[place]), word(kTests[test]),
-                          count.trials, count.wrong(), count.wrongly_in, count.wrongly_out, count.boundary_missed);
-        }
+        for (std::size_t test = 0; test < kTests.size(); ++test)
+          rows.push_back({meshes[mesh].name, &counts, settings.methods[method]->name(), kPlaces[place], kTests[test],
+                          &counts.methods[method].at[place][test]});
   }
-  harness::write_file(folder / "meshes.csv", text);
+  meshes_table().write(folder, rows);
 }
 
 void write_rejected(const std::filesystem::path& folder, const std::vector<NamedMesh>& meshes, const Result& result) {
-  std::string text = "mesh,face,code,message\n";
-  for (const RejectedFace& face : result.rejected)
-    text += fmt::format("{},{},{},{}\n", harness::csv_field(meshes[face.mesh].name), face.face,
-                        word(face.rejection.code), harness::csv_field(face.rejection.message));
-  harness::write_file(folder / "rejected.csv", text);
+  std::vector<RejectedRow> rows;
+  for (const RejectedFace& face : result.rejected) rows.push_back({meshes[face.mesh].name, &face});
+  rejected_table().write(folder, rows);
+}
+
+std::vector<harness::TableDescription> tables() {
+  return {meshes_table().description(), rejected_table().description()};
 }
 
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const std::vector<NamedMesh>& meshes,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "experiments/cases/stratum_group.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
@@ -13,29 +15,78 @@
 namespace touchstone::near_edge {
 namespace {
 
-double rate(const Tally& tally) {
-  return tally.trials == 0 ? 0 : static_cast<double>(tally.failures) / static_cast<double>(tally.trials);
-}
-
-/// The subject of a line in the tables: one stratum, or those of all families.
-struct Group {
-  std::string name;
-  std::vector<std::size_t> strata;
+struct OffsetRow {
+  const cases::StratumGroup* group;
+  Test test;
+  std::string_view method;
+  std::int64_t offset;
+  Tally tally;
+  harness::Rate rate;
 };
 
-std::vector<Group> all_groups() {
-  std::vector<Group> single, pooled;
-  for (std::size_t s = 0; s < cases::all_strata().size(); ++s) {
-    const auto& [family, placement, threshold] = cases::all_strata()[s];
-    const std::string where = fmt::format("{},{}", word(placement), word(threshold));
-    single.push_back({fmt::format("{},{}", word(family), where), {s}});
-    const std::string all = "all," + where;
-    auto group = std::find_if(pooled.begin(), pooled.end(), [&](const Group& other) { return other.name == all; });
-    if (group == pooled.end()) group = pooled.insert(group, {all, {}});
-    group->strata.push_back(s);
-  }
-  single.insert(single.end(), pooled.begin(), pooled.end());
-  return single;
+struct BandRow {
+  const cases::StratumGroup* group;
+  Test test;
+  std::string_view method;
+  Summary summary;
+  harness::Rate rate;
+};
+
+/// The columns with which the rows of both tables begin.
+template <class Row>
+std::vector<harness::Column<Row>> subject_columns() {
+  return harness::all_columns<Row>(
+      {cases::stratum_columns(&Row::group),
+       {{"test", "the decision that is compared", &Row::test}, {"method", "the method", &Row::method}}});
+}
+
+const harness::Table<OffsetRow>& rates_table() {
+  static const harness::Table<OffsetRow> table(
+      "rates.csv", "a family, placement, threshold, test, method and offset",
+      harness::all_columns<OffsetRow>(
+          {subject_columns<OffsetRow>(),
+           {{"offset", "the distance of the ball from the threshold, in doubles", &OffsetRow::offset},
+            {"failures", "wrong or undecided answers", harness::path(&OffsetRow::tally, &Tally::failures)},
+            {"trials", "answers", harness::path(&OffsetRow::tally, &Tally::trials)}},
+           harness::rate_columns<OffsetRow>("failures", &OffsetRow::rate)}));
+  return table;
+}
+
+const harness::Table<BandRow>& bands_table() {
+  static const harness::Table<BandRow> table(
+      "bands.csv", "a family, placement, threshold, test and method",
+      harness::all_columns<BandRow>(
+          {subject_columns<BandRow>(),
+           {{"failed_samples", "samples that failed at any offset",
+             [](const BandRow& row) { return row.summary.samples.failures; }},
+            {"samples", "samples", [](const BandRow& row) { return row.summary.samples.trials; }}},
+           harness::rate_columns<BandRow>("failed samples", &BandRow::rate),
+           {{"failures", "wrong or undecided answers at all offsets",
+             [](const BandRow& row) { return row.summary.all.failures; }},
+            {"trials", "answers at all offsets", [](const BandRow& row) { return row.summary.all.trials; }},
+            {"lowest_offset", "the lowest offset at which a failure was seen",
+             harness::path(&BandRow::summary, &Summary::below)},
+            {"highest_offset", "the highest one", harness::path(&BandRow::summary, &Summary::above)}}}));
+  return table;
+}
+
+/// A pixel of a map.
+struct PixelRow {
+  const Map* map;
+  std::size_t pixel;
+};
+
+/// The table of the maps with one column for each method.
+harness::Table<PixelRow> map_table(const std::string& file, const std::vector<std::string>& methods) {
+  std::vector<harness::Column<PixelRow>> columns{
+      {"row", "the row of the pixel, from the top", [](const PixelRow& row) { return row.pixel / Map::kSize; }},
+      {"column", "its column", [](const PixelRow& row) { return row.pixel % Map::kSize; }},
+      {"truth", "i(nside), b(oundary), o(utside), or c(ontact), n(one)",
+       [](const PixelRow& row) { return std::string(1, row.map->truth[row.pixel]); }}};
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    columns.emplace_back(methods[m], "= right, + wrongly in, - wrongly out, b boundary missed",
+                         [m](const PixelRow& row) { return std::string(1, row.map->verdicts[m][row.pixel]); });
+  return {file, "a pixel", columns};
 }
 
 std::vector<std::size_t> strata_of(cases::Threshold threshold) {
@@ -43,12 +94,6 @@ std::vector<std::size_t> strata_of(cases::Threshold threshold) {
   for (std::size_t s = 0; s < cases::all_strata().size(); ++s)
     if (cases::all_strata()[s].threshold == threshold) strata.push_back(s);
   return strata;
-}
-
-/// Three columns of a table.
-std::string rate_and_limits(const Tally& tally) {
-  const auto limits = statistics::clopper_pearson(tally.failures, tally.trials);
-  return fmt::format("{:.6g},{:.6g},{:.6g}", rate(tally), limits.lower, limits.upper);
 }
 
 /// An offset as people read it; the ends of the sweep hide what lies beyond.
@@ -91,34 +136,33 @@ constexpr std::string_view kLegend =
 }  // namespace
 
 void write_rates(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
-  std::string text = "family,placement,threshold,test,method,offset,failures,trials,rate,lower,upper\n";
-  for (const Group& group : all_groups())
+  const auto groups = cases::stratum_groups(settings.families);
+  std::vector<OffsetRow> rows;
+  for (const auto& group : groups)
     for (const Test test : kTests)
       for (std::size_t m = 0; m < settings.methods.size(); ++m)
         for (std::size_t i = 0; i < cases::all_offsets().size(); ++i) {
           Tally tally;
           for (const std::size_t stratum : group.strata) tally += counts.at(stratum, test, m, i);
-          if (tally.trials == 0) continue;
-          text += fmt::format("{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
-                              cases::all_offsets()[i], tally.failures, tally.trials, rate_and_limits(tally));
+          if (tally.trials > 0)
+            rows.push_back({&group, test, settings.methods[m]->name(), cases::all_offsets()[i], tally,
+                            harness::rate(tally.failures, tally.trials)});
         }
-  harness::write_file(folder / "rates.csv", text);
+  rates_table().write(folder, rows);
 }
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Counts& counts) {
-  std::string text =
-      "family,placement,threshold,test,method,failed_samples,samples,rate,lower,upper,failures,trials,lowest_offset,"
-      "highest_offset\n";
-  for (const Group& group : all_groups())
+  const auto groups = cases::stratum_groups(settings.families);
+  std::vector<BandRow> rows;
+  for (const auto& group : groups)
     for (const Test test : kTests)
       for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-        const auto& [samples, all, below, above] = counts.summary(group.strata, test, m);
-        if (samples.trials == 0) continue;
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", group.name, word(test), settings.methods[m]->name(),
-                            samples.failures, samples.trials, rate_and_limits(samples), all.failures, all.trials,
-                            below ? std::to_string(*below) : "", above ? std::to_string(*above) : "");
+        const Summary summary = counts.summary(group.strata, test, m);
+        if (summary.samples.trials > 0)
+          rows.push_back({&group, test, settings.methods[m]->name(), summary,
+                          harness::rate(summary.samples.failures, summary.samples.trials)});
       }
-  harness::write_file(folder / "bands.csv", text);
+  bands_table().write(folder, rows);
 }
 
 void write_disagreements(const std::filesystem::path& folder, const Result& result) {
@@ -128,17 +172,13 @@ void write_disagreements(const std::filesystem::path& folder, const Result& resu
 }
 
 void write_maps(const std::filesystem::path& folder, const Settings& settings, const std::vector<Map>& maps) {
+  std::vector<std::string> methods;
+  for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Map& map : maps) {
-    std::string text = "row,column,truth";
-    for (const auto* method : settings.methods) text.append(",").append(method->name());
-    text += "\n";
-    for (std::size_t pixel = 0; pixel < map.truth.size(); ++pixel) {
-      text += fmt::format("{},{},{}", pixel / Map::kSize, pixel % Map::kSize, map.truth[pixel]);
-      for (const std::string& verdicts : map.verdicts) text.append(",").append(1, verdicts[pixel]);
-      text += "\n";
-    }
-    const auto name = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
-    harness::write_file(folder / name, text);
+    std::vector<PixelRow> rows;
+    for (std::size_t pixel = 0; pixel < map.truth.size(); ++pixel) rows.push_back({&map, pixel});
+    const auto file = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
+    map_table(file, methods).write(folder, rows);
   }
 }
 
@@ -155,13 +195,18 @@ std::string table(const Settings& settings, const Counts& counts) {
         const auto limits = statistics::clopper_pearson(failures, trials);
         text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), word(test),
                             fmt::format("{} of {}", failures, trials),
-                            statistics::percent_to_places(rate(summary.samples), 3),
+                            statistics::percent_to_places(statistics::share_of(failures, trials), 3),
                             fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 3),
                                         statistics::percent_to_places(limits.upper, 3)),
                             band_text(summary));
       }
   }
   return text.append("\n").append(kLegend);
+}
+
+std::vector<harness::TableDescription> tables() {
+  return {rates_table().description(), bands_table().description(),
+          map_table("map-<spot>-<test>-<distance>.csv", {"<method>"}).description()};
 }
 
 }  // namespace touchstone::near_edge

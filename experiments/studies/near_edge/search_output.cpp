@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
@@ -40,13 +41,18 @@ std::vector<RegionGroup> pooled_groups(const Settings& settings) {
   return groups;
 }
 
-std::vector<RegionGroup> region_groups(const Settings& settings) {
+std::vector<RegionGroup> single_groups(const Settings& settings) {
   std::vector<RegionGroup> groups;
   const auto regions = search_regions(settings.families);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const cases::Stratum& stratum = cases::all_strata()[regions[r].stratum];
     groups.push_back({std::string(word(stratum.family)), stratum.threshold, regions[r].origin_distance, {r}});
   }
+  return groups;
+}
+
+std::vector<RegionGroup> region_groups(const Settings& settings) {
+  auto groups = single_groups(settings);
   const auto pooled = pooled_groups(settings);
   groups.insert(groups.end(), pooled.begin(), pooled.end());
   return groups;
@@ -58,48 +64,109 @@ Onset sum(const Settings& settings, const Onsets& onsets, const RegionGroup& gro
   return sum;
 }
 
+/// What the rows of both tables are about: regions, and a method.
+struct Subject {
+  const RegionGroup* group;
+  std::string_view method;
+};
+
+/// The columns with which the rows of both tables begin.
+template <class Row>
+std::vector<harness::Column<Row>> subject_columns() {
+  return {{"family", "the family of polygons, or `all`", [](const Row& row) { return row.group->family; }},
+          {"threshold", "the threshold that balls cross", [](const Row& row) { return row.group->threshold; }},
+          {"origin_distance", "of the polygon from the origin, in its sizes",
+           [](const Row& row) { return row.group->distance; }, "{:.0f}"},
+          {"method", "the method", &Row::method},
+          {"test", "the decision that is compared", [](const Row& row) { return test_word(row.group->threshold); }}};
+}
+
+struct OnsetRow : Subject {
+  std::size_t exponent;
+  std::uint64_t wrong, samples;
+  harness::Rate rate;
+};
+
+const harness::Table<OnsetRow>& onset_table() {
+  static const harness::Table<OnsetRow> table(
+      "onset.csv", "a family, threshold, distance from the origin, method and exponent k",
+      harness::all_columns<OnsetRow>(
+          {subject_columns<OnsetRow>(),
+           {{"exponent", "k: the ball is 2^-k sizes from the threshold", &OnsetRow::exponent},
+            {"wrong", "samples with a wrong answer on either side", &OnsetRow::wrong},
+            {"samples", "samples", &OnsetRow::samples}},
+           harness::rate_columns<OnsetRow>("wrong samples", &OnsetRow::rate)}));
+  return table;
+}
+
+struct WorstRow : Subject {
+  const Onset* onset;
+  const Worst* worst;
+
+  [[nodiscard]] bool climbed() const { return worst->share != 0; }
+};
+
+const harness::Table<WorstRow>& worst_table() {
+  static const harness::Table<WorstRow> table(
+      "worst.csv", "a family, threshold, distance from the origin and method",
+      harness::all_columns<WorstRow>(
+          {subject_columns<WorstRow>(),
+           {{"samples", "random samples", [](const WorstRow& row) { return row.onset->samples; }},
+            {"sampled_share", "the furthest wrong offset of random samples, in sizes",
+             [](const WorstRow& row) {
+               const auto& furthest = row.onset->furthest;
+               return furthest.empty() ? std::nullopt : std::optional(furthest.front().share);
+             },
+             "{:.6g}"},
+            {"climbed_share", "the furthest wrong offset after climbing, in sizes",
+             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->share) : std::nullopt; },
+             "{:.6g}"},
+            {"climbed_doubles", "the same in doubles",
+             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->doubles) : std::nullopt; }},
+            {"climbed_from", "the sample from which the climb started",
+             [](const WorstRow& row) { return row.climbed() ? std::optional(row.worst->n) : std::nullopt; }}}}));
+  return table;
+}
+
 /// 2^-50.3, to which a share is rounded for people; nothing where there is none.
 std::string power_of_two(double share) { return share > 0 ? fmt::format("2^{:.1f}", std::log2(share)) : "none seen"; }
 
 }  // namespace
 
 void write_onsets(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets) {
-  std::string text = "family,threshold,origin_distance,method,test,exponent,wrong,samples,rate,lower,upper\n";
-  for (const auto& group : region_groups(settings))
+  const auto groups = region_groups(settings);
+  std::vector<OnsetRow> rows;
+  for (const auto& group : groups)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const Onset onset = sum(settings, onsets, group, m);
       if (onset.samples == 0) continue;
-      for (std::size_t k = 0; k <= kMostExponent; ++k) {
-        const auto limits = statistics::clopper_pearson(onset.wrong[k], onset.samples);
-        text += fmt::format("{},{},{:.0f},{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", group.family, word(group.threshold),
-                            group.distance, settings.methods[m]->name(), test_word(group.threshold), k, onset.wrong[k],
-                            onset.samples, static_cast<double>(onset.wrong[k]) / static_cast<double>(onset.samples),
-                            limits.lower, limits.upper);
-      }
+      for (std::size_t k = 0; k <= kMostExponent; ++k)
+        rows.push_back({{&group, settings.methods[m]->name()},
+                        k,
+                        onset.wrong[k],
+                        onset.samples,
+                        harness::rate(onset.wrong[k], onset.samples)});
     }
-  harness::write_file(folder / "onset.csv", text);
+  onset_table().write(folder, rows);
 }
 
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Onsets& onsets,
                  const WorstCases& worst) {
-  std::string table =
-      "family,threshold,origin_distance,method,test,samples,sampled_share,climbed_share,climbed_doubles,climbed_from\n";
+  const auto groups = single_groups(settings);
+  std::vector<WorstRow> rows;
   std::string cases;
-  const auto regions = search_regions(settings.families);
-  for (std::size_t r = 0; r < regions.size(); ++r)
+  for (std::size_t r = 0; r < groups.size(); ++r)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
-      const cases::Stratum& stratum = cases::all_strata()[regions[r].stratum];
-      const Onset& onset = onsets.all[r * settings.methods.size() + m];
-      const Worst& found = worst.all[r * settings.methods.size() + m];
-      table += fmt::format("{},{},{:.0f},{},{},{},", word(stratum.family), word(stratum.threshold),
-                           regions[r].origin_distance, settings.methods[m]->name(), test_word(stratum.threshold),
-                           onset.samples);
-      table += onset.furthest.empty() ? "," : fmt::format("{:.6g},", onset.furthest.front().share);
-      table += found.share == 0 ? ",,\n" : fmt::format("{:.6g},{},{}\n", found.share, found.doubles, found.n);
-      cases += found.line;
+      const std::size_t at = r * settings.methods.size() + m;
+      rows.push_back({{&groups[r], settings.methods[m]->name()}, &onsets.all[at], &worst.all[at]});
+      cases += worst.all[at].line;
     }
-  harness::write_file(folder / "worst.csv", table);
+  worst_table().write(folder, rows);
   harness::write_file(folder / "worst.jsonl", cases);
+}
+
+std::vector<harness::TableDescription> search_tables() {
+  return {onset_table().description(), worst_table().description()};
 }
 
 std::string search_table(const Settings& settings, const Onsets& onsets, const WorstCases& worst) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/table.h"
 #include "experiments/statistics/percent.h"
 
 namespace touchstone::scenes {
@@ -45,6 +46,13 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
   rows.push_back(
       {"edges_never_looked_at", "edges never tested", counts.edges() - counts.edges_looked_at(), counts.edges()});
   return rows;
+}
+
+const harness::Table<Row>& counts_table() {
+  static const harness::Table<Row> table(
+      "counts.csv", "what happened to the faces that the balls were asked about",
+      {{"what", "what was counted", &Row::what}, {"count", "how often, for all balls", &Row::count}});
+  return table;
 }
 
 Verdict face(FaceId id, const std::vector<Object>& objects) {
@@ -122,10 +130,12 @@ std::string table(const FaceCounts& counts, std::uint64_t balls) {
   return text;
 }
 
-std::string counts_csv(const FaceCounts& counts, std::uint64_t balls) {
-  std::string text = fmt::format("what,count\nballs,{}\n", balls);
-  for (const Row& row : rows_of(counts)) text += fmt::format("{},{}\n", row.what, row.count);
-  return text;
+void write_counts(const std::filesystem::path& folder, const FaceCounts& counts, std::uint64_t balls) {
+  std::vector<Row> rows = rows_of(counts);
+  rows.insert(rows.begin(), {"balls", "balls", balls, balls});
+  counts_table().write(folder, rows);
 }
+
+std::vector<harness::TableDescription> tables() { return {counts_table().description()}; }
 
 }  // namespace touchstone::scenes

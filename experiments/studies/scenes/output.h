@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "experiments/harness/table.h"
 #include "experiments/studies/scenes/ask.h"
 
 namespace touchstone::scenes {
@@ -28,7 +30,8 @@ struct Differences {
 
 /// Returns the total counts for the terminal: one line each, with its share and its mean per ball.
 [[nodiscard]] std::string table(const scene::FaceCounts& counts, std::uint64_t balls);
-/// Returns counts.csv: the same counts; `what,count`.
-[[nodiscard]] std::string counts_csv(const scene::FaceCounts& counts, std::uint64_t balls);
+/// Writes the same counts as a table. Throws std::runtime_error, which names the file, if it cannot be written.
+void write_counts(const std::filesystem::path& folder, const scene::FaceCounts& counts, std::uint64_t balls);
+[[nodiscard]] std::vector<harness::TableDescription> tables();
 
 }  // namespace touchstone::scenes

@@ -286,7 +286,7 @@ int run(const SceneOptions& options) {
   fmt::print(options.output.empty() ? stderr : stdout, "{}", summary(options, units, *loaded, sums));
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "counts.csv", counts_csv(sums.counts, sums.balls));
+    write_counts(folder, sums.counts, sums.balls);
     harness::write_file(folder / "left-out.txt", loaded->left_out);
     harness::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
                                        options.threads, seconds, 1, interrupted});
@@ -338,6 +338,7 @@ harness::Command scenes_command() {
                  "standard output, the table to standard error)");
   command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
   command.force(options->force);
+  command.writes(tables());
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

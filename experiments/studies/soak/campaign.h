@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
 
-#include "experiments/harness/checkpoint.h"
-#include "experiments/harness/sweep.h"
+#include "experiments/harness/run_control.h"
 #include "experiments/studies/soak/contestant.h"
 #include "experiments/studies/soak/tally.h"
 
@@ -19,16 +16,11 @@ struct Settings {
   unsigned threads = 1;    ///< of each process
 };
 
-/// The settings that a harness::Checkpoint of a tally depends on.
-[[nodiscard]] harness::ResultSettings checkpoint_settings(const Settings& settings);
-
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
 /// In the first process the tally is a function of the contestant, seed, from and the number of cases that it contains;
-/// processes, threads, pauses and stops do not change it. There, `save` receives it every few seconds, and `progress`
-/// the number of cases done. Returns the number of cases done, in all processes.
-std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const harness::Processes& processes,
-                           const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
-                           const harness::Progress& progress, Tally& tally);
+/// processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
+std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant,
+                           const harness::RunControl<Tally>& control, Tally& tally);
 
 }  // namespace touchstone::soak

@@ -3,30 +3,50 @@
 
 #include <fmt/core.h>
 
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::soak {
 namespace {
 
-/// Calls row(family, way, outcomes) for each that was asked about, then for the sums of each way.
-template <class Row>
-void for_each_row(const Tally& tally, const Row& row) {
+struct Row {
+  std::string_view family, way;
+  Outcomes outcomes;
+};
+
+/// Returns the rows of each family and way that was asked about, and of all families of each way.
+std::vector<Row> rows_of(const Tally& tally) {
+  std::vector<Row> rows;
   for (const Way way : kWays) {
     Outcomes all;
     for (const adversarial::Family family : adversarial::all_families()) {
       const Outcomes& outcomes = tally.at(family, way);
-      if (outcomes.cases > 0) row(word(family), word(way), outcomes);
+      if (outcomes.cases > 0) rows.push_back({word(family), word(way), outcomes});
       all += outcomes;
     }
-    if (all.cases > 0) row("all", word(way), all);
+    if (all.cases > 0) rows.push_back({"all", word(way), all});
   }
+  return rows;
 }
 
-std::string stage_words(const char* form) {
+harness::Table<Row> counts_table() {
+  std::vector<harness::Column<Row>> columns{{"family", "the family of cases, or `all`", &Row::family},
+                                            {"way", "how the question was asked", &Row::way},
+                                            {"cases", "cases", harness::path(&Row::outcomes, &Outcomes::cases)}};
+  for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
+    columns.emplace_back(std::string(word(static_cast<filtered::Stage>(stage))),
+                         "cases of which this was the slowest stage",
+                         [stage](const Row& row) { return row.outcomes.by_stage[stage]; });
+  columns.emplace_back("differences", "cases that differed from exact",
+                       harness::path(&Row::outcomes, &Outcomes::differences));
+  return {"soak.csv", "a family of cases and a way of asking", columns};
+}
+
+std::string stage_headings() {
   std::string text;
   for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
-    text += fmt::format(fmt::runtime(form), word(static_cast<filtered::Stage>(stage)));
+    text += fmt::format(" {:>13}", word(static_cast<filtered::Stage>(stage)));
   return text;
 }
 
@@ -42,14 +62,10 @@ std::string verdict(const Tally& tally) {
 }  // namespace
 
 void write_counts(const std::filesystem::path& folder, const Tally& tally) {
-  std::string text = "family,way,cases" + stage_words(",{}") + ",differences\n";
-  for_each_row(tally, [&](std::string_view family, std::string_view way, const Outcomes& outcomes) {
-    text += fmt::format("{},{},{}", family, way, outcomes.cases);
-    for (const std::uint64_t count : outcomes.by_stage) text += fmt::format(",{}", count);
-    text += fmt::format(",{}\n", outcomes.differences);
-  });
-  harness::write_file(folder / "soak.csv", text);
+  counts_table().write(folder, rows_of(tally));
 }
+
+std::vector<harness::TableDescription> tables() { return {counts_table().description()}; }
 
 void write_differences(const std::filesystem::path& folder, const Tally& tally) {
   std::string text;
@@ -59,12 +75,12 @@ void write_differences(const std::filesystem::path& folder, const Tally& tally) 
 
 std::string table(const Tally& tally) {
   std::string text =
-      fmt::format("{:<9} {:<10} {:>11}{} {:>11}\n", "asked", "family", "cases", stage_words(" {:>13}"), "differences");
-  for_each_row(tally, [&](std::string_view family, std::string_view way, const Outcomes& outcomes) {
+      fmt::format("{:<9} {:<10} {:>11}{} {:>11}\n", "asked", "family", "cases", stage_headings(), "differences");
+  for (const auto& [family, way, outcomes] : rows_of(tally)) {
     text += fmt::format("{:<9} {:<10} {:>11}", way, family, outcomes.cases);
     for (const std::uint64_t count : outcomes.by_stage) text += fmt::format(" {:>13}", count);
     text += fmt::format(" {:>11}\n", outcomes.differences);
-  });
+  }
   return text + "Stages: the slowest that a case reached.\n" + verdict(tally);
 }
 

@@ -3,18 +3,22 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "experiments/harness/table.h"
 #include "experiments/studies/soak/tally.h"
 
 namespace touchstone::soak {
 
 // Results only: byte for byte the same for the same seed, first case and number of cases, whatever the number of
-// threads and interruptions. Each throws std::runtime_error, which names the file, where it cannot be written.
+// threads and interruptions. Each throws std::runtime_error, which names the file, if it cannot be written.
+// tables() says what the table holds.
 
-/// soak.csv: one line per family and way of asking: cases, by the slowest stage that they reached, and differences.
 void write_counts(const std::filesystem::path& folder, const Tally& tally);
 /// differences.jsonl: the first cases that differed, for `touchstone judge --method filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
+
+[[nodiscard]] std::vector<harness::TableDescription> tables();
 
 /// Returns the table for the terminal, with the verdict below it.
 [[nodiscard]] std::string table(const Tally& tally);

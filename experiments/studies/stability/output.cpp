@@ -4,128 +4,331 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 
 namespace touchstone::stability {
 namespace {
 
-/// Three columns.
-std::string rate_and_limits(std::uint64_t failed, std::uint64_t trials) {
-  const auto limits = statistics::clopper_pearson(failed, trials);
-  const double rate = trials == 0 ? 0 : static_cast<double>(failed) / static_cast<double>(trials);
-  return fmt::format("{:.6g},{:.6g},{:.6g}", rate, limits.lower, limits.upper);
+using harness::path;
+
+/// Returns the columns `axis`, `level` and `value` of a row with an axis, or none for all axes, and a level.
+template <class Row>
+std::vector<harness::Column<Row>> level_columns() {
+  const auto level = [](const Row& row) { return row.axis ? &levels(*row.axis)[row.level] : nullptr; };
+  return {{"axis", "the property that gets worse, or `all`",
+           [](const Row& row) { return row.axis ? word(*row.axis) : std::string_view("all"); }},
+          {"level", "how bad it is, as tables name it",
+           [level](const Row& row) { return level(row) ? std::optional(level(row)->name) : std::nullopt; }},
+          {"value", "the same as a number",
+           [level](const Row& row) { return level(row) ? std::optional(level(row)->value) : std::nullopt; }, "{:.6g}"}};
 }
 
-/// Four columns.
-std::string quantiles(const statistics::Distribution& d) {
-  return fmt::format("{:.4g},{:.4g},{:.4g}", d.quantile(0.5), d.quantile(0.99), d.largest());
+struct FailureRow {
+  std::optional<Axis> axis;
+  std::size_t level;
+  Nearness nearness;
+  Test test;
+  std::string_view method;
+  const Tally* tally;
+  harness::Rate rate;
+};
+
+const harness::Table<FailureRow>& failures_table() {
+  static const harness::Table<FailureRow> table(
+      "failures.csv", "an axis, level, nearness, test and method",
+      harness::all_columns<FailureRow>(
+          {level_columns<FailureRow>(),
+           {{"nearness", "how close the ball's radius is to the exact distance", &FailureRow::nearness},
+            {"test", "the decision that is compared", &FailureRow::test},
+            {"method", "the method", &FailureRow::method},
+            {"failed_samples", "polygons with a wrong answer", path(&FailureRow::tally, &Tally::failed)},
+            {"samples", "polygons", path(&FailureRow::tally, &Tally::samples)}},
+           harness::rate_columns<FailureRow>("failed samples", &FailureRow::rate),
+           {{"wrong_answers", "wrong answers", path(&FailureRow::tally, &Tally::wrong)},
+            {"answers", "answers", path(&FailureRow::tally, &Tally::balls)}}}));
+  return table;
 }
 
-/// Two columns: the level as tables name it, and as a number.
-std::string level_text(Axis axis, std::size_t level) {
-  return fmt::format("{},{:.6g}", levels(axis)[level].name, levels(axis)[level].value);
+/// A level of an axis and the rate of failures there.
+struct LevelRate {
+  std::string_view level;
+  double rate;
+};
+
+/// The last level before the first failure.
+struct LevelBefore {
+  std::string_view level;
+  std::uint64_t samples;
+  double upper;  ///< the upper limit of the rate of failures after none was seen
+};
+
+struct FirstFailureRow {
+  Axis axis;
+  Nearness nearness;
+  Test test;
+  std::string_view method;
+  std::optional<LevelRate> first, above_half;
+  std::optional<LevelBefore> before;
+  Tally all;
+  harness::Rate rate;
+};
+
+/// Returns the function that finds a member of an optional member, or nothing.
+template <class Row, class Part, class Value>
+auto optional_path(std::optional<Part> Row::*part, Value Part::*value) {
+  return [=](const Row& row) { return row.*part ? std::optional((*(row.*part)).*value) : std::nullopt; };
 }
 
-/// Three columns: the level before the first with a failure (the last one, if there is none), its samples, none of
-/// which failed, and the upper limit of their rate; nothing where the first level has failures.
-std::string before_text(const Settings& settings, const Summary& summary, const Summary::Cell& cell) {
+const harness::Table<FirstFailureRow>& first_failure_table() {
+  using Row = FirstFailureRow;
+  static const harness::Table<Row> table(
+      "first-failure.csv", "an axis, nearness, test and method",
+      harness::all_columns<Row>(
+          {{{"axis", "the property that gets worse", &Row::axis},
+            {"nearness", "how close the ball's radius is to the exact distance", &Row::nearness},
+            {"test", "the decision that is compared", &Row::test},
+            {"method", "the method", &Row::method},
+            {"first_failure", "the first level with a failure", optional_path(&Row::first, &LevelRate::level)},
+            {"rate_there", "the share of failed samples there", optional_path(&Row::first, &LevelRate::rate), "{:.6g}"},
+            {"first_above_half", "the first level at which more than half of the samples failed",
+             optional_path(&Row::above_half, &LevelRate::level)},
+            {"rate_there_above_half", "their share there", optional_path(&Row::above_half, &LevelRate::rate), "{:.6g}"},
+            {"level_before", "the level before the first failure; the last one if there was none",
+             optional_path(&Row::before, &LevelBefore::level)},
+            {"samples_before", "samples there", optional_path(&Row::before, &LevelBefore::samples)},
+            {"upper_before", "the upper limit of their rate of failures",
+             optional_path(&Row::before, &LevelBefore::upper), "{:.6g}"},
+            {"failed_samples", "failed samples of all levels", path(&Row::all, &Tally::failed)},
+            {"samples", "samples of all levels", path(&Row::all, &Tally::samples)}},
+           harness::rate_columns<Row>("failed samples of all levels", &Row::rate)}));
+  return table;
+}
+
+/// Returns the columns of a distribution's median, 99 % quantile and maximum.
+template <class Row, class Value>
+std::vector<harness::Column<Row>> quantile_columns(const std::array<std::string, 3>& names, const std::string& what,
+                                                   const Value& value) {
+  constexpr const char* kFormat = "{:.4g}";
+  const auto quantile = [value](double share) {
+    return [value, share](const Row& row) { return value(row).quantile(share); };
+  };
+  return {{names[0], "the median of " + what, quantile(0.5), kFormat},
+          {names[1], "the 99 % quantile", quantile(0.99), kFormat},
+          {names[2], "the maximum", [value](const Row& row) { return value(row).largest(); }, kFormat}};
+}
+
+struct ErrorRow {
+  std::optional<Axis> axis;
+  std::size_t level;
+  Quantity quantity;
+  std::string_view method;
+  const ErrorSummary* errors;
+};
+
+const harness::Table<ErrorRow>& errors_table() {
+  static const harness::Table<ErrorRow> table(
+      "errors.csv", "an axis, level, quantity and method",
+      harness::all_columns<ErrorRow>(
+          {level_columns<ErrorRow>(),
+           {{"quantity", "distance or point", &ErrorRow::quantity},
+            {"method", "the method", &ErrorRow::method},
+            {"numbers", "numbers", [](const ErrorRow& row) { return row.errors->relative.count(); }},
+            {"not_finite", "numbers that are not finite",
+             [](const ErrorRow& row) { return row.errors->relative.infinite(); }}},
+           quantile_columns<ErrorRow>({"relative_median", "relative_99", "relative_max"}, "the relative error",
+                                      path(&ErrorRow::errors, &ErrorSummary::relative)),
+           quantile_columns<ErrorRow>({"ulps_median", "ulps_99", "ulps_max"}, "the error in units in the last place",
+                                      path(&ErrorRow::errors, &ErrorSummary::ulps))}));
+  return table;
+}
+
+struct BoundRow {
+  const BoundedQuantity* about;
+  std::optional<Axis> axis;
+  std::size_t level;
+  const BoundSummary* bound;
+  harness::Rate rate;
+};
+
+const harness::Table<BoundRow>& tightness_table() {
+  static const harness::Table<BoundRow> table(
+      "tightness.csv", "a bounded quantity, axis (or `all`) and level",
+      harness::all_columns<BoundRow>(
+          {{{"stage", "the stage whose bound it is", path(&BoundRow::about, &BoundedQuantity::stage)},
+            {"quantity", "the quantity", path(&BoundRow::about, &BoundedQuantity::name)}},
+           level_columns<BoundRow>(),
+           {{"observations", "observed errors", [](const BoundRow& row) { return row.bound->tightness.count(); }},
+            {"exceeded", "errors beyond their bound", path(&BoundRow::bound, &BoundSummary::exceeded)},
+            {"exceeded_polygons", "polygons with such an error", path(&BoundRow::bound, &BoundSummary::failed)},
+            {"polygons", "polygons", path(&BoundRow::bound, &BoundSummary::polygons)}},
+           harness::rate_columns<BoundRow>("such polygons", &BoundRow::rate),
+           quantile_columns<BoundRow>({"median", "quantile_99", "max"}, "|computed - exact| / bound",
+                                      path(&BoundRow::bound, &BoundSummary::tightness))}));
+  return table;
+}
+
+struct ConditionRow {
+  const BoundedQuantity* about;
+  Axis axis;
+  const ConditionPoint* point;
+};
+
+const harness::Table<ConditionRow>& conditions_table() {
+  using Row = ConditionRow;
+  static const harness::Table<Row> table(
+      "conditions.csv", "one observation, from the first samples of each level",
+      {{"stage", "the stage whose bound it is", path(&Row::about, &BoundedQuantity::stage)},
+       {"quantity", "the quantity", path(&Row::about, &BoundedQuantity::name)},
+       {"constant", "the constant of its bound", path(&Row::about, &BoundedQuantity::constant), "{:.6g}"},
+       {"axis", "the property that gets worse", &Row::axis},
+       {"level", "how bad it is", [](const Row& row) { return levels(row.axis)[row.point->level].name; }},
+       {"condition", "the condition of the quantity", path(&Row::point, &ConditionPoint::condition), "{:.3e}"},
+       {"relative_error", "its relative error", path(&Row::point, &ConditionPoint::relative_error), "{:.3e}"}});
+  return table;
+}
+
+struct OnsetRow {
+  double distance;
+  std::string_view method;
+  int exponent;
+  std::uint64_t failed, triangles, wrong;
+  harness::Rate rate;
+};
+
+const harness::Table<OnsetRow>& onset_table() {
+  static const harness::Table<OnsetRow> table(
+      "onset.csv", "a distance from the origin, method and offset",
+      harness::all_columns<OnsetRow>(
+          {{{"origin_distance", "of the triangle, in its sizes", &OnsetRow::distance},
+            {"method", "the method", &OnsetRow::method},
+            {"offset_exponent", "of the radius: 2^this of the exact distance", &OnsetRow::exponent},
+            {"failed_triangles", "triangles with a wrong answer", &OnsetRow::failed},
+            {"triangles", "triangles", &OnsetRow::triangles}},
+           harness::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
+           {{"wrong_answers", "wrong answers", &OnsetRow::wrong},
+            {"answers", "answers, two for each triangle", [](const OnsetRow& row) { return 2 * row.triangles; }}}}));
+  return table;
+}
+
+struct ContractionRow {
+  ContractionCount count;
+  harness::Rate plain, fused;
+};
+
+const harness::Table<ContractionRow>& contraction_table() {
+  using Row = ContractionRow;
+  static const harness::Table<Row> table(
+      "contraction.csv", "a sign and a family of exact values",
+      harness::all_columns<Row>(
+          {{{"sign", "the expression whose sign is computed", path(&Row::count, &ContractionCount::sign)},
+            {"family", "its exact value", path(&Row::count, &ContractionCount::family)},
+            {"trials", "trials", path(&Row::count, &ContractionCount::trials)},
+            {"plain_wrong", "wrong signs without contraction", path(&Row::count, &ContractionCount::plain_wrong)}},
+           harness::rate_columns<Row>("wrong signs without contraction", &Row::plain, "plain_"),
+           {{"fused_wrong", "wrong signs with fused multiply-adds", path(&Row::count, &ContractionCount::fused_wrong)}},
+           harness::rate_columns<Row>("wrong signs with fused multiply-adds", &Row::fused, "fused_"),
+           {{"signs_differ", "trials in which the two differ", path(&Row::count, &ContractionCount::differ)}}}));
+  return table;
+}
+
+const harness::Table<FalseArea>& areas_table() {
+  const auto limit = [](double statistics::Limits::*side) {
+    return [side](const FalseArea& area) { return area.limits().*side; };
+  };
+  static const harness::Table<FalseArea> table(
+      "areas.csv", "an outline: the points that the thesis's sum of angles calls inside",
+      {{"outline", "the outline", [](const FalseArea& area) { return area.outline->name; }},
+       {"points", "random points", &FalseArea::points},
+       {"rightly_inside", "inside, and said to be", &FalseArea::right},
+       {"wrongly_inside", "outside, but said to be inside", &FalseArea::wrong},
+       {"missed", "inside, but said to be outside", &FalseArea::missed},
+       {"share", "the outside area that is called inside, relative to the outline's", &FalseArea::share, "{:.6g}"},
+       {"lower", "its lower limit", limit(&statistics::Limits::lower), "{:.6g}"},
+       {"upper", "its upper limit", limit(&statistics::Limits::upper), "{:.6g}"}});
+  return table;
+}
+
+/// Returns the first level at which more than this share of the samples failed, if there is one.
+std::optional<LevelRate> first_above(const Settings& settings, const Summary& summary, const Summary::Cell& cell,
+                                     double share) {
+  const auto [axis, nearness, test, method, unused] = cell;
+  const auto level = summary.first_level(settings, axis, nearness, test, method, share);
+  if (!level) return std::nullopt;
+  return LevelRate{levels(settings.axes[axis])[*level].name, summary.at(axis, nearness, test, method, *level)->rate()};
+}
+
+/// Returns the level before the first one with a failure, or the last level if there is none.
+std::optional<LevelBefore> before_first(const Settings& settings, const Summary& summary, const Summary::Cell& cell) {
   const auto [axis, nearness, test, method, unused] = cell;
   const auto first = summary.first_level(settings, axis, nearness, test, method, 0);
   std::size_t level = first.value_or(levels(settings.axes[axis]).size());
   while (level-- > 0)
     if (const Tally* tally = summary.at(axis, nearness, test, method, level))
-      return fmt::format("{},{},{:.6g}", levels(settings.axes[axis])[level].name, tally->samples,
-                         statistics::clopper_pearson(0, tally->samples).upper);
-  return ",,";
-}
-
-/// Two columns: a level and the rate there, or nothing.
-std::string first_text(const Settings& settings, const Summary& summary, const Summary::Cell& cell, double share) {
-  const auto [axis, nearness, test, method, unused] = cell;
-  const auto level = summary.first_level(settings, axis, nearness, test, method, share);
-  if (!level) return ",";
-  const Tally& tally = *summary.at(axis, nearness, test, method, *level);
-  return fmt::format("{},{:.6g}", levels(settings.axes[axis])[*level].name, tally.rate());
+      return LevelBefore{levels(settings.axes[axis])[level].name, tally->samples,
+                         statistics::clopper_pearson(0, tally->samples).upper};
+  return std::nullopt;
 }
 
 }  // namespace
 
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
-  std::string text =
-      "axis,level,value,nearness,test,method,failed_samples,samples,rate,lower,upper,wrong_answers,answers\n";
-  std::string first =
-      "axis,nearness,test,method,first_failure,rate_there,first_above_half,rate_there_above_half,level_before,"
-      "samples_before,upper_before,failed_samples,samples,rate,lower,upper\n";
+  std::vector<FailureRow> rows;
+  std::vector<FirstFailureRow> firsts;
   for (std::size_t a = 0; a < settings.axes.size(); ++a)
     for (const Nearness nearness : kNearnesses)
       for (const Test test : kCountedTests)
         for (std::size_t m = 0; m < settings.methods.size(); ++m) {
+          const Axis axis = settings.axes[a];
           const std::string_view name = settings.methods[m]->name();
           Tally all;
-          for (std::size_t level = 0; level < levels(settings.axes[a]).size(); ++level) {
+          for (std::size_t level = 0; level < levels(axis).size(); ++level) {
             const Tally* tally = summary.at(a, nearness, test, m, level);
             if (tally == nullptr) continue;
             all += *tally;
-            text +=
-                fmt::format("{},{},{},{},{},{},{},{},{},{}\n", word(settings.axes[a]),
-                            level_text(settings.axes[a], level), word(nearness), word(test), name, tally->failed,
-                            tally->samples, rate_and_limits(tally->failed, tally->samples), tally->wrong, tally->balls);
+            rows.push_back({axis, level, nearness, test, name, tally, harness::rate(tally->failed, tally->samples)});
           }
           if (all.samples == 0) continue;
           const Summary::Cell cell{a, nearness, test, m, 0};
-          first += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", word(settings.axes[a]), word(nearness), word(test),
-                               name, first_text(settings, summary, cell, 0), first_text(settings, summary, cell, 0.5),
-                               before_text(settings, summary, cell), all.failed, all.samples,
-                               rate_and_limits(all.failed, all.samples));
+          firsts.push_back({axis, nearness, test, name, first_above(settings, summary, cell, 0),
+                            first_above(settings, summary, cell, 0.5), before_first(settings, summary, cell), all,
+                            harness::rate(all.failed, all.samples)});
         }
-  harness::write_file(folder / "failures.csv", text);
-  harness::write_file(folder / "first-failure.csv", first);
+  failures_table().write(folder, rows);
+  first_failure_table().write(folder, firsts);
 }
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
-  std::string text =
-      "axis,level,value,quantity,method,numbers,not_finite,relative_median,relative_99,relative_max,ulps_median,"
-      "ulps_99,ulps_max\n";
+  std::vector<ErrorRow> rows;
   for (const auto& [cell, errors] : summary.errors) {
     const auto& [axis, quantity, method, level] = cell;
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", word(settings.axes[axis]), level_text(settings.axes[axis], level),
-                        word(quantity), settings.methods[method]->name(), errors.relative.count(),
-                        errors.relative.infinite(), quantiles(errors.relative), quantiles(errors.ulps));
+    rows.push_back({settings.axes[axis], level, quantity, settings.methods[method]->name(), &errors});
   }
-  harness::write_file(folder / "errors.csv", text);
+  errors_table().write(folder, rows);
 }
 
 void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary) {
-  std::string text =
-      "stage,quantity,axis,level,value,observations,exceeded,exceeded_polygons,polygons,rate,lower,upper,median,"
-      "quantile_99,max\n";
-  const auto add = [&](std::size_t quantity, const std::string& where, const BoundSummary& bound) {
-    const BoundedQuantity& about = bounded_quantities()[quantity];
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", word(about.stage), about.name, where, bound.tightness.count(),
-                        bound.exceeded, bound.failed, bound.polygons, rate_and_limits(bound.failed, bound.polygons),
-                        quantiles(bound.tightness));
+  std::vector<BoundRow> rows;
+  const auto add = [&](std::size_t quantity, std::optional<Axis> axis, std::size_t level, const BoundSummary& bound) {
+    rows.push_back({&bounded_quantities()[quantity], axis, level, &bound, harness::rate(bound.failed, bound.polygons)});
   };
-  for (const auto& [quantity, bound] : summary.all_bounds) add(quantity, "all,,", bound);
+  for (const auto& [quantity, bound] : summary.all_bounds) add(quantity, std::nullopt, 0, bound);
   for (const auto& [cell, bound] : summary.bounds) {
     const auto& [quantity, axis, level] = cell;
-    add(quantity, fmt::format("{},{}", word(settings.axes[axis]), level_text(settings.axes[axis], level)), bound);
+    add(quantity, settings.axes[axis], level, bound);
   }
-  harness::write_file(folder / "tightness.csv", text);
+  tightness_table().write(folder, rows);
 
-  std::string points = "stage,quantity,constant,axis,level,condition,relative_error\n";
-  for (const auto& [block, list] : summary.points) {
-    const Axis axis = settings.axes[block % settings.axes.size()];
-    for (const ConditionPoint& p : list) {
-      const BoundedQuantity& about = bounded_quantities()[p.quantity];
-      points += fmt::format("{},{},{:.6g},{},{},{:.3e},{:.3e}\n", word(about.stage), about.name, about.constant,
-                            word(axis), levels(axis)[p.level].name, p.condition, p.relative_error);
-    }
-  }
-  harness::write_file(folder / "conditions.csv", points);
+  std::vector<ConditionRow> points;
+  for (const auto& [block, list] : summary.points)
+    for (const ConditionPoint& point : list)
+      points.push_back({&bounded_quantities()[point.quantity], settings.axes[block % settings.axes.size()], &point});
+  conditions_table().write(folder, points);
 }
 
 void write_worst(const std::filesystem::path& folder, const Summary& summary) {
@@ -143,33 +346,25 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
 
 void write_known(const std::filesystem::path& folder, const Known& known) {
   const Onset& onset = known.onset;
-  std::string text =
-      "origin_distance,method,offset_exponent,failed_triangles,triangles,rate,lower,upper,wrong_answers,answers\n";
+  std::vector<OnsetRow> onsets;
   for (std::size_t d = 0; d < std::size(kOnsetDistances); ++d)
     for (std::size_t m = 0; m < onset.methods().size(); ++m)
       for (int k = kCoarsest; k <= kFinest; ++k)
-        text += fmt::format("{},{},{},{},{},{},{},{}\n", kOnsetDistances[d], onset.methods()[m], -k,
-                            onset.failures(d, m, k), onset.triangles(),
-                            rate_and_limits(onset.failures(d, m, k), onset.triangles()), onset.wrong(d, m, k),
-                            2 * onset.triangles());
-  harness::write_file(folder / "onset.csv", text);
+        onsets.push_back({kOnsetDistances[d], onset.methods()[m], -k, onset.failures(d, m, k), onset.triangles(),
+                          onset.wrong(d, m, k), harness::rate(onset.failures(d, m, k), onset.triangles())});
+  onset_table().write(folder, onsets);
 
-  text =
-      "sign,family,trials,plain_wrong,plain_rate,plain_lower,plain_upper,fused_wrong,fused_rate,fused_lower,"
-      "fused_upper,signs_differ\n";
+  std::vector<ContractionRow> contractions;
   for (const ContractionCount& c : known.contractions)
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", c.sign, c.family, c.trials, c.plain_wrong,
-                        rate_and_limits(c.plain_wrong, c.trials), c.fused_wrong,
-                        rate_and_limits(c.fused_wrong, c.trials), c.differ);
-  harness::write_file(folder / "contraction.csv", text);
+    contractions.push_back({c, harness::rate(c.plain_wrong, c.trials), harness::rate(c.fused_wrong, c.trials)});
+  contraction_table().write(folder, contractions);
+  areas_table().write(folder, known.areas);
+}
 
-  text = "outline,points,rightly_inside,wrongly_inside,missed,share,lower,upper\n";
-  for (const auto& area : known.areas) {
-    const auto limits = area.limits();
-    text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", area.outline->name, area.points, area.right,
-                        area.wrong, area.missed, area.share(), limits.lower, limits.upper);
-  }
-  harness::write_file(folder / "areas.csv", text);
+std::vector<harness::TableDescription> tables() {
+  return {failures_table().description(),    first_failure_table().description(), errors_table().description(),
+          tightness_table().description(),   conditions_table().description(),    onset_table().description(),
+          contraction_table().description(), areas_table().description()};
 }
 
 }  // namespace touchstone::stability

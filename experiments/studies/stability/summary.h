@@ -93,7 +93,7 @@ struct Summary {
   void add_bounds(const Block& block, std::size_t axis);
 };
 
-[[nodiscard]] inline std::uint64_t items_done(const Summary& summary) { return summary.samples(); }
+[[nodiscard]] inline std::uint64_t items_done(const Summary& summary) { return summary.blocks; }
 
 /// Returns an empty summary.
 [[nodiscard]] Summary no_summary(const Settings& settings);

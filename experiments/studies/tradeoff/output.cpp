@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/cases/stratum_group.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/statistics/bounded_mean.h"
-#include "experiments/statistics/clopper_pearson.h"
+#include "experiments/statistics/percent.h"
 #include "experiments/studies/tradeoff/band.h"
 #include "experiments/studies/tradeoff/front.h"
 #include "robust/exact/exact.h"
@@ -24,34 +26,6 @@ using workloads::Placement;
 
 constexpr std::array kPlacements{Placement::LatticeFrame, Placement::Rotated};
 
-/// The subject of a line in the tables: one stratum, or one of each family.
-struct Group {
-  std::string name;  ///< family, placement and threshold
-  std::vector<std::size_t> strata;
-};
-
-std::vector<Group> groups_of(const Settings& settings) {
-  std::vector<Group> single, pooled;
-  for (std::size_t s = 0; s < all_strata().size(); ++s) {
-    const auto& [family, placement, threshold] = all_strata()[s];
-    if (std::ranges::find(settings.families, family) == settings.families.end()) continue;
-    const std::string where = fmt::format("{},{}", word(placement), word(threshold));
-    single.push_back({fmt::format("{},{}", word(family), where), {s}});
-    const std::string all = "all," + where;
-    auto group = std::ranges::find(pooled, all, &Group::name);
-    if (group == pooled.end()) group = pooled.insert(group, {all, {}});
-    group->strata.push_back(s);
-  }
-  single.insert(single.end(), pooled.begin(), pooled.end());
-  return single;
-}
-
-/// Three columns.
-std::string share_and_limits(std::uint64_t count, std::uint64_t trials, const statistics::Limits& limits) {
-  const double share = trials == 0 ? 0 : static_cast<double>(count) / static_cast<double>(trials);
-  return fmt::format("{:.6g},{:.6g},{:.6g}", share, limits.lower, limits.upper);
-}
-
 /// Calls line(family or nothing, its name, placement) for each of the selected families, then for all together.
 template <class Line>
 void for_each_place(const Settings& settings, const Line& line) {
@@ -61,6 +35,179 @@ void for_each_place(const Settings& settings, const Line& line) {
 }
 
 std::string_view name(const Settings& settings, std::size_t method) { return settings.methods[method]->name(); }
+
+struct OffsetRow {
+  const cases::StratumGroup* group;
+  std::string_view method;
+  std::int64_t offset;
+  Tally tally;
+  harness::Rate rate;
+};
+
+struct BandRow {
+  const cases::StratumGroup* group;
+  std::string_view method;
+  std::uint64_t samples;
+  Tally near;
+  Band band;
+  harness::Rate rate;
+};
+
+/// Returns the columns with which the rows of both tables begin.
+template <class Row>
+std::vector<harness::Column<Row>> subject_columns() {
+  return harness::all_columns<Row>({cases::stratum_columns(&Row::group),
+                                    {{"test", "contact, or foot where the centre moves",
+                                      [](const Row& row) { return test_at(row.group->threshold); }},
+                                     {"method", "the method", &Row::method}}});
+}
+
+const harness::Table<OffsetRow>& errors_table() {
+  static const harness::Table<OffsetRow> table(
+      "errors.csv", "a family, placement, threshold, method and offset",
+      harness::all_columns<OffsetRow>(
+          {subject_columns<OffsetRow>(),
+           {{"offset", "the distance of the ball from the threshold, in doubles", &OffsetRow::offset},
+            {"wrong", "wrong answers", harness::path(&OffsetRow::tally, &Tally::wrong)},
+            {"overflowed", "wrong answers for which the method's distance or point is not finite",
+             harness::path(&OffsetRow::tally, &Tally::overflowed)},
+            {"unsure", "undecided answers", harness::path(&OffsetRow::tally, &Tally::unsure)},
+            {"trials", "answers", harness::path(&OffsetRow::tally, &Tally::trials)}},
+           harness::rate_columns<OffsetRow>("wrong answers", &OffsetRow::rate)}));
+  return table;
+}
+
+const harness::Table<BandRow>& bands_table() {
+  static const harness::Table<BandRow> table(
+      "bands.csv", "a family, placement, threshold and method, within 8 doubles of the threshold",
+      harness::all_columns<BandRow>(
+          {subject_columns<BandRow>(),
+           {{"samples", "samples, which are independent", &BandRow::samples},
+            {"wrong", "wrong answers", harness::path(&BandRow::near, &Tally::wrong)},
+            {"overflowed", "wrong answers for which the method's distance or point is not finite",
+             harness::path(&BandRow::near, &Tally::overflowed)},
+            {"unsure", "undecided answers", harness::path(&BandRow::near, &Tally::unsure)},
+            {"answers", "answers", harness::path(&BandRow::near, &Tally::trials)}},
+           harness::rate_columns<BandRow>("wrong answers", &BandRow::rate),
+           {{"lowest_offset", "the lowest offset with a wrong answer", harness::path(&BandRow::band, &Band::lowest)},
+            {"highest_offset", "the highest one", harness::path(&BandRow::band, &Band::highest)}}}));
+  return table;
+}
+
+/// A family, or all, in a placement.
+struct Where {
+  std::string_view family;
+  Placement placement;
+};
+
+template <class Row>
+std::vector<harness::Column<Row>> where_columns() {
+  return {{"family", "the family of polygons, or `all`", harness::path(&Row::where, &Where::family)},
+          {"placement", "on the lattice, or rotated", harness::path(&Row::where, &Where::placement)},
+          {"method", "the method", &Row::method}};
+}
+
+struct PointRow {
+  Where where;
+  std::string_view method;
+  Quantity quantity;
+  UlpErrors ulps;
+  Worst worst;
+
+  [[nodiscard]] double quantile(double share) const { return ulps.quantile_of_finite(share); }
+  /// Returns the stratum of the worst sample, if there is one.
+  [[nodiscard]] const cases::Stratum* stratum() const {
+    return worst.ulps == 0 ? nullptr : &all_strata()[worst.stratum];
+  }
+};
+
+const harness::Table<PointRow>& points_table() {
+  constexpr const char* kFormat = "{:.6g}";
+  static const harness::Table<PointRow> table(
+      "points.csv", "a family, placement, method and quantity, with its errors in units in the last place",
+      harness::all_columns<PointRow>(
+          {where_columns<PointRow>(),
+           {{"quantity", "distance or point", &PointRow::quantity},
+            {"asked", "answers", [](const PointRow& row) { return row.ulps.asked; }},
+            {"known", "answers that give the quantity", [](const PointRow& row) { return row.ulps.known.count(); }},
+            {"not_finite", "those that are not finite", [](const PointRow& row) { return row.ulps.known.infinite(); }},
+            {"correctly_rounded", "those without error", [](const PointRow& row) { return row.ulps.known.zeros(); }},
+            {"median", "the median error of finite ones", [](const PointRow& row) { return row.quantile(0.5); },
+             kFormat},
+            {"q99", "their 99 % quantile", [](const PointRow& row) { return row.quantile(0.99); }, kFormat},
+            {"worst", "their largest error", [](const PointRow& row) { return row.quantile(1); }, kFormat},
+            {"worst_family", "the family of the worst sample: one that is not finite, if there is any",
+             [](const PointRow& row) { return row.stratum() ? std::optional(row.stratum()->family) : std::nullopt; }},
+            {"worst_threshold", "its threshold",
+             [](const PointRow& row) {
+               return row.stratum() ? std::optional(row.stratum()->threshold) : std::nullopt;
+             }},
+            {"worst_sample", "its number",
+             [](const PointRow& row) { return row.stratum() ? std::optional(row.worst.n) : std::nullopt; }}}}));
+  return table;
+}
+
+struct TimingRow {
+  const Timing* timing;
+  const timing::Measured* measured;
+  timing::Quartiles nanoseconds;
+};
+
+const harness::Table<TimingRow>& timings_table() {
+  constexpr const char* kFormat = "{:.1f}";
+  static const harness::Table<TimingRow> table(
+      "timings.csv", "a list of questions and a method",
+      {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->place.family; }},
+       {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->place.placement; }},
+       {"balls", "where the balls are", harness::path(&TimingRow::timing, &Timing::balls)},
+       {"question", "contact, or the whole answer", [](const TimingRow& row) { return word(row.timing->kind); }},
+       {"method", "the method", harness::path(&TimingRow::measured, &timing::Measured::name)},
+       {"asked", "questions", harness::path(&TimingRow::measured, &timing::Measured::queries)},
+       {"repetitions", "turns of the method", [](const TimingRow& row) { return row.measured->nanoseconds.size(); }},
+       {"lower_quartile_ns", "a question, over the turns",
+        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
+       {"median_ns", "the same, median", harness::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
+       {"upper_quartile_ns", "the same, upper quartile",
+        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::upper), kFormat}});
+  return table;
+}
+
+struct FrontRow {
+  Measure measure;
+  Where where;
+  std::string_view method;
+  Standing standing;
+};
+
+const harness::Table<FrontRow>& front_table() {
+  constexpr const char* kTime = "{:.1f}";
+  constexpr const char* kError = "{:.6g}";
+  static const harness::Table<FrontRow> table(
+      "front.csv", "a measure of error, family, placement and method",
+      harness::all_columns<FrontRow>(
+          {{{"measure", "the measure of error", &FrontRow::measure}},
+           where_columns<FrontRow>(),
+           {{"nanoseconds", "a question, median", [](const FrontRow& row) { return row.standing.nanoseconds.median; },
+             kTime},
+            {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.standing.nanoseconds.lower; },
+             kTime},
+            {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.standing.nanoseconds.upper; },
+             kTime},
+            {"error", "the share of answers, or the 99 % quantile of units in the last place",
+             harness::path(&FrontRow::standing, &Standing::error), kError},
+            {"lower", "the lower limit of a share; the median of units",
+             harness::path(&FrontRow::standing, &Standing::lower), kError},
+            {"upper", "the upper limit of a share; the worst of units",
+             harness::path(&FrontRow::standing, &Standing::upper), kError},
+            {"finite_error", "the error of finite answers", harness::path(&FrontRow::standing, &Standing::finite_error),
+             kError},
+            {"not_finite", "the share of answers that are not finite, or wrong for that reason",
+             harness::path(&FrontRow::standing, &Standing::not_finite), kError},
+            {"samples", "polygons behind the error", harness::path(&FrontRow::standing, &Standing::samples)},
+            {"front", "on: nothing is better; within-noise; off: another method is better",
+             harness::path(&FrontRow::standing, &Standing::front)}}}));
+  return table;
+}
 
 /// Draws the sample again and states what is expected of it.
 std::string worst_case(const Settings& settings, std::size_t method, Quantity quantity, const Worst& worst) {
@@ -85,69 +232,48 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
 }  // namespace
 
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
-  std::string text = "family,placement,threshold,test,method,offset,wrong,overflowed,unsure,trials,rate,lower,upper\n";
-  for (const Group& group : groups_of(settings)) {
-    const auto test = word(test_at(all_strata()[group.strata.front()].threshold));
+  const auto groups = cases::stratum_groups(settings.families);
+  std::vector<OffsetRow> rows;
+  for (const auto& group : groups)
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
       for (std::size_t i = 0; i < all_offsets().size(); ++i) {
         Tally tally;
         for (const std::size_t stratum : group.strata) tally += errors.at[stratum][m].offsets[i];
-        if (tally.trials == 0) continue;
-        text += fmt::format(
-            "{},{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), all_offsets()[i], tally.wrong,
-            tally.overflowed, tally.unsure, tally.trials,
-            share_and_limits(tally.wrong, tally.trials, statistics::clopper_pearson(tally.wrong, tally.trials)));
+        if (tally.trials > 0)
+          rows.push_back(
+              {&group, name(settings, m), all_offsets()[i], tally, harness::rate(tally.wrong, tally.trials)});
       }
-  }
-  harness::write_file(folder / "errors.csv", text);
+  errors_table().write(folder, rows);
 }
 
 void write_bands(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
-  std::string text =
-      "family,placement,threshold,test,method,samples,wrong,overflowed,unsure,answers,rate,lower,upper,lowest_offset,"
-      "highest_offset\n";
-  for (const Group& group : groups_of(settings)) {
-    const auto test = word(test_at(all_strata()[group.strata.front()].threshold));
+  const auto groups = cases::stratum_groups(settings.families);
+  std::vector<BandRow> rows;
+  for (const auto& group : groups)
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const MethodErrors sum = errors.sum(group.strata, m);
       const Tally near = sum.near_threshold();
       if (near.trials == 0) continue;
-      const double share = static_cast<double>(near.wrong) / static_cast<double>(near.trials);
-      const Band band = band_of(sum);
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", group.name, test, name(settings, m), sum.samples,
-                          near.wrong, near.overflowed, near.unsure, near.trials,
-                          share_and_limits(near.wrong, near.trials, statistics::bounded_mean(share, sum.samples)),
-                          band.lowest ? std::to_string(*band.lowest) : "",
-                          band.highest ? std::to_string(*band.highest) : "");
+      // Samples are independent, answers are not.
+      const double share = statistics::share_of(near.wrong, near.trials);
+      const auto limits = statistics::bounded_mean(share, sum.samples);
+      rows.push_back({&group, name(settings, m), sum.samples, near, band_of(sum), {share, limits.lower, limits.upper}});
     }
-  }
-  harness::write_file(folder / "bands.csv", text);
+  bands_table().write(folder, rows);
 }
 
 void write_points(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
-  std::string text =
-      "family,placement,method,quantity,asked,known,not_finite,correctly_rounded,median,q99,worst,worst_family,worst_"
-      "threshold,"
-      "worst_sample\n";
+  std::vector<PointRow> rows;
   for_each_place(settings, [&](auto family, std::string_view family_name, Placement placement) {
     const auto strata = strata_of(family, placement, true);
     for (std::size_t m = 0; m < settings.methods.size(); ++m) {
       const MethodErrors sum = errors.sum(strata, m);
-      for (std::size_t q = 0; q < kQuantities.size(); ++q) {
-        const UlpErrors& ulps = sum.ulps[q];
-        const auto& [asked, known] = ulps;
-        if (known.count() == known.infinite()) continue;
-        const Worst& worst = sum.worst[q];
-        const auto& stratum = all_strata()[worst.stratum];
-        text += fmt::format(
-            "{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{}\n", family_name, word(placement), name(settings, m),
-            word(kQuantities[q]), asked, known.count(), known.infinite(), known.zeros(), ulps.quantile_of_finite(0.5),
-            ulps.quantile_of_finite(0.99), ulps.quantile_of_finite(1),
-            worst.ulps == 0 ? ",," : fmt::format("{},{},{}", word(stratum.family), word(stratum.threshold), worst.n));
-      }
+      for (std::size_t q = 0; q < kQuantities.size(); ++q)
+        if (sum.ulps[q].known.count() > sum.ulps[q].known.infinite())
+          rows.push_back({{family_name, placement}, name(settings, m), kQuantities[q], sum.ulps[q], sum.worst[q]});
     }
   });
-  harness::write_file(folder / "points.csv", text);
+  points_table().write(folder, rows);
 }
 
 void write_worst(const std::filesystem::path& folder, const Settings& settings, const Errors& errors) {
@@ -162,31 +288,26 @@ void write_worst(const std::filesystem::path& folder, const Settings& settings, 
 }
 
 void write_timings(const std::filesystem::path& folder, const std::vector<Timing>& timings) {
-  std::string text =
-      "family,placement,balls,question,method,asked,repetitions,lower_quartile_ns,median_ns,upper_quartile_ns\n";
-  for (const auto& [place, balls, kind, methods] : timings)
-    for (const timing::Measured& m : methods) {
-      const auto q = timing::quartiles(m.nanoseconds);
-      text += fmt::format("{},{},{},{},{},{},{},{:.1f},{:.1f},{:.1f}\n", word(place.family), word(place.placement),
-                          word(balls), word(kind), m.name, m.queries, m.nanoseconds.size(), q.lower, q.median, q.upper);
-    }
-  harness::write_file(folder / "timings.csv", text);
+  std::vector<TimingRow> rows;
+  for (const Timing& timing : timings)
+    for (const timing::Measured& m : timing.methods) rows.push_back({&timing, &m, timing::quartiles(m.nanoseconds)});
+  timings_table().write(folder, rows);
 }
 
 void write_front(const std::filesystem::path& folder, const Settings& settings, const Errors& errors,
                  const std::vector<Timing>& timings) {
-  std::string text =
-      "measure,family,placement,method,nanoseconds,lower_quartile_ns,upper_quartile_ns,error,lower,upper,finite_error,"
-      "not_finite,samples,front\n";
+  std::vector<FrontRow> rows;
   for (const Measure measure : kMeasures)
     for_each_place(settings, [&](auto family, std::string_view family_name, Placement placement) {
-      for (const Standing& s : standings(measure, family, placement, errors, timings))
-        text += fmt::format("{},{},{},{},{:.1f},{:.1f},{:.1f},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{}\n",
-                            word(measure), family_name, word(placement), name(settings, s.method), s.nanoseconds.median,
-                            s.nanoseconds.lower, s.nanoseconds.upper, s.error, s.lower, s.upper, s.finite_error,
-                            s.not_finite, s.samples, word(s.front));
+      for (const Standing& standing : standings(measure, family, placement, errors, timings))
+        rows.push_back({measure, {family_name, placement}, name(settings, standing.method), standing});
     });
-  harness::write_file(folder / "front.csv", text);
+  front_table().write(folder, rows);
+}
+
+std::vector<harness::TableDescription> tables() {
+  return {errors_table().description(), bands_table().description(), points_table().description(),
+          timings_table().description(), front_table().description()};
 }
 
 }  // namespace touchstone::tradeoff

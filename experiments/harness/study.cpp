@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/harness/study.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "experiments/harness/pictures.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/standard_output.h"
+
+namespace touchstone::harness {
+
+void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about,
+                   std::uint64_t most) {
+  command.whole(samples, options.samples, about, 1, most);
+  command.seed(options.seed).changes_results();
+  command.threads(options.threads, "Threads of each process; they do not change the results");
+  command.resume(options.resume);
+  command.output(options.output, "The folder for tables and pictures");
+  command.force(options.force);
+  command.no_pictures(options.no_pictures);
+  command.keep_line(options.line);
+  command.keep_result_options(options.result_options);
+}
+
+StudyRun::StudyRun(std::string study, int version, const StudyOptions& options, const Processes& processes)
+    : study_(std::move(study)), version_(version), options_(options), processes_(processes), folder_(options.output) {
+  if (first()) held_.emplace(folder_, options.line, Existing{.force = options.force, .resume = options.resume});
+}
+
+double StudyRun::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void StudyRun::remove_files(const std::vector<std::string>& beginnings) const {
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    if (std::ranges::any_of(beginnings, [&](const std::string& start) { return name.starts_with(start); }))
+      std::filesystem::remove(entry.path());
+  }
+}
+
+int StudyRun::finish(const End& end) {
+  if (!first()) return 0;
+  const bool stopped = stop();
+  write_run_record(folder_, {.command = options_.line,
+                             .seed = options_.seed,
+                             .samples_asked = options_.samples,
+                             .samples_done = end.done,
+                             .samples_missing = end.missing,
+                             .threads = options_.threads,
+                             .seconds = seconds(),
+                             .processes = processes_.count(),
+                             .interrupted = stopped});
+  fmt::print("{}{:.0f} s; results: {}\n", end.text, seconds(), options_.output);
+  flush_standard_output();
+  if (stopped) {
+    fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
+               options_.output, end.done, options_.samples);
+    return kInterrupted;
+  }
+  if (end.pictures && !options_.no_pictures) {
+    std::string script = study_;
+    std::ranges::replace(script, '-', '_');
+    draw_pictures(script, *held_);
+  }
+  return end.status;
+}
+
+}  // namespace touchstone::harness

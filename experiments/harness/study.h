@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/harness/command.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/run_control.h"
+#include "experiments/harness/stop_signal.h"
+
+namespace touchstone::harness {
+
+/// The options of every study that draws samples.
+struct StudyOptions {
+  std::uint64_t samples = 1;
+  std::uint64_t seed = 1;
+  unsigned threads = all_threads();  ///< of each process
+  std::string output;
+  bool force = false, resume = false, no_pictures = false;
+
+  // Set by the command before it runs.
+  std::string line;  ///< repeats the run
+  std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
+};
+
+/// Declares these options, after those of the study itself. `samples`: the name and the meaning of the number of
+/// samples.
+void declare_study(Command& command, StudyOptions& options, const std::string& samples, const std::string& about,
+                   std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+
+/// One run of a study by all processes: its folder, its phases and its end. Only the first process writes and prints.
+class StudyRun {
+ public:
+  /// Locks the folder of the results at the first process. `study`: the name of the command. `version`: see
+  /// ResultSettings. Throws as OutputFolder does.
+  StudyRun(std::string study, int version, const StudyOptions& options, const Processes& processes);
+
+  [[nodiscard]] const Processes& processes() const { return processes_; }
+  [[nodiscard]] bool first() const { return processes_.first(); }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const std::atomic<bool>& stop() const { return stop_signal_.requested(); }
+  /// Returns the seconds since this run began.
+  [[nodiscard]] double seconds() const;
+
+  /// Runs a phase that a checkpoint continues: run(control, state) processes the items from items_done(state) on, of
+  /// `items`. Returns the state at the end. `what`: the items, for the line of progress. Throws as Checkpoint does.
+  template <class State, class Run>
+  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero,
+              const Run& run) const {
+    const Checkpoint file(folder_ / checkpoint, {version_, options_.result_options()});
+    State state = begin(file, processes_, options_.resume, items, std::move(zero));
+    ProgressLine line(study_ + ": " + what, items, items_done(state));
+    run(run_control<State>(processes_, stop(), line, file), state);
+    return state;
+  }
+  /// Runs a short phase without a checkpoint: run(control). Returns its result.
+  template <class State, class Run>
+  auto phase(const std::string& what, std::uint64_t items, const Run& run) const {
+    ProgressLine line(study_ + ": " + what, items);
+    return run(RunControl<State>{processes_, stop(), [&line](std::uint64_t done) { line(done); }});
+  }
+
+  /// Removes the files of an earlier run whose names begin so, because they would belong to other data.
+  void remove_files(const std::vector<std::string>& beginnings) const;
+
+  /// The end of a run.
+  struct End {
+    std::uint64_t done = 0, missing = 0;  ///< samples
+    std::string text;                     ///< tables and sentences for standard output
+    int status = 0;                       ///< the exit status of a complete run
+    bool pictures = true;                 ///< whether a complete run has pictures
+  };
+  /// Writes run.json, prints the text, the time and the folder, reports an interruption and draws the pictures. Returns
+  /// the exit status.
+  int finish(const End& end);
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::string study_;
+  int version_;
+  const StudyOptions& options_;
+  const Processes& processes_;
+  std::filesystem::path folder_;
+  std::optional<OutputFolder> held_;  ///< by the first process
+  StopSignal stop_signal_;
+};
+
+/// Returns the function of a command that runs a study in all processes; run(StudyRun&) returns the exit status.
+template <class Run>
+std::function<int()> study_runner(std::string study, int version, const StudyOptions& options, Run run) {
+  return [study = std::move(study), version, &options, run = std::move(run)] {
+    return run_together([&](const Processes& processes) {
+      StudyRun study_run(study, version, options, processes);
+      return run(study_run);
+    });
+  };
+}
+
+}  // namespace touchstone::harness
