@@ -268,7 +268,7 @@ Option Command::resume(bool& value) {
 }
 
 Option Command::force(bool& value) {
-  Option option = flag("--force", value, "Write over what is there; without it, a folder must be empty or new");
+  Option option = flag("--force", value, "Overwrite what is there; without it, a folder must be empty or new");
   if (app().get_option_no_throw("--resume") != nullptr) option.excludes("--resume");
   return option;
 }

@@ -112,7 +112,7 @@ void OutputFolder::refuse_content(Existing existing) const {
   if (names.empty()) return;
   const std::string name = io::legible(*names.begin());
   if (existing.resume) refuse("has no checkpoint.json to continue from, but " + name);
-  refuse(fmt::format("is not empty (it has {}); --force writes over what is there{}", name,
+  refuse(fmt::format("is not empty (it has {}); --force overwrites what is there{}", name,
                      has_checkpoint ? ", --resume continues its run" : ""));
 }
 

@@ -182,7 +182,7 @@ class EveryCommand(unittest.TestCase):
             with self.subTest(call=call):
                 done = self.run_in(call, output, stdout=subprocess.PIPE)
                 self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertIn("--force writes over ", done.stderr)
+                self.assertIn("--force overwrites ", done.stderr)
                 self.assertEqual(content(SCRATCH), before)
         for name in (name for name, ways in COMMANDS.items() if any(map(writes, ways))):
             with self.subTest(command=name):

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "experiments/harness/archive.h"
 #include "experiments/workloads/random.h"
 
 namespace touchstone::statistics {

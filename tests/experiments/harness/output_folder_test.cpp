@@ -180,7 +180,7 @@ TEST(OutputFolder, IsRefusedWhereItIsNotEmpty) {
   const Scratch scratch;
   write_file(scratch.path / "rates.csv", "precious\n");
   EXPECT_EQ(refusal(scratch.path),
-            scratch.path.string() + ": is not empty (it has rates.csv); --force writes over what is there");
+            scratch.path.string() + ": is not empty (it has rates.csv); --force overwrites what is there");
   EXPECT_EQ(refusal(scratch.path, {.force = true}), "");
   EXPECT_FALSE(fs::exists(scratch.path / ".lock"));
 }
@@ -194,7 +194,7 @@ TEST(OutputFolder, IsResumedOnlyFromACheckpoint) {
   fs::rename(scratch.path / "rates.csv", scratch.path / "checkpoint.json");
   EXPECT_EQ(refusal(scratch.path, {.resume = true}), "");
   EXPECT_EQ(refusal(scratch.path), scratch.path.string() +
-                                       ": is not empty (it has checkpoint.json); --force writes over what is there, "
+                                       ": is not empty (it has checkpoint.json); --force overwrites what is there, "
                                        "--resume continues its run");
 }
 

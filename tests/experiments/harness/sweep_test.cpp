@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -78,19 +79,17 @@ TEST(Blocks, EndWithTheFirstException) {
   EXPECT_THROW(run(), std::runtime_error);
 }
 
-/// The items themselves.
+/// How often each item was taken.
 struct Items {
-  std::multiset<std::uint64_t> all;
+  std::map<std::uint64_t, int> all;
 
-  Items& operator+=(const Items& other) {
-    all.insert(other.all.begin(), other.all.end());
-    return *this;
-  }
+  void insert(std::uint64_t item) { ++all[item]; }
+  auto members() { return std::tie(all); }
 };
 
 Items first_items(std::uint64_t count) {
   Items items;
-  for (std::uint64_t i = 0; i < count; ++i) items.all.insert(i);
+  for (std::uint64_t i = 0; i < count; ++i) items.insert(i);
   return items;
 }
 
@@ -101,7 +100,7 @@ TEST(Sweep, TakesEveryItemOnce) {
       Items items = first_items(before);
       const std::uint64_t done = run_sweep(
           {100, block, 3, kAlone, kNeverStop, [](std::uint64_t) {}},
-          [](std::uint64_t item, Items& part) { part.all.insert(item); }, [](std::uint64_t, const Items&) {}, Items(),
+          [](std::uint64_t item, Items& part) { part.insert(item); }, [](std::uint64_t, const Items&) {}, Items(),
           before, items);
       EXPECT_EQ(done, 100U);
       EXPECT_EQ(items.all, first_items(100).all) << block << " " << before;
@@ -116,7 +115,7 @@ TEST(Sweep, AddsWhatEveryThreadFound) {
   run_sweep(
       {kThreads, 1, kThreads, kAlone, kNeverStop, [](std::uint64_t) {}},
       [&](std::uint64_t item, Items& part) {
-        part.all.insert(item);
+        part.insert(item);
         ++here;
         while (here < kThreads) std::this_thread::yield();
       },
@@ -131,7 +130,7 @@ TEST(Sweep, AlwaysHoldsTheFirstItems) {
   int saves = 0;
   const std::uint64_t done = run_sweep(
       {10'000, 3, 2, kAlone, stop, [&](std::uint64_t now) { stop = now >= 500; }},
-      [](std::uint64_t item, Items& part) { part.all.insert(item); },
+      [](std::uint64_t item, Items& part) { part.insert(item); },
       [&](std::uint64_t now, const Items& sum) {
         EXPECT_EQ(sum.all, first_items(now).all);
         ++saves;

@@ -196,7 +196,7 @@ class Report(unittest.TestCase):
     def test_a_study_of_another_commit_is_noticed(self):
         path = self.results / "soak/run.json"
         path.write_text(json.dumps(json.loads(path.read_text()) | {"commit": "another+"}))
-        self.assertIn("Not all studies were made by the same commit", self.changed().text)
+        self.assertIn("The studies were made by different commits", self.changed().text)
 
     def test_missing_data_are_an_error_that_names_the_file(self):
         for file in ("near-edge/rates.csv", "meshes/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "regress/standing.csv",

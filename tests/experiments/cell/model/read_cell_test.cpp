@@ -316,7 +316,7 @@ TEST_F(BadCells, SolidsAreNamed) {
   EXPECT_EQ(fault("/machine/parts/1/name", "../bottom"),
             "machine.parts[1].name: must be a name of letters, digits, '-' and '_'");
   EXPECT_EQ(fault("/machine/parts/1/name", "stand"), "machine.parts[1].name: only the stand has this name");
-  EXPECT_EQ(fault("/gripper/parts/0/name", "Axis1"), "gripper.parts[0].name: a link, or another thing, has this name");
+  EXPECT_EQ(fault("/gripper/parts/0/name", "Axis1"), "gripper.parts[0].name: a link, or something else, has this name");
   EXPECT_EQ(fault("/machine/parts/1/name", "bottom"), "machine.parts[1].name: the name \"bottom\" is taken");
 }
 

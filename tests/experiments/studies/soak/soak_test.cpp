@@ -38,13 +38,12 @@ harness::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settin
   return {scratch.path / "checkpoint.json", checkpoint_settings(settings)};
 }
 
-/// What a run of these settings goes on from.
+/// Returns the tally from which a run with these settings continues.
 Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
-  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally(),
-                        [](const Tally& held) { return held.cases(); });
+  return harness::begin(checkpoint, kAlone, true, settings.cases, Tally());
 }
 
-/// What a whole run of these cases gives.
+/// Returns the tally of a whole run.
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {
   Tally tally;
   run_campaign(
