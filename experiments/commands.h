@@ -9,6 +9,7 @@ namespace touchstone::commands {
 [[nodiscard]] harness::Command judge_command();
 [[nodiscard]] harness::Command methods_command();
 [[nodiscard]] harness::Command near_edge_command();
+[[nodiscard]] harness::Command angles_command();
 [[nodiscard]] harness::Command meshes_command();
 [[nodiscard]] harness::Command merging_command();
 [[nodiscard]] harness::Command cases_command();

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "experiments/columns_command.h"
 #include "experiments/commands.h"
 #include "experiments/harness/json/json_fault.h"
 #include "experiments/harness/standard_output.h"
@@ -59,12 +61,14 @@ int main(int argc, char** argv) {
   std::set_terminate(end_out_of_memory);
   try {
     using namespace touchstone::commands;
+    std::vector<touchstone::harness::Command> commands{
+        judge_command(),    methods_command(),   near_edge_command(), angles_command(),       meshes_command(),
+        merging_command(),  cases_command(),     bench_command(),     bench_scenes_command(), soak_command(),
+        tradeoff_command(), stability_command(), scenes_command(),    cell_command(),         regress_command(),
+        corpus_command(),   thesis_command()};
+    commands.push_back(columns_command(commands));
     const int status = touchstone::harness::run_program(
-        "touchstone: does a ball touch a polygon, where, and how sure is the answer?",
-        {judge_command(), methods_command(), near_edge_command(), meshes_command(), merging_command(), cases_command(),
-         bench_command(), bench_scenes_command(), soak_command(), tradeoff_command(), stability_command(),
-         scenes_command(), cell_command(), regress_command(), corpus_command(), thesis_command()},
-        argc, argv);
+        "touchstone: does a ball touch a polygon, where, and how sure is the answer?", commands, argc, argv);
     touchstone::harness::flush_standard_output();
     return status;
   } catch (const std::bad_alloc&) {

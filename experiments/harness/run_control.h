@@ -32,6 +32,16 @@ RunControl<State> run_control(const Processes& processes, const std::atomic<bool
           .save = [&checkpoint](const State& now) { checkpoint.write(now); }};
 }
 
+/// Runs the items from items_done(state) on, as run_sweep does, and saves the state now and then. `block`, `seconds`:
+/// see Sweep.
+template <class State, class Work>
+std::uint64_t run_sweep(std::uint64_t items, unsigned threads, const RunControl<State>& control, const State& zero,
+                        State& state, const Work& work, std::uint64_t block = 1, double seconds = 3) {
+  return run_sweep(
+      Sweep{items, block, threads, control.processes, control.stop, control.progress, seconds}, work,
+      [&](std::uint64_t, const State& now) { control.save(now); }, zero, items_done(state), state);
+}
+
 /// Returns the state from which a run begins: `zero`, or what the checkpoint of the first process holds if `resume` is
 /// true. The first process then writes this state to its checkpoint. Without `resume` it renames an existing checkpoint
 /// first, and says so on stderr. Throws as Checkpoint does, and std::runtime_error if the checkpoint holds more than

@@ -17,9 +17,10 @@ void declare_study(Command& command, StudyOptions& options, const std::string& s
   command.seed(options.seed).changes_results();
   command.threads(options.threads, "Threads of each process; they do not change the results");
   command.resume(options.resume);
-  command.output(options.output, "The folder for tables and pictures");
+  command.output(options.output, options.has_pictures ? "The folder for tables and pictures"
+                                                      : "The folder for tables and the checkpoint");
   command.force(options.force);
-  command.no_pictures(options.no_pictures);
+  if (options.has_pictures) command.no_pictures(options.no_pictures);
   command.keep_line(options.line);
   command.keep_result_options(options.result_options);
 }
@@ -60,7 +61,7 @@ int StudyRun::finish(const End& end) {
                options_.output, end.done, options_.samples);
     return kInterrupted;
   }
-  if (end.pictures && !options_.no_pictures) {
+  if (options_.has_pictures && end.pictures && !options_.no_pictures) {
     std::string script = study_;
     std::ranges::replace(script, '-', '_');
     draw_pictures(script, *held_);

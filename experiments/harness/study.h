@@ -25,6 +25,7 @@ struct StudyOptions {
   unsigned threads = all_threads();  ///< of each process
   std::string output;
   bool force = false, resume = false, no_pictures = false;
+  bool has_pictures = true;  ///< whether the study draws pictures at all
 
   // Set by the command before it runs.
   std::string line;  ///< repeats the run

@@ -3,6 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <charconv>
+
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 
@@ -15,6 +18,36 @@ std::string number_field(std::int64_t number, const char* format) { return fmt::
 std::string number_field(std::uint64_t number, const char* format) { return fmt::format(fmt::runtime(format), number); }
 
 std::string number_field(double number, const char* format) { return fmt::format(fmt::runtime(format), number); }
+
+namespace {
+
+bool is_number(const std::string& field) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
+  return error == std::errc() && end == field.data() + field.size();
+}
+
+}  // namespace
+
+std::string aligned(const std::vector<std::vector<std::string>>& lines) {
+  const std::size_t columns = lines.front().size();
+  std::vector<std::size_t> widths(columns);
+  std::vector<bool> to_the_right(columns, true);
+  for (const auto& line : lines)
+    for (std::size_t c = 0; c < columns; ++c) {
+      widths[c] = std::max(widths[c], line[c].size());
+      if (&line != &lines.front() && !line[c].empty() && !is_number(line[c])) to_the_right[c] = false;
+    }
+  std::string text;
+  for (const auto& line : lines) {
+    std::string printed;
+    for (std::size_t c = 0; c < columns; ++c)
+      printed += fmt::format(fmt::runtime(to_the_right[c] ? "{:>{}}  " : "{:<{}}  "), line[c], widths[c]);
+    printed.resize(printed.find_last_not_of(' ') + 1);
+    text += printed + "\n";
+  }
+  return text;
+}
 
 void write_table(const std::filesystem::path& file, const std::string& text) { write_file(file, text); }
 

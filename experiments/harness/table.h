@@ -70,6 +70,9 @@ struct TableDescription {
   std::vector<std::pair<std::string, std::string>> columns;  ///< names and meanings
 };
 
+/// Returns lines of fields in columns: numbers to the right, texts to the left. The first line is the heading.
+[[nodiscard]] std::string aligned(const std::vector<std::vector<std::string>>& lines);
+
 /// Writes the whole file. Throws std::runtime_error, which names it, if it cannot be written.
 void write_table(const std::filesystem::path& file, const std::string& text);
 
@@ -93,6 +96,14 @@ class Table {
       }
     }
     return text + '\n';
+  }
+  /// Returns the same for the terminal: fields in columns.
+  [[nodiscard]] std::string aligned(const std::vector<Row>& rows) const {
+    std::vector<std::vector<std::string>> lines(1);
+    for (const Column<Row>& column : columns_) lines.front().push_back(column.name);
+    for (const Row& row : rows)
+      for (auto& line = lines.emplace_back(); const Column<Row>& column : columns_) line.push_back(column.print(row));
+    return harness::aligned(lines);
   }
   /// Writes the file into the folder. Throws as write_table does.
   void write(const std::filesystem::path& folder, const std::vector<Row>& rows) const {

@@ -148,10 +148,8 @@ Onsets no_onsets(const Settings& settings) {
 std::uint64_t run_onsets(const Settings& settings, std::uint64_t samples, const harness::RunControl<Onsets>& control,
                          Onsets& onsets) {
   const Search search(settings);
-  return harness::run_sweep(
-      {samples, 1, settings.threads, control.processes, control.stop, control.progress},
-      [&](std::uint64_t n, Onsets& part) { search.measure(n, part); },
-      [&](std::uint64_t, const Onsets& now) { control.save(now); }, no_onsets(settings), onsets.done, onsets);
+  return harness::run_sweep(samples, settings.threads, control, no_onsets(settings), onsets,
+                            [&](std::uint64_t n, Onsets& part) { search.measure(n, part); });
 }
 
 std::uint64_t climb_count(const Settings& settings) {

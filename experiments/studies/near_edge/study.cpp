@@ -128,10 +128,8 @@ Result no_result(const Settings& settings) { return {.counts = Counts(settings.m
 
 std::uint64_t run_study(const Settings& settings, const harness::RunControl<Result>& control, Result& result) {
   const Study study(settings);
-  const harness::Sweep sweep{settings.samples, 1, settings.threads, control.processes, control.stop, control.progress};
-  return harness::run_sweep(
-      sweep, [&](std::uint64_t n, Result& part) { study.ask_all(n, part); },
-      [&](std::uint64_t, const Result& now) { control.save(now); }, no_result(settings), result.samples, result);
+  return harness::run_sweep(settings.samples, settings.threads, control, no_result(settings), result,
+                            [&](std::uint64_t n, Result& part) { study.ask_all(n, part); });
 }
 
 }  // namespace touchstone::near_edge

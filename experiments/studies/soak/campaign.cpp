@@ -9,9 +9,8 @@ std::uint64_t run_campaign(const Settings& settings, const Contestant& contestan
                            const harness::RunControl<Tally>& control, Tally& tally) {
   constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core
   return harness::run_sweep(
-      {settings.cases, kBlock, settings.threads, control.processes, control.stop, control.progress},
-      [&](std::uint64_t i, Tally& part) { compare(contestant, settings.seed, settings.from + i, part); },
-      [&](std::uint64_t, const Tally& now) { control.save(now); }, Tally(), tally.cases(), tally);
+      settings.cases, settings.threads, control, Tally(), tally,
+      [&](std::uint64_t i, Tally& part) { compare(contestant, settings.seed, settings.from + i, part); }, kBlock);
 }
 
 }  // namespace touchstone::soak

@@ -65,8 +65,7 @@ int run_cases(harness::StudyRun& run, const Options& options) {
       {.done = tally.cases(),
        .text = table(tally) + fmt::format("{} of these cases in {:.0f} s: {:.0f} a second.\n", tally.cases() - before,
                                           seconds, static_cast<double>(tally.cases() - before) / seconds),
-       .status = tally.differing() > 0 ? 1 : 0,
-       .pictures = false});
+       .status = tally.differing() > 0 ? 1 : 0});
 }
 
 int print_cases(const Options& options) {
@@ -85,6 +84,7 @@ harness::Command soak_command() {
   auto options = std::make_shared<Options>();
   options->samples = 1'000'000;
   options->output = "results/soak";
+  options->has_pictures = false;
   command.whole("--from", options->from, "The index of the first case").changes_results();
   harness::declare_study(command, *options, "--cases",
                          "The number of cases; case i depends on the seed and on i alone");

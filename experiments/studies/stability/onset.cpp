@@ -132,9 +132,7 @@ void find_onset(const std::vector<const cases::Method*>& methods, std::uint64_t 
     }
     part.add_triangle();
   };
-  harness::run_sweep(
-      {triangles, 1, threads, control.processes, control.stop, control.progress}, ask_all,
-      [&](std::uint64_t, const Onset& now) { control.save(now); }, no_onset(methods), onset.triangles(), onset);
+  harness::run_sweep(triangles, threads, control, no_onset(methods), onset, ask_all);
 }
 
 }  // namespace touchstone::stability

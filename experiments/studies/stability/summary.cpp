@@ -96,10 +96,9 @@ Summary no_summary(const Settings& settings) {
 void run_study(const Settings& settings, const harness::RunControl<Summary>& control, Summary& summary) {
   constexpr double kSecondsBetweenCheckpoints = 15;  // one of all axes has some 10 MB
   harness::run_sweep(
-      {block_count(settings), 1, settings.threads, control.processes, control.stop, control.progress,
-       kSecondsBetweenCheckpoints},
-      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); },
-      [&](std::uint64_t, const Summary& now) { control.save(now); }, no_summary(settings), summary.blocks, summary);
+      block_count(settings), settings.threads, control, no_summary(settings), summary,
+      [&](std::uint64_t number, Summary& part) { part.add(ask_block(settings, number)); }, 1,
+      kSecondsBetweenCheckpoints);
 }
 
 const Tally* Summary::at(std::size_t axis, Nearness nearness, Test test, std::size_t method, std::size_t level) const {

@@ -162,10 +162,8 @@ Errors no_errors(const Settings& settings) {
 
 void measure_errors(const Settings& settings, const harness::RunControl<Errors>& control, Errors& errors) {
   const Study study(settings);
-  harness::run_sweep(
-      {settings.samples, 1, settings.threads, control.processes, control.stop, control.progress},
-      [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); },
-      [&](std::uint64_t, const Errors& now) { control.save(now); }, no_errors(settings), errors.samples, errors);
+  harness::run_sweep(settings.samples, settings.threads, control, no_errors(settings), errors,
+                     [&](std::uint64_t n, Errors& part) { study.ask_all(n, part); });
 }
 
 }  // namespace touchstone::tradeoff

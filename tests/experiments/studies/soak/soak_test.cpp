@@ -33,9 +33,11 @@ using run_tests::text_of;
 
 using run_tests::kAlone;
 using run_tests::kNeverStop;
+using run_tests::kSilent;
 
 harness::Checkpoint checkpoint_in(const Scratch& scratch, const Settings& settings) {
-  return {scratch.path / "checkpoint.json", checkpoint_settings(settings)};
+  return {scratch.path / "checkpoint.json",
+          {2, {{"seed", std::to_string(settings.seed)}, {"from", std::to_string(settings.from)}}}};
 }
 
 /// Returns the tally from which a run with these settings continues.
@@ -46,8 +48,7 @@ Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
 /// Returns the tally of a whole run.
 Tally whole(const Settings& settings, const Contestant& contestant = {}) {
   Tally tally;
-  run_campaign(
-      settings, contestant, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+  run_campaign(settings, contestant, {kAlone, kNeverStop, kSilent}, tally);
   return tally;
 }
 
@@ -254,8 +255,8 @@ TEST(Soak, AStoppedRunGoesOnAsIfItHadNot) {
     std::atomic<bool> stop = false;
     tally = resumed(checkpoint, settings);
     const std::uint64_t before = tally.cases();
-    const std::uint64_t done = run_campaign(
-        settings, wrong, kAlone, stop, [](const Tally&) {}, [&](std::uint64_t) { stop = true; }, tally);
+    const std::uint64_t done =
+        run_campaign(settings, wrong, {kAlone, stop, [&](std::uint64_t) { stop = true; }}, tally);
     EXPECT_GT(tally.cases(), before);
     EXPECT_EQ(tally.cases(), done);
     checkpoint.write(tally);
@@ -274,19 +275,21 @@ TEST(Soak, AKilledRunGoesOnFromItsLastCheckpoint) {
   const auto checkpoint = checkpoint_in(scratch, settings);
   std::atomic<bool> stop = false, saved = false;
   Tally lost;
-  run_campaign(
-      settings, wrong, kAlone, stop,
-      [&](const Tally& now) {
-        if (!saved.exchange(true)) checkpoint.write(now);
-        stop = now.cases() >= 1500;
-      },
-      [](std::uint64_t) {}, lost);
+  run_campaign(settings, wrong,
+               {.processes = kAlone,
+                .stop = stop,
+                .progress = kSilent,
+                .save =
+                    [&](const Tally& now) {
+                      if (!saved.exchange(true)) checkpoint.write(now);
+                      stop = now.cases() >= 1500;
+                    }},
+               lost);
   EXPECT_GE(lost.cases(), 1500U);
   Tally tally = resumed(checkpoint, settings);
   EXPECT_GT(tally.cases(), 0U);
   EXPECT_LT(tally.cases(), 1500U);
-  run_campaign(
-      settings, wrong, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+  run_campaign(settings, wrong, {kAlone, kNeverStop, kSilent}, tally);
   EXPECT_EQ(tally, whole(settings, wrong));
 }
 

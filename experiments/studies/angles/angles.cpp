@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study in one file: are methods wrong more often from some directions? The ball's centre goes around an edge of a
+// random polygon, from beside it over it to above the face, at the same distance; the radius is the double nearest to
+// that distance, and one double less and more.
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "experiments/commands.h"
+#include "experiments/harness/study.h"
+#include "experiments/methods/registry.h"
+#include "experiments/workloads/random.h"
+#include "experiments/workloads/ulp.h"
+#include "experiments/workloads/workload.h"
+
+namespace touchstone::angles {
+namespace {
+
+struct Options : harness::StudyOptions {
+  std::vector<std::string> methods{"fast", "fast-float", "thesis", "thesis-signed", "filtered"};
+  std::vector<std::string> families{"all"};
+  std::size_t vertices = 24;
+};
+
+constexpr int kDegrees = 10;  // between neighbouring directions
+constexpr std::size_t kAngles = 180 / kDegrees + 1;
+constexpr std::array<std::int64_t, 3> kOffsets{-1, 0, 1};  // of the radius, in doubles
+
+/// The answers of one method from one direction.
+struct Count {
+  std::uint64_t failed = 0, samples = 0, wrong = 0;
+
+  auto members() { return std::tie(failed, samples, wrong); }
+};
+
+struct Sum {
+  std::uint64_t samples = 0;
+  std::uint64_t missing = 0;                      ///< directions from which another feature is nearer
+  std::vector<std::array<Count, kAngles>> count;  ///< by method
+
+  auto members() { return std::tie(samples, missing, count); }
+};
+
+std::uint64_t items_done(const Sum& sum) { return sum.samples; }
+
+struct Row {
+  std::size_t angle;
+  std::string_view method;
+  Count count;
+  harness::Rate rate;
+};
+
+const harness::Table<Row>& table() {
+  using harness::path;
+  static const harness::Table<Row> table(
+      "angles.csv", "a direction and a method",
+      harness::all_columns<Row>(
+          {{{"angle_deg", "of the centre about the edge: 0 beside it in the plane, 90 above it, 180 over the face",
+             [](const Row& row) { return row.angle * kDegrees; }},
+            {"method", "the method", &Row::method},
+            {"failed_samples", "polygons with a wrong answer", path(&Row::count, &Count::failed)},
+            {"samples", "polygons", path(&Row::count, &Count::samples)}},
+           harness::rate_columns<Row>("failed samples", &Row::rate),
+           {{"wrong_answers", "wrong answers, of three for each polygon", path(&Row::count, &Count::wrong)}}}));
+  return table;
+}
+
+/// Returns the Newell normal of the outer loop, rounded.
+Eigen::Vector3d normal_of(const Polygon& polygon) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d origin = polygon.vertex(0);
+  for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
+    normal += (polygon.vertex(i) - origin).cross(polygon.vertex(polygon.next(i)) - origin);
+  return normal;
+}
+
+/// Sample n of each family: one edge of one polygon, and balls around it.
+class Study {
+ public:
+  explicit Study(const Options& options)
+      : options_(options),
+        methods_(methods::find_methods(options.methods)),
+        families_(workloads::find_families(options.families)) {}
+
+  [[nodiscard]] Sum zero() const { return {.count = std::vector<std::array<Count, kAngles>>(methods_.size())}; }
+
+  void ask(std::uint64_t n, Sum& sum) const {
+    for (const workloads::Family family : families_) ask(family, n, sum);
+    ++sum.samples;
+  }
+
+  [[nodiscard]] std::vector<Row> rows(const Sum& sum) const {
+    std::vector<Row> rows;
+    for (std::size_t angle = 0; angle < kAngles; ++angle)
+      for (std::size_t m = 0; m < methods_.size(); ++m) {
+        const Count& count = sum.count[m][angle];
+        rows.push_back({angle, methods_[m]->name(), count, harness::rate(count.failed, count.samples)});
+      }
+    return rows;
+  }
+
+ private:
+  void ask(workloads::Family family, std::uint64_t n, Sum& sum) const {
+    const workloads::Workload workload{
+        .family = family, .placement = workloads::Placement::Rotated, .vertices = options_.vertices};
+    const Polygon polygon = workloads::sample(workload, options_.seed, n).polygon;
+    const auto exact = methods::find_method("exact")->prepare(polygon);
+    std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;
+    for (const auto* method : methods_) prepared.push_back(method->prepare(polygon));
+
+    workloads::Random random(options_.seed, n, kStream);
+    const auto last = static_cast<std::int64_t>(polygon.loop_end(0)) - 1;
+    const auto edge = static_cast<std::size_t>(random.integer(0, last));
+    const Eigen::Vector3d a = polygon.vertex(edge), b = polygon.vertex(polygon.next(edge));
+    const Eigen::Vector3d point = a + (0.25 + random.unit() / 2) * (b - a);
+    const Eigen::Vector3d normal = normal_of(polygon).normalized();
+    // A loop goes counterclockwise about its own Newell normal, so this direction leads out of the polygon.
+    const Eigen::Vector3d outward = (b - a).cross(normal).normalized();
+    const double distance = (b - a).norm() * std::exp2(-1 - 8 * random.unit());
+    for (std::size_t angle = 0; angle < kAngles; ++angle) {
+      const double radians = static_cast<double>(angle * kDegrees) * std::numbers::pi / 180;
+      const Eigen::Vector3d center = point + distance * (std::cos(radians) * outward + std::sin(radians) * normal);
+      ask(edge, center, angle, *exact, prepared, sum);
+    }
+  }
+
+  void ask(std::size_t edge, const Eigen::Vector3d& center, std::size_t angle, const cases::PreparedMethod& exact,
+           const std::vector<std::unique_ptr<cases::PreparedMethod>>& prepared, Sum& sum) const {
+    const auto nearest = exact.ask({center, 1}, cases::QueryKind::Answer);
+    const bool is_near =
+        nearest.nearest == Feature{Feature::Kind::Face} || nearest.nearest == Feature{Feature::Kind::Edge, edge};
+    if (!is_near) {
+      ++sum.missing;
+      return;
+    }
+    std::array<bool, kOffsets.size()> truth;
+    std::array<Ball, kOffsets.size()> balls;
+    for (std::size_t i = 0; i < kOffsets.size(); ++i) {
+      balls[i] = {center, workloads::move_radius_by_doubles(*nearest.distance, kOffsets[i])};
+      truth[i] = *exact.ask(balls[i], cases::QueryKind::Contact).contact;
+    }
+    for (std::size_t m = 0; m < prepared.size(); ++m) {
+      std::uint64_t wrong = 0;
+      for (std::size_t i = 0; i < kOffsets.size(); ++i)
+        wrong += prepared[m]->ask(balls[i], cases::QueryKind::Contact).contact != truth[i] ? 1 : 0;
+      Count& count = sum.count[m][angle];
+      ++count.samples;
+      count.failed += wrong > 0 ? 1 : 0;
+      count.wrong += wrong;
+    }
+  }
+
+  static constexpr std::uint64_t kStream = 0x616e676c65;
+  const Options& options_;
+  std::vector<const cases::Method*> methods_;
+  std::vector<workloads::Family> families_;
+};
+
+int run_angles(harness::StudyRun& run, const Options& options) {
+  const Study study(options);
+  const Sum sum =
+      run.phase("samples", "checkpoint.json", options.samples, study.zero(), [&](const auto& control, Sum& so_far) {
+        harness::run_sweep(options.samples, options.threads, control, study.zero(), so_far,
+                           [&](std::uint64_t n, Sum& part) { study.ask(n, part); });
+      });
+  if (!run.first()) return 0;
+  const auto rows = study.rows(sum);
+  table().write(run.folder(), rows);
+  return run.finish({.done = sum.samples, .missing = sum.missing, .text = table().aligned(rows)});
+}
+
+}  // namespace
+}  // namespace touchstone::angles
+
+namespace touchstone::commands {
+
+harness::Command angles_command() {
+  using angles::Options;
+  constexpr int kVersion = 1;  // raised when sample n of a seed changes
+  harness::Command command("angles", "Measure how often methods are wrong around an edge, direction by direction");
+  auto options = std::make_shared<Options>();
+  options->samples = 100;
+  options->output = "results/angles";
+  options->has_pictures = false;
+  command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
+  command.families(options->families).changes_results([options] {
+    return workloads::selected_names(options->families);
+  });
+  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 17)
+      .changes_results();
+  harness::declare_study(command, *options, "--samples", "Polygons of each family");
+  command.writes({angles::table().description()});
+  command.runs(harness::study_runner("angles", kVersion, *options,
+                                     [options](harness::StudyRun& run) { return angles::run_angles(run, *options); }));
+  return command;
+}
+
+}  // namespace touchstone::commands
