@@ -54,9 +54,9 @@ template <class Row>
 struct Column {
   /// `value`: a member of Row, or a function of a row; the value is printed by `field`.
   template <class Value>
-  Column(std::string name, std::string meaning, Value value, const char* format = "{}")
-      : name(std::move(name)),
-        meaning(std::move(meaning)),
+  Column(std::string column, std::string about, Value value, const char* format = "{}")
+      : name(std::move(column)),
+        meaning(std::move(about)),
         print([value, format](const Row& row) { return field(std::invoke(value, row), format); }) {}
 
   std::string name, meaning;

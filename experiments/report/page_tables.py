@@ -101,8 +101,13 @@ def engines_by_family_table(touchstone):
     return markdown(*by_family(standing(touchstone)[0]))
 
 
+def columns_page(touchstone):
+    return "\n" + subprocess.run([touchstone, "columns", "--markdown"], check=True, capture_output=True, text=True).stdout
+
+
 TABLES = [  # page, name in its markers, what makes it
     ("docs/methods.md", "near-edge", near_edge_table),
+    ("docs/tables.md", "columns", columns_page),
     ("docs/judging.md", "engines", engines_table),
     ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),
 ]

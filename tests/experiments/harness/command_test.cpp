@@ -166,5 +166,35 @@ TEST(Command, RunsTheSubcommandThatIsNamed) {
   EXPECT_THROW(group({"three"}), UsageError);
 }
 
+// The canonical form is evaluated when it is asked for, since it may refuse the value.
+TEST(Command, KeepsTheOptionsThatChangeResults) {
+  std::uint64_t samples = 10, seed = 3;
+  std::vector<std::string> methods{"all"};
+  std::function<std::vector<std::pair<std::string, std::string>>()> kept;
+  Command command("measure", "Measures");
+  command.whole("--samples", samples, "Samples");
+  command.seed(seed).changes_results();
+  command.methods(methods).changes_results([&] {
+    if (methods.front() == "none") throw UsageError("no methods");
+    return std::string("fast,thesis");
+  });
+  command.keep_result_options(kept);
+  command.runs([] { return 0; });
+  EXPECT_EQ(command({"--seed", "4"}), 0);
+  EXPECT_EQ(kept(), (std::vector<std::pair<std::string, std::string>>{{"seed", "4"}, {"method", "fast,thesis"}}));
+  EXPECT_EQ(command({"--method", "none"}), 0);
+  EXPECT_THROW((void)kept(), UsageError);
+}
+
+TEST(Command, KnowsTheTablesThatItWrites) {
+  Command command("measure", "Measures");
+  command.writes({{"a.csv", "a thing", {{"x", "its place"}}}});
+  command.writes({{"b.csv", "another", {}}});
+  ASSERT_EQ(command.tables().size(), 2U);
+  EXPECT_EQ(command.tables()[1].file, "b.csv");
+  const Command group("group", "Groups", {command});
+  EXPECT_EQ(group.subcommands().front().name(), "measure");
+}
+
 }  // namespace
 }  // namespace touchstone::harness
