@@ -9,7 +9,7 @@ namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).
 struct Place {
-  /// What the number counts.
+  /// The unit that the number counts.
   enum class Unit { Line, Byte };
   Unit unit;           ///< lines or bytes
   std::size_t number;  ///< from 1 for lines, from 0 for bytes

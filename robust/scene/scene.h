@@ -91,7 +91,7 @@ class Scene {
   [[nodiscard]] std::size_t object_count() const { return objects_.size(); }
   /// Returns the name under which an object was added. Throws std::out_of_range, as above.
   [[nodiscard]] const std::string& name(std::uint32_t object) const;
-  /// Returns the number of the object with this name. Throws std::invalid_argument if there is none.
+  /// Returns the number of the object with this name. Throws std::invalid_argument if no object has it.
   [[nodiscard]] std::uint32_t find(std::string_view name) const;
   /// Returns the number of faces of an object. Throws std::out_of_range, as above.
   [[nodiscard]] std::size_t face_count(std::uint32_t object) const;

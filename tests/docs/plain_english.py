@@ -29,7 +29,7 @@ BANNED = [
     (r"\banew\b", '"again"', "The run begins anew."),
     (r"(?<!one )\bat a time\b", "what is repeated, and how often", "It takes two at a time."),
     (r"\bstands? twice\b|\b(?:is|are) there twice\b", '"duplicate ..."', "The id stands twice."),
-    (r"\bpass(?:es|ed)? over\b|\bpass \w+ over\b", '"skips", "ignores"', "Boxes pass over far faces."),
+    (r"\bpass(?:es|ed)? over\b(?! the contact)|\bpass \w+ over\b", '"skips", "ignores"', "Boxes pass over far faces."),
     (r"\b(?:tells?|told) of\b", '"reports", "detects", "notices"', "No case told of the bug."),
     (r"\bh(?:e|o)ld against\b", '"compared with"', "The answers are held against it."),
     (r"\bleads? nowhere\b", "the requirement", "A step of 0 leads nowhere."),
@@ -40,26 +40,9 @@ BANNED = [
     (r"^(?:What|Of) (?#docstring)", "a verb for a function, a noun phrase for a type", "/// What a way came to nothing by."),
 ]
 
-NOT_YET = [  # the files that still have to be rewritten
-    "experiments/FORMATS.md",
-    "experiments/cell/kinematics/rehearsal.cpp",  # these write their texts into data files, which stay
-    "experiments/cell/simulation/process.cpp",
-    "experiments/thesis/captions.cpp",
-    "experiments/thesis/*_entries.cpp",
-    "geometry/*.cpp",
-    "geometry/*.h",
-    "robust/*.cpp",
-    "robust/*.h",
-    "python/*.cpp",
-    "python/*.h",
-    "tests/experiments/cell/*.cpp",
-    "tests/experiments/cell/*.h",
-    "tests/experiments/studies/*.cpp",
-    "tests/experiments/studies/*.h",
-    "tests/geometry/*.cpp",
-    "tests/geometry/*.h",
-    "tests/robust/*.cpp",
-    "tests/robust/*.h",
+NOT_YET = [  # the files that are exempt
+    "experiments/thesis/captions.cpp",  # the thesis's own words
+    "experiments/thesis/*_entries.cpp",  # these write their texts into data files, which stay
 ]
 
 ONLY_IN_DOCSTRINGS = "(?#docstring)"

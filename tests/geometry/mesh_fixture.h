@@ -37,7 +37,7 @@ class TemporaryFile {
 /// The mesh of a file in which nothing is wrong, though it be without a face.
 [[nodiscard]] Mesh read(const std::string& extension, std::string_view content);
 
-/// What the file is refused for, from the line or byte on.
+/// Returns the message with which the file is refused, from the line or byte on.
 [[nodiscard]] std::string fault(const std::string& extension, std::string_view content,
                                 OnFault on_fault = OnFault::Refuse);
 

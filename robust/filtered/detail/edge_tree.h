@@ -39,7 +39,7 @@ class EdgeTree {
     alignas(32) double center_x[kWidth];
     double center_y[kWidth], axis_x[kWidth], axis_y[kWidth];  ///< the axis has length 1, up to rounding
     double half_along[kWidth], half_across[kWidth];           ///< half sizes of the box plus bounds::kBoxRounding
-    double lowest_end[kWidth], highest_end[kWidth];           ///< y of the ends; equal if there are none
+    double lowest_end[kWidth], highest_end[kWidth];           ///< y of the ends; equal if no ends are stored
     std::uint32_t ends[kWidth], end_count[kWidth];            ///< the position and number of the stored ends
     std::int32_t child[kWidth];                               ///< a node, or ~leaf
     std::uint32_t with_more_ends;                             ///< one bit per group: it has more than two ends

@@ -204,7 +204,7 @@ Input draw_input(std::uint64_t index) {
     for (Eigen::Vector3d& p : loop) p = with_either_zero(p * unit, random);
   const std::vector<Loop> holes(loops.begin() + 1, loops.end());
   const Polygon polygon(loops.front(), holes);
-  if (exact::validate(polygon)) throw std::logic_error("input " + std::to_string(index) + " is no polygon");
+  if (exact::validate(polygon)) throw std::logic_error("input " + std::to_string(index) + " is not a polygon");
   const Triangle triangle{with_either_zero(Eigen::Vector3d(0, 0, 0), random),
                           with_either_zero(Eigen::Vector3d(4, 0, 0) * unit, random),
                           with_either_zero(Eigen::Vector3d(0, 4, 1) * unit, random)};

@@ -15,8 +15,8 @@
 
 namespace touchstone::every_state_tests {
 
-/// What one call of a public function may be asked about. Numbers are those to which the state of the floating-point
-/// unit matters: subnormal ones, zeros of either sign, thirds, the largest; in `any_...` infinite ones and NaNs, too.
+/// The arguments of one call of a public function. Their numbers are those to which the state of the floating-point unit
+/// matters: subnormal numbers, zeros of either sign, thirds, the largest; in `any_...` also infinities and NaNs.
 struct Input {
   std::uint64_t index;
 
@@ -42,7 +42,7 @@ struct Input {
 
   std::vector<Box> boxes;  ///< finite, not empty
 
-  /// A mesh file, of each format in turn, with numbers that are no doubles.
+  /// A mesh file, of each format in turn, with numbers that are not doubles.
   struct File {
     std::string extension, bytes;
   } mesh_file;

@@ -20,7 +20,7 @@ struct State {
   unsigned flush;
 };
 
-/// What a call gave: its result, or the message of what it threw.
+/// The result of a call, or the message of the exception that it threw.
 struct Outcome {
   std::string text;
   bool negative_zero;  ///< does the result hold one?

@@ -186,7 +186,7 @@ TEST(Stages, UnlimitedIntegersDecideTheRest) {
        true,
        Stage::BigInteger,
        Stage::BigInteger},
-      {"tiny but for one coordinate",
+      {"tiny except one coordinate",
        {{0x1p-1000, 0x1p-1000, 1}, 0},
        Polygon({{0, 0, 1}, {0x1p-998, 0, 1}, {0, 0x1p-998, 1}}),
        true,

@@ -34,7 +34,7 @@ struct Radius {
   Relation relation;
 };
 
-/// What is asked about one centre: where its foot is, and the three doubles about its distance.
+/// The questions about one centre: where its foot is, and the three doubles around its distance.
 struct Questions {
   Eigen::Vector3d center;
   PointLocation foot;

@@ -11,7 +11,7 @@ inline constexpr int roundings_of = -1;
 template <int Roundings>
 inline constexpr int roundings_of<Permanent<Roundings>> = Roundings;
 
-/// The inputs of expressions.h as the filters have them: rounded, but for the radius.
+/// The inputs of expressions.h as the filters have them: rounded, except the radius.
 struct PermanentInputs {
   Vector3<Permanent<1>> to_center, edge;
   Permanent<0> radius;

@@ -16,8 +16,8 @@ namespace touchstone::filtered::proofs {
 
 using Exact = std::int64_t;
 
-/// What a sample is made of: integers of more bits than a toy has, so that they have to be rounded, and so few that
-/// every expression fits into 64 bits.
+/// The numbers of a sample: integers with more bits than a toy number has, so that they have to be rounded, but so few
+/// bits that every expression fits into 64.
 using Operands = std::array<Exact, 23>;
 inline constexpr Exact kLargestOperand = 511;
 

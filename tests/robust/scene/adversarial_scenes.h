@@ -34,7 +34,7 @@ enum class Kind {
 [[nodiscard]] Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
 [[nodiscard]] Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index);
 
-/// The identity, a translation, a quarter or eighth of a turn, any rotation, or a matrix that is none.
+/// The identity, a translation, a quarter or eighth of a turn, any rotation, or a matrix that is not a rotation.
 [[nodiscard]] Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace touchstone::scene_tests

@@ -18,8 +18,8 @@ namespace touchstone::mesh_tests {
 /// j (columns + 1) + i. Counterclockwise as seen from above, or clockwise.
 [[nodiscard]] Mesh grid(int columns, int rows, const std::function<bool(int i, int j)>& there, bool flipped = false);
 
-/// So many squares in z = 0 about the origin, each beside the last, in turns of a right angle; vertices are not shared
-/// between turns.
+/// Returns a row of `squares` squares in z = 0 about the origin, each beside the last, in turns of a right angle; turns
+/// do not share vertices.
 [[nodiscard]] Mesh winding(int squares);
 
 /// Every face with vertices of its own.
