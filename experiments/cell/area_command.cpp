@@ -22,7 +22,7 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/harness/table.h"
 
 namespace touchstone::cell {
 namespace {
@@ -44,12 +44,37 @@ std::vector<double> multiples(double low, double high, double step) {
   return values;
 }
 
-std::string text_of(const std::vector<Tried>& tried) {
-  std::string text = "angle_deg,radius,height,outcome,reason\n";
-  for (const Tried& each : tried)
-    text += fmt::format("{},{},{},{},{}\n", each.angle, each.radius, each.height,
-                        each.cause ? word(*each.cause) : "completed", harness::csv_field(each.reason));
-  return text;
+/// The table of the tried places; `row`: what varies.
+harness::Table<Tried> tried_table(const std::string& file, const std::string& row) {
+  return {file,
+          row,
+          {{"angle_deg", "of the storage about the robot", &Tried::angle},
+           {"radius", "from the robot's axis, in the cell's unit", &Tried::radius},
+           {"height", "in the cell's unit", &Tried::height},
+           {"outcome", "completed, or the cause of the failure",
+            [](const Tried& tried) { return tried.cause ? word(*tried.cause) : std::string_view("completed"); }},
+           {"reason", "what failed", &Tried::reason}}};
+}
+
+harness::Table<Tried> plan_csv() { return tried_table("plan.csv", "an angle and radius of the storage"); }
+
+harness::Table<Tried> heights_csv() { return tried_table("heights.csv", "a height and radius of the storage"); }
+
+struct StationRow {
+  std::string_view name;
+  const Station* station;
+};
+
+const harness::Table<StationRow>& stations_csv() {
+  using harness::path;
+  static const harness::Table<StationRow> table(
+      "stations.csv", "a station of the cell",
+      {{"station", "storage or machine", &StationRow::name},
+       {"home_deg", "its home angle", path(&StationRow::station, &Station::home)},
+       {"angle_deg", "the angle from there", path(&StationRow::station, &Station::angle)},
+       {"radius", "from the robot's axis", path(&StationRow::station, &Station::radius)},
+       {"height", "above the floor", path(&StationRow::station, &Station::height)}});
+  return table;
 }
 
 std::string table_of(const std::vector<Tried>& tried) {
@@ -94,13 +119,9 @@ int run(const AreaOptions& options) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  harness::write_file(folder / "plan.csv", text_of(*in_plan));
-  harness::write_file(folder / "heights.csv", text_of(*in_height));
-  const auto station = [&](const char* name, const Station& s) {
-    return fmt::format("{},{},{},{},{}\n", name, s.home, s.angle, s.radius, s.height);
-  };
-  harness::write_file(folder / "stations.csv", "station,home_deg,angle_deg,radius,height\n" +
-                                                   station("storage", cell.storage) + station("machine", cell.machine));
+  plan_csv().write(folder, *in_plan);
+  heights_csv().write(folder, *in_height);
+  stations_csv().write(folder, {{"storage", &cell.storage}, {"machine", &cell.machine}});
   harness::write_run_record(
       folder, {.command = options.line,
                .samples_asked = plan.size() + heights.size(),
@@ -136,6 +157,7 @@ harness::Command area_command() {
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -83,6 +83,7 @@ harness::Command run_command() {
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
   command.output(options->output, "A folder for moves, trajectory, methods and disagreements");
   command.force(options->force);
+  command.writes(run_tables());
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -69,6 +69,7 @@ harness::Command show_command() {
   command.output(options->output,
                  "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
   command.force(options->force);
+  command.writes(show_tables());
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -10,6 +10,7 @@
 
 #include "experiments/cell/model/link_model.h"
 #include "experiments/cell/model/reach.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 
 namespace touchstone::cell {
@@ -88,6 +89,26 @@ std::map<std::string, LinkModel> models_of(const std::vector<ModelPart>& parts) 
   return models;
 }
 
+struct FaceRow {
+  const ModelPart* part;
+  std::size_t number;
+  const Face* face;
+};
+
+const harness::Table<FaceRow>& faces_csv() {
+  using harness::path;
+  static const harness::Table<FaceRow> table(
+      "faces.csv", "a face of the model",
+      {{"part", "the part", path(&FaceRow::part, &ModelPart::name)},
+       {"moves_with", "what carries the part", path(&FaceRow::part, &ModelPart::carrier)},
+       {"face", "its number in the part", &FaceRow::number},
+       {"vertices", "of all loops", [](const FaceRow& row) { return row.face->polygon.vertex_count(); }},
+       {"holes", "holes", [](const FaceRow& row) { return row.face->polygon.loop_count() - 1; }},
+       {"off_plane", "the largest distance of a vertex from the face's plane",
+        path(&FaceRow::face, &Face::off_plane)}});
+  return table;
+}
+
 }  // namespace
 
 std::string summary(const Cell& cell, const std::vector<ModelPart>& parts) {
@@ -109,15 +130,13 @@ std::string summary(const Cell& cell, const std::vector<ModelPart>& parts) {
 }
 
 void write_faces(const std::filesystem::path& folder, const std::vector<ModelPart>& parts) {
-  std::string text = "part,moves_with,face,vertices,holes,off_plane\n";
+  std::vector<FaceRow> rows;
   for (const ModelPart& part : parts)
-    for (std::size_t i = 0; i < part.faces.faces.size(); ++i) {
-      const Face& face = part.faces.faces[i];
-      text += fmt::format("{},{},{},{},{},{}\n", part.name, word(part.carrier), i, face.polygon.vertex_count(),
-                          face.polygon.loop_count() - 1, face.off_plane);
-    }
-  harness::write_file(folder / "faces.csv", text);
+    for (std::size_t i = 0; i < part.faces.faces.size(); ++i) rows.push_back({&part, i, &part.faces.faces[i]});
+  faces_csv().write(folder, rows);
 }
+
+std::vector<harness::TableDescription> show_tables() { return {faces_csv().description()}; }
 
 std::size_t write_models(const std::filesystem::path& folder, const std::vector<ModelPart>& parts) {
   const auto models = models_of(parts);

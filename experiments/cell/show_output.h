@@ -7,6 +7,7 @@
 
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
+#include "experiments/harness/table.h"
 
 namespace touchstone::cell {
 
@@ -15,6 +16,7 @@ namespace touchstone::cell {
 
 /// Writes faces.csv: one line per face. Throws std::runtime_error if it cannot be written.
 void write_faces(const std::filesystem::path& folder, const std::vector<ModelPart>& parts);
+[[nodiscard]] std::vector<harness::TableDescription> show_tables();
 
 /// Writes model files: one for all parts of a link, and one for every other part. Returns their number. Throws as
 /// above.

@@ -73,6 +73,7 @@ harness::Command missed_command() {
   command.output(options->output, "Folder for missed.csv, run.json and the picture");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  command.writes(kinematics::missed_tables());
   command.runs([options] { return harness::run_alone([&] { return run_missed(*options); }); });
   return command;
 }

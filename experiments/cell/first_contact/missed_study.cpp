@@ -10,7 +10,7 @@
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/first_contact/stepped_contact.h"
 #include "experiments/cell/kinematics/solve_layout.h"
-#include "experiments/harness/write_file.h"
+#include "experiments/harness/table.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "experiments/statistics/percent.h"
 #include "experiments/workloads/degrees.h"
@@ -45,6 +45,29 @@ void ask(const ThroughSheet& sample, std::size_t radius, MissedStudy& study) {
     ++counts.contacts;
     if (!stop || stop->degrees > next) ++counts.missed;
   }
+}
+
+struct MissedRow {
+  double radius, step;
+  Missed counts;
+  harness::Rate missed;
+};
+
+const harness::Table<MissedRow>& missed_csv() {
+  using harness::path;
+  constexpr const char* kFormat = "{:.6g}";
+  static const harness::Table<MissedRow> table(
+      "missed.csv", "a radius of the sphere and a step of the joint",
+      {{"radius_mm", "of the sphere", &MissedRow::radius},
+       {"step_deg", "of the joint", &MissedRow::step},
+       {"contacts", "certified contacts, not at the start", path(&MissedRow::counts, &Missed::contacts)},
+       {"missed", "contacts that stepping misses", path(&MissedRow::counts, &Missed::missed)},
+       {"early", "stops that touch before the certified contact: 0", path(&MissedRow::counts, &Missed::early)},
+       {"share", "the share of contacts that stepping misses", path(&MissedRow::missed, &harness::Rate::share),
+        kFormat},
+       {"lower", "its lower limit", path(&MissedRow::missed, &harness::Rate::lower), kFormat},
+       {"upper", "its upper limit", path(&MissedRow::missed, &harness::Rate::upper), kFormat}});
+  return table;
 }
 
 }  // namespace
@@ -98,17 +121,16 @@ MissedStudy study_missed(std::uint64_t seed, std::uint64_t samples, unsigned thr
 }
 
 void write_missed(const std::filesystem::path& folder, const MissedStudy& study) {
-  std::string text = "radius_mm,step_deg,contacts,missed,early,share,lower,upper\n";
+  std::vector<MissedRow> rows;
   for (std::size_t r = 0; r < kRadii.size(); ++r)
     for (std::size_t s = 0; s < kSteps.size(); ++s) {
-      const Missed& m = study.counts[r][s];
-      const auto limits = statistics::clopper_pearson(m.missed, m.contacts);
-      const double share = m.contacts == 0 ? 0 : static_cast<double>(m.missed) / static_cast<double>(m.contacts);
-      text += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g}\n", kRadii[r], kSteps[s], m.contacts, m.missed, m.early,
-                          share, limits.lower, limits.upper);
+      const Missed& counts = study.counts[r][s];
+      rows.push_back({kRadii[r], kSteps[s], counts, harness::rate(counts.missed, counts.contacts)});
     }
-  harness::write_file(folder / "missed.csv", text);
+  missed_csv().write(folder, rows);
 }
+
+std::vector<harness::TableDescription> missed_tables() { return {missed_csv().description()}; }
 
 std::string missed_table(const MissedStudy& study) {
   std::string text =

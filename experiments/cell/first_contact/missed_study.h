@@ -10,6 +10,7 @@
 
 #include "experiments/cell/first_contact/arc.h"
 #include "experiments/harness/blocks.h"
+#include "experiments/harness/table.h"
 #include "geometry/shapes/polygon.h"
 
 /// The contacts that stepping misses: random moves of single joints of the chosen layout's arm through thin sheets,
@@ -48,6 +49,7 @@ struct MissedStudy {
 
 /// Writes missed.csv: one line for each radius and step. Throws std::runtime_error if it cannot be written.
 void write_missed(const std::filesystem::path& folder, const MissedStudy& study);
+[[nodiscard]] std::vector<harness::TableDescription> missed_tables();
 [[nodiscard]] std::string missed_table(const MissedStudy& study);
 
 }  // namespace touchstone::kinematics

@@ -8,12 +8,15 @@
 #include <string_view>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
 namespace {
+
+using kinematics::FirstContact;
 
 const std::string& joint_name(const Workcell& workcell, Moved joint) {
   return workcell.arm().chain.joints()[joint].name;
@@ -33,34 +36,107 @@ const Move* move_of(const Process& process, std::size_t stop) {
   return stop == 0 || move >= process.moves.size() ? nullptr : &process.moves[move];
 }
 
-std::string moves_text(const Workcell& workcell, const Process& process) {
-  std::string text = "move,phase,joint,until,degrees,exact_deg,margin_deg,contact_low_deg,contact_high_deg,kind,face\n";
-  for (std::size_t i = 0; i < process.moves.size(); ++i) {
-    const Move& m = process.moves[i];
-    text += fmt::format("{},{},{},{},{},{:.6f},{:.6f}", i + 1, word(m.phase), joint_name(workcell, m.joint),
-                        word(m.until), m.degrees, m.exact, m.margin);
-    text += m.contact
-                ? fmt::format(",{},{},{},{}\n", m.contact->low, m.contact->high, word(m.contact->kind), m.contact->face)
-                : ",,,,\n";
-  }
-  return text;
+struct MoveRow {
+  std::size_t number;
+  std::string_view joint;
+  const Move* move;
+};
+
+harness::Table<MoveRow> moves_csv() {
+  using harness::path;
+  const auto contact = [](auto FirstContact::*member) {
+    return [member](const MoveRow& row) {
+      return row.move->contact ? std::optional((*row.move->contact).*member) : std::nullopt;
+    };
+  };
+  return {
+      "moves.csv",
+      "a move of one joint",
+      {{"move", "its number", &MoveRow::number},
+       {"phase", "the part of the process", path(&MoveRow::move, &Move::phase)},
+       {"joint", "the joint", &MoveRow::joint},
+       {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
+       {"degrees", "a whole number of steps", path(&MoveRow::move, &Move::degrees)},
+       {"exact_deg", "the angle before it is rounded to steps", path(&MoveRow::move, &Move::exact), "{:.6f}"},
+       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
+       {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low)},
+       {"contact_high_deg", "its upper end", contact(&FirstContact::high)},
+       {"kind", "the kind of contact", contact(&FirstContact::kind)},
+       {"face", "the face that is touched", contact(&FirstContact::face)}}};
 }
 
-std::string trajectory_text(const Workcell& workcell, const Process& process) {
-  std::string text = "stop,phase,joint";
-  for (const auto& joint : workcell.arm().chain.joints()) text += "," + harness::csv_field(joint.name + "_deg");
-  text += ",sphere_x,sphere_y,sphere_z,target,touched_face,material\n";
+struct StopRow {
+  std::size_t number;
+  const Stop* stop;
+  const Move* move;  ///< none at home
+  std::string_view joint, material;
+
+  [[nodiscard]] const Eigen::Vector3d& sphere() const { return stop->sphere.center; }
+};
+
+harness::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
+  using harness::path;
+  std::vector<harness::Column<StopRow>> columns{
+      {"stop", "its number", &StopRow::number},
+      {"phase", "the part of the process",
+       [](const StopRow& row) { return row.move ? word(row.move->phase) : std::string_view("home"); }},
+      {"joint", "the joint that moves", &StopRow::joint}};
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    columns.emplace_back(joints[i] + "_deg", "the angle of this joint",
+                         [i](const StopRow& row) { return row.stop->commanded.at(i); });
+  columns.emplace_back("sphere_x", "the first coordinate of the sphere's centre",
+                       [](const StopRow& row) { return row.sphere().x(); });
+  columns.emplace_back("sphere_y", "the second one", [](const StopRow& row) { return row.sphere().y(); });
+  columns.emplace_back("sphere_z", "the third one", [](const StopRow& row) { return row.sphere().z(); });
+  columns.emplace_back("target", "the place of the material that the sphere approaches or leaves",
+                       path(&StopRow::stop, &Stop::target));
+  columns.emplace_back("touched_face", "the lowest face of the target that it touches",
+                       path(&StopRow::stop, &Stop::touched));
+  columns.emplace_back("material", "where the material is", &StopRow::material);
+  return {"trajectory.csv", "a stop", columns};
+}
+
+struct ScoreRow {
+  const Score* score;
+  harness::Rate wrong;
+};
+
+harness::Table<ScoreRow> methods_csv() {
+  using harness::path;
+  return {"methods.csv",
+          "a method beside the exact answers",
+          {{"method", "the method", [](const ScoreRow& row) { return row.score->method->name(); }},
+           {"asked", "questions", path(&ScoreRow::score, &Score::asked)},
+           {"wrong_hits", "wrong answers yes", path(&ScoreRow::score, &Score::wrong_hits)},
+           {"wrong_misses", "wrong answers no", path(&ScoreRow::score, &Score::wrong_misses)},
+           {"unsure", "questions that it did not decide", path(&ScoreRow::score, &Score::unsure)},
+           {"stops", "stops with a wrong answer", path(&ScoreRow::score, &Score::stops)},
+           {"share_low", "the lower limit of the share of wrong answers", path(&ScoreRow::wrong, &harness::Rate::lower),
+            "{:.3g}"},
+           {"share_high", "its upper limit", path(&ScoreRow::wrong, &harness::Rate::upper), "{:.3g}"}}};
+}
+
+std::vector<MoveRow> move_rows(const Workcell& workcell, const Process& process) {
+  std::vector<MoveRow> rows;
+  for (const Move& move : process.moves) rows.push_back({rows.size() + 1, joint_name(workcell, move.joint), &move});
+  return rows;
+}
+
+std::vector<StopRow> stop_rows(const Workcell& workcell, const Process& process) {
+  std::vector<StopRow> rows;
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
-    const Stop& stop = process.stops[i];
     const Move* move = move_of(process, i);
-    text += fmt::format("{},{},{}", i, move ? word(move->phase) : "home",
-                        move ? joint_name(workcell, move->joint) : std::string());
-    for (const double angle : stop.commanded) text += fmt::format(",{}", angle);
-    const Eigen::Vector3d& at = stop.sphere.center;
-    text += fmt::format(",{},{},{},{},{},{}\n", at.x(), at.y(), at.z(), stop.target ? word(*stop.target) : "",
-                        stop.touched ? std::to_string(*stop.touched) : "", holder(process, i));
+    rows.push_back({i, &process.stops[i], move, move ? std::string_view(joint_name(workcell, move->joint)) : "",
+                    holder(process, i)});
   }
-  return text;
+  return rows;
+}
+
+std::vector<ScoreRow> score_rows(const Contest& contest) {
+  std::vector<ScoreRow> rows;
+  for (const Score& score : contest.scores)
+    rows.push_back({&score, harness::rate(score.wrong_hits + score.wrong_misses, score.asked)});
+  return rows;
 }
 
 std::string trajectory_json(const Workcell& workcell, const Process& process) {
@@ -86,16 +162,6 @@ std::string trajectory_json(const Workcell& workcell, const Process& process) {
                    {"failure", process.failure.empty() ? Json() : Json(process.failure)},
                    {"stops", stops}};
   return whole.dump(1) + "\n";
-}
-
-std::string methods_text(const Contest& contest) {
-  std::string text = "method,asked,wrong_hits,wrong_misses,unsure,stops,share_low,share_high\n";
-  for (const Score& s : contest.scores) {
-    const auto limits = statistics::clopper_pearson(s.wrong_hits + s.wrong_misses, s.asked);
-    text += fmt::format("{},{},{},{},{},{},{:.3g},{:.3g}\n", s.method->name(), s.asked, s.wrong_hits, s.wrong_misses,
-                        s.unsure, s.stops, limits.lower, limits.upper);
-  }
-  return text;
 }
 
 std::string disagreements_text(const Contest& contest, std::size_t most) {
@@ -152,11 +218,17 @@ std::string summary(const Workcell& workcell, const Process& process, const Cont
 
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                const Contest& contest, std::size_t most) {
-  harness::write_file(folder / "moves.csv", moves_text(workcell, process));
-  harness::write_file(folder / "trajectory.csv", trajectory_text(workcell, process));
+  std::vector<std::string> joints;
+  for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
+  moves_csv().write(folder, move_rows(workcell, process));
+  trajectory_csv(joints).write(folder, stop_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
-  harness::write_file(folder / "methods.csv", methods_text(contest));
+  methods_csv().write(folder, score_rows(contest));
   harness::write_file(folder / "disagreements.jsonl", disagreements_text(contest, most));
+}
+
+std::vector<harness::TableDescription> run_tables() {
+  return {moves_csv().description(), trajectory_csv({"<joint>"}).description(), methods_csv().description()};
 }
 
 }  // namespace touchstone::cell

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "experiments/cell/simulation/contest.h"
+#include "experiments/harness/table.h"
 
 namespace touchstone::cell {
 
@@ -22,5 +24,7 @@ namespace touchstone::cell {
 /// Throws std::runtime_error if a file cannot be written.
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
                const Contest& contest, std::size_t most = 1000);
+
+[[nodiscard]] std::vector<harness::TableDescription> run_tables();
 
 }  // namespace touchstone::cell
