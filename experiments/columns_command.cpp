@@ -29,7 +29,7 @@ std::string plain(const std::string& name, const TableDescription& table) {
   for (const auto& [column, meaning] : table.columns) width = std::max(width, column.size());
   std::string text = fmt::format("{} ({}): each line is about {}\n", table.file, name, table.row);
   for (const auto& [column, meaning] : table.columns) text += fmt::format("  {:<{}}  {}\n", column, width, meaning);
-  return text + "\n";
+  return text;
 }
 
 std::string markdown(const std::string& name, const TableDescription& table) {
@@ -55,7 +55,8 @@ Command columns_command(const std::vector<Command>& commands) {
       bool found = false;
       for_each_table(commands, "", [&](const std::string& name, const TableDescription& table) {
         if (!options->of.empty() && options->of != name && options->of != table.file) return;
-        fmt::print("{}", options->markdown ? markdown(name, table) : plain(name, table));
+        fmt::print("{}{}", found && !options->markdown ? "\n" : "",
+                   options->markdown ? markdown(name, table) : plain(name, table));
         found = true;
       });
       if (!found) throw harness::UsageError("NAME", "no command or table is called \"" + options->of + "\"");

@@ -57,7 +57,7 @@ COMMANDS = {
 }
 
 # Commands whose tables are not yet declared as columns; "One cell" replaces their code.
-UNDESCRIBED = [["thesis"], ["cell", "layout"], ["regress"]]
+UNDESCRIBED = [["thesis"], ["cell", "layout"], ["regress"], ["corpus"]]
 
 
 def subcommands(*words):
@@ -99,20 +99,20 @@ class EveryCommand(unittest.TestCase):
 
     def test_describes_the_tables_that_it_writes(self):
         for number, call in enumerate(filter(writes, calls())):
+            if any(call[:len(words)] == words for words in UNDESCRIBED):
+                continue
             output = SCRATCH / f"tables-{number}"
             self.run_in(call, output, stdout=subprocess.DEVNULL)
+            name = re.escape(" ".join(call[:2]) if call[0] == "cell" else call[0])
             for table in sorted(output.rglob("*.csv")):
                 file = re.sub("^map-.*", "map-<spot>-<test>-<distance>.csv", table.name)
-                if any(call[:len(words)] == words for words in UNDESCRIBED):
-                    continue
                 with self.subTest(call=call, table=file):
-                    heading = table.read_text().partition("\n")[0].split(",")
                     described = self.run_in(["columns", file, "--markdown"], "", stdout=subprocess.PIPE).stdout
-                    name = re.escape(" ".join(call[:2]) if call[0] == "cell" else call[0])
                     section = re.search(rf"^### `{re.escape(file)}` \({name}\)\n(.*?)(?=^###|\Z)", described, re.M | re.S)
                     self.assertTrue(section, described)
                     columns = re.findall(r"^\| `(.*?)` \|", section[1], re.M)
-                    self.assertEqual([c if c in heading else "fast" for c in columns], heading)
+                    pattern = ",".join(re.sub(r"<\w+>", ".+", re.escape(column)) for column in columns)
+                    self.assertRegex(table.read_text().partition("\n")[0], rf"\A{pattern}\Z")
 
     def test_fails_where_standard_output_cannot_be_written(self):
         asked = [*calls(), *([*name.split(), "--help"] for name in COMMANDS), ["--help"]]

@@ -8,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include "experiments/commands.h"
+#include "experiments/cases/method.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
 #include "experiments/workloads/random.h"

@@ -15,8 +15,8 @@
 
 namespace touchstone::every_state_tests {
 
-/// The arguments of one call of a public function. Their numbers are those to which the state of the floating-point unit
-/// matters: subnormal numbers, zeros of either sign, thirds, the largest; in `any_...` also infinities and NaNs.
+/// The arguments of one call of a public function. Their numbers are those to which the state of the floating-point
+/// unit matters: subnormal numbers, zeros of either sign, thirds, the largest; in `any_...` also infinities and NaNs.
 struct Input {
   std::uint64_t index;
 

@@ -48,8 +48,9 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
 TEST(CellRun, SaysWhyItDidNotCompleteByItsExitStatusToo) {
   const Ran ran = cell_run({"--set", "step=3", "--method", "fast"});
   EXPECT_EQ(ran.status, 1);
-  EXPECT_NE(ran.out.find("not completed: from the side: to-storage base -150: steps of 3 degrees pass over the contact"),
-            std::string::npos)
+  EXPECT_NE(
+      ran.out.find("not completed: from the side: to-storage base -150: steps of 3 degrees pass over the contact"),
+      std::string::npos)
       << ran.out;
 }
 
