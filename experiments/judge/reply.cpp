@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/judge/reply.h"
 
+#include "experiments/cases/verdict.h"
 #include "experiments/harness/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 

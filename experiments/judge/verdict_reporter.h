@@ -2,9 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/stated_answer.h"
 #include "experiments/judge/judge.h"
 #include "experiments/judge/reply.h"
 
@@ -34,9 +35,9 @@ class VerdictReporter {
 
  private:
   void report_rejection(const cases::Line& line);
-  void report_answer(const cases::Line& line, const cases::Verdict& answer);
-  void print(const cases::Verdict& verdict);
-  void compare(const cases::Line& line, const cases::Verdict& verdict);
+  void report_answer(const cases::Line& line, const cases::StatedAnswer& answer);
+  void print(const std::string& verdict);
+  void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer);
 
   const Order& order_;
   Status status_ = AllMet;

@@ -49,7 +49,7 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
     for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
       const auto drawn = stream.draw(index);
       if (!drawn) continue;
-      const cases::Verdict truth = exact_answer(drawn->ball, drawn->polygon);
+      const cases::PartialAnswer truth = exact_answer(drawn->ball, drawn->polygon);
       if (!kind(*drawn, truth) || failing_witnesses(drawn->ball, drawn->polygon, truth).empty()) continue;
       const std::string line = line_of(*drawn, truth);
       if (line.size() > kLongestLine) continue;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
@@ -85,7 +85,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, family, n);
       const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
-      text += cases::to_line(cases::case_of(sample.id, sample.ball, sample.polygon, tags, cases::object_of(answer)));
+      text += cases::case_line(sample.id, sample.ball, sample.polygon, tags, answer);
     }
   }
   return text;

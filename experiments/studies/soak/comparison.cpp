@@ -5,7 +5,7 @@
 #include <exception>
 #include <memory>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 
@@ -61,6 +61,8 @@ class Comparison {
     outcomes.differences += differences_.size() > before ? 1 : 0;
   }
 
+  /// Compares by ==, not by cases::differing_keys: every function of `filtered` returns the very type that `exact`
+  /// does.
   void expect(bool same, const char* question) {
     if (!same) differs(question, case_.ball, case_.polygon);
   }
@@ -117,10 +119,9 @@ class Comparison {
   }
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    const cases::Verdict expected = cases::object_of(cases::PartialAnswer::of(exact::answer(ball, polygon), ""));
-    differences_.push_back(
-        {index_, cases::to_line(cases::case_of(adversarial::name_of_case(seed_, index_), ball, polygon,
-                                               {std::string(word(case_.family)), question}, expected))});
+    differences_.push_back({index_, cases::case_line(adversarial::name_of_case(seed_, index_), ball, polygon,
+                                                     {std::string(word(case_.family)), question},
+                                                     cases::PartialAnswer::of(exact::answer(ball, polygon), ""))});
   }
 
   const Contestant& contestant_;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
@@ -269,7 +269,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
     const cases::Case read = cases::read_case(found.line);
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
     const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
-    const auto truth = cases::object_of(kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
+    const auto truth = kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer);
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
   }
 }

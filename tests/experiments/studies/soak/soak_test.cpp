@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/harness/run_control.h"
 #include "experiments/harness/write_file.h"
@@ -207,7 +207,7 @@ void expect_found(const Contestant& wrong, const std::string& question) {
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
     const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
     const auto truth = cases::PartialAnswer::of(exact::answer(ball, polygon), "");
-    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << difference.line;
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << difference.line;
   }
   // Asked again by its index alone, the first one differs again.
   const std::uint64_t index = tally.kept().front().index;

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/band.h"
@@ -203,10 +203,10 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
     const cases::Case read = cases::read_case(line);
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
-    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << *read.id;
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << *read.id;
     const std::string method = nlohmann::json::parse(line)["tags"][0];
     const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, QueryKind::Answer);
-    EXPECT_FALSE(cases::differences(*read.expected, cases::object_of(given)).empty()) << *read.id;
+    EXPECT_FALSE(cases::differences(*read.expected, given).empty()) << *read.id;
   }
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing
 }
