@@ -209,14 +209,20 @@ StatedAnswer answer_in(const json& reply) {
   return expectation_in(known);
 }
 
-Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon, const std::vector<std::string>& tags,
-                const Verdict& expected) {
+Verdict object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }
+
+Verdict object_of(const Polygon& polygon) {
   Verdict holes = Verdict::array();
   for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
+  return {{"outer", loop(polygon, 0)}, {"holes", std::move(holes)}};
+}
+
+Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon, const std::vector<std::string>& tags,
+                const Verdict& expected) {
   Verdict object = Verdict::object();
   object["id"] = id;
-  object["ball"] = {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}};
-  object["polygon"] = {{"outer", loop(polygon, 0)}, {"holes", holes}};
+  object["ball"] = object_of(ball);
+  object["polygon"] = object_of(polygon);
   if (!expected.is_null()) object["expected"] = expected;
   object["tags"] = tags;
   return object;

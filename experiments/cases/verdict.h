@@ -17,6 +17,11 @@ using Verdict = nlohmann::ordered_json;
 /// doubles become null, -0 becomes 0.
 [[nodiscard]] Verdict object_of(const PartialAnswer& answer);
 
+/// Returns `center` and `radius`.
+[[nodiscard]] Verdict object_of(const Ball& ball);
+/// Returns `outer` and `holes`.
+[[nodiscard]] Verdict object_of(const Polygon& polygon);
+
 /// Reads the object `expected` of a case. Its texts have the numbers of the case.
 [[nodiscard]] StatedAnswer expectation_in(const nlohmann::json& expected);
 /// Reads the reply of an engine and ignores unknown keys. Its texts have the nearest doubles of `point`, `distance` and

@@ -66,25 +66,11 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
   }
 }
 
-bool VerdictReporter::report_reply(const cases::Line& line, const Reply& reply) {
-  const bool is_verdict = reply.id == line.read->id && reply.answer;
-  if (!is_verdict) blame_engine(line, reply);
-  report_answer(line, is_verdict ? *reply.answer : cases::StatedAnswer());
-  return is_verdict;
-}
-
-void VerdictReporter::report_missing_reply(const cases::Line& line) { report_answer(line, {}); }
-
-void VerdictReporter::blame_engine(const cases::Line& line, const Reply& reply) {
-  blame_engine(line, "not a verdict on this case: " + reply.echo);
-}
-
 void VerdictReporter::blame_engine(const cases::Line& line, const std::string& reason) {
   complain(fmt::format("{}: method {}: {}", name(line), order_.engine, reason));
   worsen(ExpectationNotMet);
 }
 
-/// Reports the answer of the engine; an empty one if it gave no verdict.
 void VerdictReporter::report_answer(const cases::Line& line, const cases::StatedAnswer& answer) {
   print(cases::verdict_line(*line.read->id, order_.engine, answer));
   compare(line, order_.engine, answer);

@@ -6,7 +6,7 @@
 
 #include "experiments/cases/stated_answer.h"
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 
 /// A line that an engine printed, read by the rules for cases.
 struct Reply {
@@ -17,4 +17,9 @@ struct Reply {
 
 [[nodiscard]] Reply read_reply(const std::string& line);
 
-}  // namespace touchstone::judge
+/// Returns the complaint about a reply that is not a verdict on the case that was sent.
+[[nodiscard]] inline std::string not_a_verdict(const Reply& reply) {
+  return "not a verdict on this case: " + reply.echo;
+}
+
+}  // namespace touchstone::methods
