@@ -85,12 +85,12 @@ harness::Command cases_command() {
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
   command.whole("--holes", workload.holes, "Holes", 0);
-  command.integer("--doubles", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
+  command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   command.seed(options->seed);
   command.whole("--first", options->first, "Number of the first sample", 0);
-  command.whole("--count", options->count, "Cases to print", 0);
+  command.whole("--samples", options->count, "Cases to print", 0);
   command.flag("--expected", options->expected, "Add the exact answer");
   command.names("--failing", options->failing, "Only cases on which one of these methods errs");
   command.runs([options] {

@@ -37,7 +37,7 @@ def near_edge_counts(touchstone):
     """Failures and trials by (threshold, method), all families and placements, within one double of the threshold."""
     counts = collections.defaultdict(lambda: [0, 0])
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "near-edge", "--method", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
+        subprocess.run([touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
                         "--search", "0", "--no-pictures", "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:
@@ -78,7 +78,7 @@ def standing(touchstone):
     """The rows of standing.csv, and how many polygons they are about. What is compared with is filtered, which must be exact."""
     with tempfile.TemporaryDirectory() as folder:
         present = ["exact", *(engine for engine in ENGINES if engine not in absent_engines(touchstone))]
-        subprocess.run([touchstone, "regress", "--method", ",".join(present), "--output", folder],
+        subprocess.run([touchstone, "regress", "--methods", ",".join(present), "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "standing.csv"), newline="") as rows:
             found = list(csv.DictReader(rows))

@@ -12,9 +12,9 @@ constexpr std::size_t kLongestLine = 2'400;
 std::string command_of(const workloads::Workload& w, std::uint64_t index) {
   std::string command = fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}",
                                     word(w.family), word(w.placement), word(w.ball), w.vertices, w.holes);
-  if (w.doubles != 0) command += fmt::format(" --doubles {}", w.doubles);
+  if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
   if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
-  return command + fmt::format(" --seed {} --first {} --count 1", kSeed, index);
+  return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
 }
 
 }  // namespace

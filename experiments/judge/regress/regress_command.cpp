@@ -118,7 +118,7 @@ void refuse_missing(const Options& options, const Baseline& baseline,
   for (const cases::Method* method : methods)
     if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
       throw std::runtime_error(
-          fmt::format("{}: has no method {}, which --method names; --allow-missing continues without it",
+          fmt::format("{}: has no method {}, which --methods names; --allow-missing continues without it",
                       options.baseline, method->name()));
 }
 
@@ -190,16 +190,16 @@ harness::Command regress_command() {
       "single\n"
       "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
       "or\n"
-      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --method names, or "
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods names, or "
       "if\n"
       "--write names an existing file without --force.");
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,
-            "A method that --method names may be missing from the baseline; it is then not compared")
+            "A method that --methods names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
   command.text("--write", options->write, "Write the outcomes as a baseline");
-  command.names("--method", options->methods, "Methods; `all` for every one of this build");
+  command.methods(options->methods);
   command.seed(options->settings.seed).excludes("--baseline");
   command
       .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An engine of Bullet's float build, for `touchstone judge --exec`: it decides contact. Its symbols have the names of
+// An engine of Bullet's float build, for `touchstone judge --engine`: it decides contact. Its symbols have the names of
 // the double build, so one program cannot link both.
 #include <algorithm>
 #include <iostream>

@@ -13,7 +13,7 @@ namespace touchstone::soak {
 
 /// soak.csv: one line per family and way of asking: cases, by the slowest stage that they reached, and differences.
 void write_counts(const std::filesystem::path& folder, const Tally& tally);
-/// differences.jsonl: the first cases that differed, for `touchstone judge --method filtered`; empty if none did.
+/// differences.jsonl: the first cases that differed, for `touchstone judge --methods filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
 
 /// Returns the table for the terminal, with the verdict below it.

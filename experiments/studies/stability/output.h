@@ -33,8 +33,8 @@ void write_errors(const std::filesystem::path& folder, const Settings& settings,
 /// tightness.csv: one line per bounded quantity, axis (and `all`) and level: quantiles of |computed - exact| / bound.
 /// conditions.csv: single observations from the first samples of each level: condition and relative error.
 void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
-/// worst.jsonl: the worst case of each axis and method, as `touchstone judge --method NAME` takes it; the method is its
-/// first tag. Axes that compare with an intended motion and those of the floating-point mode have none.
+/// worst.jsonl: the worst case of each axis and method, as `touchstone judge --methods NAME` takes it; the method is
+/// its first tag. Axes that compare with an intended motion and those of the floating-point mode have none.
 void write_worst(const std::filesystem::path& folder, const Summary& summary);
 /// onset.csv: one line per distance from the origin, method and offset. contraction.csv: one line per sign and family.
 /// areas.csv: one line per outline.

@@ -51,7 +51,7 @@ struct Declared {
 };
 
 constexpr const char* kUnchanged =
-    "touchstone measure --seed 7 --threads 3 --method all --count 20 --offset -2 --step 0.5 --truth exact --colour "
+    "touchstone measure --seed 7 --threads 3 --methods all --count 20 --offset -2 --step 0.5 --truth exact --colour "
     "green "
     "--output results/it";
 
@@ -68,7 +68,7 @@ TEST(Command, ItsLineRepeatsTheRun) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> given{
       {{"--seed", "8"}, "--seed 8"},
       {{"--threads", "4"}, "--threads 4"},
-      {{"--method", "fast,exact"}, "--method fast,exact"},
+      {{"--methods", "fast,exact"}, "--methods fast,exact"},
       {{"--count", "21"}, "--count 21"},
       {{"--most", "9"}, "--most 9"},
       {{"--offset", "3"}, "--offset 3"},
@@ -126,7 +126,7 @@ TEST(Command, RefusesWhatIsNotInTheRange) {
 
 TEST(Command, LeavesWhatStandsBehindAListOfNamesToOthers) {
   Declared declared;
-  declared.run({"--method", "fast,exact", "mesh.obj"});
+  declared.run({"--methods", "fast,exact", "mesh.obj"});
   EXPECT_EQ(declared.methods, (std::vector<std::string>{"fast", "exact"}));
   EXPECT_EQ(declared.meshes, std::vector<std::string>{"mesh.obj"});
 }

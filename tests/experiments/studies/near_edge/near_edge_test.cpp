@@ -317,7 +317,7 @@ int run_command(std::vector<std::string> arguments) {
 TEST(NearEdgeCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new" / "too";
-  ASSERT_EQ(run_command({"--method", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
+  ASSERT_EQ(run_command({"--methods", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
                          "--no-pictures", "--output", folder.string()}),
             0);
   const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
@@ -344,8 +344,8 @@ std::string error_of(const std::vector<std::string>& arguments) {
 TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
   const Scratch scratch;
   const auto run = [&](const char* folder, std::vector<std::string> more) {
-    more.insert(more.end(),
-                {"--method", "fast", "--families", "l", "--no-pictures", "--output", (scratch.path / folder).string()});
+    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--no-pictures", "--output",
+                             (scratch.path / folder).string()});
     return more;
   };
   ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--truth", "filtered"})), 0);
@@ -371,7 +371,7 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
 }
 
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--method", "slow"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);

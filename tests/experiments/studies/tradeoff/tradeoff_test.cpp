@@ -239,7 +239,7 @@ int run_command(std::vector<std::string> arguments) {
 TEST(TradeoffCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new";
-  ASSERT_EQ(run_command({"--method", "fast,filtered", "--families", "l,u", "--samples", "1", "--queries", "10",
+  ASSERT_EQ(run_command({"--methods", "fast,filtered", "--families", "l,u", "--samples", "1", "--queries", "10",
                          "--repetitions", "1", "--no-pictures", "--output", folder.string()}),
             0);
   for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl", "timings.csv", "front.csv"})
@@ -258,7 +258,7 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
     }
     return "none";
   };
-  EXPECT_NE(complaint({"--method", "slow"}).find("\"slow\""), std::string::npos);
+  EXPECT_NE(complaint({"--methods", "slow"}).find("\"slow\""), std::string::npos);
   EXPECT_NE(complaint({"--families", "donut"}).find("--families"), std::string::npos);
   EXPECT_NE(complaint({"--samples", "0"}).find("--samples"), std::string::npos);
   EXPECT_NE(complaint({"--seed", "-1"}).find("--seed"), std::string::npos);
@@ -273,8 +273,8 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
 TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
   const Scratch scratch;
   const std::string folder = scratch.path / "run";
-  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--method", "fast", "--families", "l",
-                                 "--samples",        "100000000", "--output", folder};
+  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--methods", "fast", "--families", "l",
+                                 "--samples",        "100000000", "--output",  folder};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
