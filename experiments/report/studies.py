@@ -49,7 +49,7 @@ STUDIES = [
           full=[["tradeoff", "--output", OUTPUT]],
           quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "3", "--output", OUTPUT]]),
     Study("soak", "the certified path under attack", resumes=True,
-          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--cases", "100000", "--output", OUTPUT]]),
+          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
     Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",

@@ -207,7 +207,7 @@ def check_baselines(checks):
 
 
 def check_checkpoints(checks):
-    soak = ("soak", "--cases", "3", "--output", "soak")
+    soak = ("soak", "--samples", "3", "--output", "soak")
     checks.run("soak", *soak, status=(0,))
     path = os.path.join(checks.folder, "soak", "checkpoint.json")
     with open(path) as file:

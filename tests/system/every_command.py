@@ -33,7 +33,7 @@ COMMANDS = {
     "cases": [["--samples", "3"]],
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
-    "soak": [["--cases", "5", "--output", OUTPUT], ["--cases", "5", "--print"]],
+    "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
     "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
                   "--output", OUTPUT]],
     "stability": [["--methods", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
@@ -154,10 +154,10 @@ class EveryCommand(unittest.TestCase):
         process.kill()
         process.wait()
         balls.close()
-        self.assertEqual(self.run_in(["soak", "--cases", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
+        self.assertEqual(self.run_in(["soak", "--samples", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
 
     def test_of_two_runs_at_once_one_is_refused_whole(self):
-        seeded = lambda seed, output: [TOUCHSTONE, "soak", "--cases", "1000", "--threads", "1", "--seed", seed, "--output", str(output)]
+        seeded = lambda seed, output: [TOUCHSTONE, "soak", "--samples", "1000", "--threads", "1", "--seed", seed, "--output", str(output)]
         data = lambda folder: {name: bytes for name, bytes in content(folder).items() if name != "run.json"}
         alone = {}
         for seed in "1", "5":
@@ -195,7 +195,7 @@ class EveryCommand(unittest.TestCase):
         written = ["soak.csv", "differences.jsonl", "checkpoint.json", "run.json"]
         for name in written:
             (folder / name).symlink_to(victim)
-        done = self.run_in(["soak", "--cases", "5", "--force", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL)
+        done = self.run_in(["soak", "--samples", "5", "--force", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(victim.read_text(), "precious\n")
         self.assertFalse(any((folder / name).is_symlink() for name in written))

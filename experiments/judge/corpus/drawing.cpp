@@ -37,7 +37,7 @@ Stream soak_stream(adversarial::Family family, std::size_t count) {
                               drawn.ball,
                               std::move(drawn.polygon),
                               {std::string(word(family))},
-                              fmt::format("touchstone soak --seed {} --from {} --cases 1 --print", kSeed, index)};
+                              fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
           },
           .count = count};
 }

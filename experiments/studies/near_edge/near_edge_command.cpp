@@ -66,12 +66,12 @@ constexpr int kVersion = 2;
 harness::ResultSettings checkpoint_settings(const Settings& settings) {
   return {kVersion,
           {{"seed", std::to_string(settings.seed)},
-           {"method", method_names(settings)},
+           {"methods", method_names(settings)},
            {"families", family_words(settings)},
            {"vertices", std::to_string(settings.shape.vertices)},
            {"holes", std::to_string(settings.shape.holes)},
            {"origin-distance", harness::shortest(settings.shape.origin_distance)},
-           {"truth", std::string(settings.truth->name())}}};
+           {"oracle", std::string(settings.truth->name())}}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.
@@ -178,7 +178,7 @@ class Run {
     if (differing > 0)
       fmt::print(stderr,
                  "touchstone: {} DIFFERS FROM exact {} times ({} times in the search): a defect of this program. "
-                 "See {}; `touchstone judge --method {}` takes it\n",
+                 "See {}; `touchstone judge --methods {}` takes it\n",
                  options_.truth, differing, worst_.wrong_truths, (folder_ / "disagreements.jsonl").string(),
                  options_.truth);
     if (settings_.truth->name() != "exact")
@@ -221,7 +221,7 @@ harness::Command near_edge_command() {
   command.whole("--holes", options->shape.holes, "Holes of each polygon; those without room are missing", 0, 1000);
   command.real("--origin-distance", options->shape.origin_distance,
                "The distance of each polygon from the origin, in its sizes", 0.0, 0x1p30);
-  command.choice("--truth", options->truth, {"exact", "filtered"},
+  command.choice("--oracle", options->truth, {"exact", "filtered"},
                  "The oracle that decides which answers are right; filtered is faster, and is compared with exact "
                  "where a method is wrong and in a hundredth of the samples");
   command.whole("--search", options->search,

@@ -92,8 +92,8 @@ int run(const Options& options, const harness::Processes& processes) {
   harness::flush_standard_output();
   if (tally.differing() > 0)
     fmt::print(stderr,
-               "touchstone: see {}; `touchstone judge --method filtered` takes it, and "
-               "`touchstone soak --seed {} --from INDEX --cases 1` asks again\n",
+               "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
+               "`touchstone soak --seed {} --from INDEX --samples 1` asks again\n",
                (folder / "differences.jsonl").string(), settings.seed);
   if (done < settings.cases) {
     fmt::print(stderr, "touchstone: interrupted after {} of {} cases; --resume continues\n", done, settings.cases);
@@ -114,7 +114,7 @@ int print_cases(const Settings& settings) {
 int run_soak(const Options& options) {
   const Settings& settings = options.settings;
   if (settings.from > std::numeric_limits<std::uint64_t>::max() - settings.cases)
-    throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
+    throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");
   if (options.print) return harness::run_alone([&] { return print_cases(settings); });
   return harness::run_together([&](const harness::Processes& processes) { return run(options, processes); });
 }
@@ -126,7 +126,7 @@ harness::Command soak_command() {
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   Settings& settings = options->settings;
-  command.whole("--cases", settings.cases, "The number of cases", 1);
+  command.whole("--samples", settings.cases, "The number of cases", 1);
   command.seed(settings.seed, "Any number; case i depends on it and on i alone");
   command.whole("--from", settings.from, "The index of the first case", 0);
   command.threads(settings.threads, "Threads of each process; they do not change the results");

@@ -66,9 +66,10 @@ harness::ResultSettings checkpoint_settings(const Settings& settings) {
   std::vector<std::string> methods, axes;
   for (const auto* method : settings.methods) methods.emplace_back(method->name());
   for (const Axis axis : settings.axes) axes.emplace_back(word(axis));
-  return {
-      kVersion,
-      {{"seed", std::to_string(settings.seed)}, {"method", harness::joined(methods)}, {"axes", harness::joined(axes)}}};
+  return {kVersion,
+          {{"seed", std::to_string(settings.seed)},
+           {"methods", harness::joined(methods)},
+           {"axes", harness::joined(axes)}}};
 }
 
 /// One run with all processes; what it holds in between is the first one's.

@@ -75,7 +75,7 @@ harness::ResultSettings checkpoint_settings(const Settings& settings) {
   for (const auto family : settings.families) families.emplace_back(word(family));
   return {kVersion,
           {{"seed", std::to_string(settings.seed)},
-           {"method", harness::joined(methods)},
+           {"methods", harness::joined(methods)},
            {"families", harness::joined(families)}}};
 }
 

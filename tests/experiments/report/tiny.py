@@ -31,7 +31,7 @@ def calls(source, mesh):
         "tradeoff": ["tradeoff", "--methods", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                      "--repetitions", "1", "--no-pictures"],
         "regress": ["regress", "--methods", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
-        "soak": ["soak", "--cases", "200"],
+        "soak": ["soak", "--samples", "200"],
         "cell": ["cell", "run", cell, "--methods", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
         "merging": ["merging", mesh, "--compare", "10", "--repetitions", "1"],

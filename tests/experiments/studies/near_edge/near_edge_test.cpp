@@ -348,9 +348,9 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
                              (scratch.path / folder).string()});
     return more;
   };
-  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--truth", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--truth", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--truth", "filtered", "--resume"})), 0);
+  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--oracle", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--oracle", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--oracle", "filtered", "--resume"})), 0);
   int files = 0;
   for (const auto& file : fs::directory_iterator(scratch.path / "one")) {
     if (file.path().filename() == "run.json") continue;
@@ -359,13 +359,13 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
   }
   EXPECT_EQ(files, 29);
 
-  EXPECT_NE(error_of(run("one", {"--samples", "5", "--truth", "filtered", "--resume", "--seed", "2"}))
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--oracle", "filtered", "--resume", "--seed", "2"}))
                 .find("is of --seed 1, not of --seed 2"),
             std::string::npos);
   EXPECT_NE(error_of(run("one", {"--samples", "5", "--holes", "1", "--resume"}))
-                .find("is of --holes 0 --truth filtered, not of --holes 1 --truth exact"),
+                .find("is of --holes 0 --oracle filtered, not of --holes 1 --oracle exact"),
             std::string::npos);
-  EXPECT_NE(error_of(run("one", {"--samples", "4", "--truth", "filtered", "--resume"}))
+  EXPECT_NE(error_of(run("one", {"--samples", "4", "--oracle", "filtered", "--resume"}))
                 .find("holds 5 already, more than the 4 asked for"),
             std::string::npos);
 }
@@ -378,7 +378,7 @@ TEST(NearEdgeCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "1099511627777"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--truth", "fast"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--oracle", "fast"}), harness::UsageError);
   EXPECT_THROW(run_command({"--holes", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--vertices", "2"}), harness::UsageError);
   EXPECT_THROW(run_command({"--origin-distance", "-1"}), harness::UsageError);

@@ -334,7 +334,7 @@ int run_command(std::vector<std::string> arguments) {
 
 TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   const auto ran =
-      run_tests::run_captured(commands::soak_command, {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
+      run_tests::run_captured(commands::soak_command, {"--seed", "2", "--from", "7", "--samples", "5", "--print"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   std::istringstream lines(ran.out);
   std::string line;
@@ -354,26 +354,26 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
 TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
   const Scratch scratch;
   const std::string parts = (scratch.path / "parts").string(), one = (scratch.path / "one").string();
-  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "1", "--output", one}), 0);
-  ASSERT_EQ(run_command({"--cases", "700", "--seed", "2", "--threads", "2", "--output", parts}), 0);
-  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "2", "--output", parts, "--resume"}), 0);
+  ASSERT_EQ(run_command({"--samples", "1500", "--seed", "2", "--threads", "1", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--samples", "700", "--seed", "2", "--threads", "2", "--output", parts}), 0);
+  ASSERT_EQ(run_command({"--samples", "1500", "--seed", "2", "--threads", "2", "--output", parts, "--resume"}), 0);
   for (const char* file : {"soak.csv", "differences.jsonl", "checkpoint.json"})
     EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
   EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
   // Without --resume it begins anew, and what stood there is kept.
-  ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--force", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--samples", "100", "--seed", "3", "--force", "--output", one}), 0);
   EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
   EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--cases", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--cases", "many"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
   EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--from", "1.5"}), harness::UsageError);
   EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--from", "18446744073709551615", "--cases", "2"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--cases", "1"}), std::runtime_error);
+  EXPECT_THROW(run_command({"--from", "18446744073709551615", "--samples", "2"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 
 }  // namespace
