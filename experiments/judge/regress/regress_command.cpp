@@ -165,7 +165,7 @@ int run(const Options& options) {
   if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "standing.csv", csv_of(*table));
+    harness::write_file(folder / "outcomes.csv", csv_of(*table));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
         folder, {.command = options.line,
@@ -207,7 +207,7 @@ harness::Command regress_command() {
       .excludes("--baseline");
   command.threads(options->threads);
   command.output(options->output,
-                 "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+                 "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
