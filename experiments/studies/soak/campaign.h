@@ -7,7 +7,7 @@
 
 #include "experiments/harness/checkpoint.h"
 #include "experiments/harness/sweep.h"
-#include "experiments/studies/soak/contestant.h"
+#include "experiments/studies/soak/system_under_test.h"
 #include "experiments/studies/soak/tally.h"
 
 namespace touchstone::soak {
@@ -24,10 +24,10 @@ struct Settings {
 
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
-/// In the first process the tally is a function of the contestant, seed, from and the number of cases that it contains;
-/// processes, threads, pauses and stops do not change it. There, `save` receives it every few seconds, and `progress`
-/// the number of cases done. Returns the number of cases done, in all processes.
-std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant, const harness::Processes& processes,
+/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it
+/// contains; processes, threads, pauses and stops do not change it. There, `save` receives it every few seconds, and
+/// `progress` the number of cases done. Returns the number of cases done, in all processes.
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested, const harness::Processes& processes,
                            const std::atomic<bool>& stop, const std::function<void(const Tally&)>& save,
                            const harness::Progress& progress, Tally& tally);
 

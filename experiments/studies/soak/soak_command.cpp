@@ -70,8 +70,8 @@ int run(const Options& options, const harness::Processes& processes) {
       announce(now);
     };
     done = run_campaign(
-        settings, Contestant(), processes, stop_signal.requested(), save, [&](std::uint64_t cases) { line(cases); },
-        tally);
+        settings, SystemUnderTest(), processes, stop_signal.requested(), save,
+        [&](std::uint64_t cases) { line(cases); }, tally);
   }
   if (!first) return 0;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();

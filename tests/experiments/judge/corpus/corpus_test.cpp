@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/studies/soak/contestant.h"
+#include "experiments/studies/soak/system_under_test.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
@@ -19,7 +19,7 @@
 namespace touchstone {
 namespace {
 
-const soak::Contestant filtered_path;
+const soak::SystemUnderTest filtered_path;
 
 std::optional<Triangle> triangle_of(const Polygon& polygon) {
   if (polygon.vertex_count() != 3) return std::nullopt;

@@ -44,10 +44,10 @@ Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
 }
 
 /// Returns the tally of a whole run.
-Tally whole(const Settings& settings, const Contestant& contestant = {}) {
+Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   Tally tally;
   run_campaign(
-      settings, contestant, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
+      settings, tested, kAlone, kNeverStop, [](const Tally&) {}, [](std::uint64_t) {}, tally);
   return tally;
 }
 
@@ -124,78 +124,78 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
 }
 
 /// Touching does not count, in one overload.
-class StrictTriangle : public Contestant {
-  using Contestant::contact;
+class StrictTriangle : public SystemUnderTest {
+  using SystemUnderTest::contact;
   bool contact(const Ball& ball, const Triangle& t) const override {
     return exact::relation(ball, Polygon({t.a, t.b, t.c})) == Relation::Overlapping;
   }
 };
 
 /// The last lane of a batch is forgotten.
-class ForgetfulBatch : public Contestant {
-  using Contestant::contact;
+class ForgetfulBatch : public SystemUnderTest {
+  using SystemUnderTest::contact;
   void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) const override {
-    Contestant::contact(ball, triangles.first(triangles.size() - 1), touches.first(touches.size() - 1));
+    SystemUnderTest::contact(ball, triangles.first(triangles.size() - 1), touches.first(touches.size() - 1));
     touches.back() = false;
   }
 };
 
-class StrictBatchOfBalls : public Contestant {
-  using Contestant::contact;
+class StrictBatchOfBalls : public SystemUnderTest {
+  using SystemUnderTest::contact;
   void contact(std::span<const Ball> balls, const Prepared& polygon, std::span<bool> touches) const override {
     for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = relation(balls[i], polygon) == Relation::Overlapping;
   }
 };
 
-class SwappedSides : public Contestant {
+class SwappedSides : public SystemUnderTest {
   PlaneSide plane_side(const Ball& ball, const Prepared& polygon) const override {
-    const PlaneSide side = Contestant::plane_side(ball, polygon);
+    const PlaneSide side = SystemUnderTest::plane_side(ball, polygon);
     return side == PlaneSide::InFront ? PlaneSide::Behind : side;
   }
 };
 
-class UnroundedDistance : public Contestant {
-  using Contestant::answer;
+class UnroundedDistance : public SystemUnderTest {
+  using SystemUnderTest::answer;
   Answer answer(const Ball& ball, const Prepared& polygon) const override {
-    Answer answer = Contestant::answer(ball, polygon);
+    Answer answer = SystemUnderTest::answer(ball, polygon);
     answer.distance = std::nextafter(answer.distance, 0.0);
     return answer;
   }
 };
 
-class FarthestVertex : public Contestant {
+class FarthestVertex : public SystemUnderTest {
   filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const override {
-    filtered::ClosestPoint closest = Contestant::closest(center, triangle);
+    filtered::ClosestPoint closest = SystemUnderTest::closest(center, triangle);
     if (closest.feature.kind == Feature::Kind::Vertex) closest.feature.index = (closest.feature.index + 1) % 3;
     return closest;
   }
 };
 
-class NoBoundary : public Contestant {
+class NoBoundary : public SystemUnderTest {
   PointLocation foot(const Ball& ball, const Prepared& polygon) const override {
-    const PointLocation place = Contestant::foot(ball, polygon);
+    const PointLocation place = SystemUnderTest::foot(ball, polygon);
     return place == PointLocation::Boundary ? PointLocation::Inside : place;
   }
 };
 
-class FirstEdgeOnly : public Contestant {
+class FirstEdgeOnly : public SystemUnderTest {
   std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const override {
-    auto edges = Contestant::edges_hit(ball, polygon);
+    auto edges = SystemUnderTest::edges_hit(ball, polygon);
     if (edges.size() > 1) edges.erase(edges.begin() + 1, edges.end());
     return edges;
   }
 };
 
-class Throwing : public Contestant {
-  using Contestant::contact;
+class Throwing : public SystemUnderTest {
+  using SystemUnderTest::contact;
   bool contact(const Ball& ball, const Prepared& polygon) const override {
     if (ball.radius == 0) throw std::length_error("no points, please");
-    return Contestant::contact(ball, polygon);
+    return SystemUnderTest::contact(ball, polygon);
   }
 };
 
 /// Is the error found, and told as a case that the judge reads, with the exact answer expected?
-void expect_found(const Contestant& wrong, const std::string& question) {
+void expect_found(const SystemUnderTest& wrong, const std::string& question) {
   const Settings settings{.cases = 3000, .seed = 9};
   const Tally tally = whole(settings, wrong);
   EXPECT_GT(tally.differing(), 0U) << question;
