@@ -136,7 +136,7 @@ TEST_F(MeshContact, BallsAreNearTheirFeature) {
     ASSERT_EQ(drawn.balls.size(), kPlaces.size() * kSteps.size());
     for (const auto& [place, steps, ball] : drawn.balls) {
       const Answer answer = exact::answer(ball, exact);
-      if (place == Place::Foot) {
+      if (place == BallRegion::Foot) {
         EXPECT_TRUE(answer.contact());
         EXPECT_FALSE(answer.edges_hit.empty());
         continue;
