@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/cases/key.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
@@ -40,7 +41,7 @@ class Reader {
         malformed("expected.error is neither a code nor true, but " + io::legible(error->dump()));
     } else {
       for (const auto& [key, value] : expected->items())
-        if (!is_answer_key(key)) malformed("expected has the unknown key \"" + key + "\"");
+        if (!find_key(key)) malformed("expected has the unknown key \"" + key + "\"");
     }
     return &*expected;
   }
@@ -152,7 +153,7 @@ Case read_case(std::string_view line) {
     if (const auto id = text.value.find("id"); id != text.value.end() && id->is_string())
       result.id = id->get<std::string>();
     try {
-      if (const json* expected = Reader(text).expected()) result.expected = *expected;
+      if (const json* expected = Reader(text).expected()) result.expected = expectation_in(*expected);
     } catch (const Rejected&) {
       // A malformed `expected` expects nothing. read_shapes reports this rejection in its turn.
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "experiments/harness/json/strict_json.h"
+#include "experiments/cases/stated_answer.h"
+#include "experiments/harness/json/not_json.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
@@ -23,7 +23,7 @@ struct Shapes {
 /// One line of a file of cases, read according to the contract.
 struct Case {
   std::optional<std::string> id;            ///< absent only from malformed cases
-  std::optional<nlohmann::json> expected;   ///< an object: keys of an answer, or `error`; absent if malformed
+  std::optional<StatedAnswer> expected;     ///< keys of an answer, or `error`; absent if malformed
   std::variant<Shapes, Rejection> content;  ///< the message of the rejection names the loop, vertex or edge
 };
 

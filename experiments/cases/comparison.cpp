@@ -2,12 +2,29 @@
 #include "experiments/cases/comparison.h"
 
 #include <algorithm>
-#include <vector>
+#include <cmath>
 
 namespace touchstone::cases {
 namespace {
 
 using Edges = std::vector<std::size_t>;
+
+template <class Value>
+bool same(const Value& a, const Value& b) {
+  return a == b;
+}
+bool same(double a, double b) { return same_number(a, b) || (!std::isfinite(a) && !std::isfinite(b)); }
+bool same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
+}
+
+/// Returns whether the answer has the expected value of a key that both have.
+bool meets(const std::string& name, const StatedAnswer& expected, const StatedAnswer& answer) {
+  const auto key = find_key(name);
+  if (key && has(expected.values, *key) && has(answer.values, *key))
+    return same_value(*key, expected.values, answer.values);
+  return expected.texts.at(name) == answer.texts.at(name);
+}
 
 Outcome compare_yes(bool answer, bool truth) {
   if (answer == truth) return Outcome::Right;
@@ -35,6 +52,35 @@ Outcome compare_edges(const Edges& answer, const Edges& truth) {
 
 }  // namespace
 
+bool same_value(Key key, const PartialAnswer& a, const PartialAnswer& b) {
+  if (!has(a, key) || !has(b, key)) return has(a, key) == has(b, key);
+  return visit_key(key, [&](auto member) { return same(*(a.*member), *(b.*member)); });
+}
+
+std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b) {
+  std::vector<Key> keys;
+  for (const Key key : kKeys)
+    if (has(a, key) && has(b, key) && !same_value(key, a, b)) keys.push_back(key);
+  return keys;
+}
+
+std::vector<std::string> differences(const StatedAnswer& expected, const StatedAnswer& answer) {
+  std::vector<std::string> found;
+  for (const auto& [name, text] : expected.texts) {
+    const auto given = answer.texts.find(name);
+    if (name == "error" && text == "true" && given != answer.texts.end()) continue;
+    if (given == answer.texts.end())
+      found.push_back(name + ": expected " + text + ", not given");
+    else if (!meets(name, expected, answer))
+      found.push_back(name + ": expected " + text + ", found " + given->second);
+  }
+  return found;
+}
+
+std::vector<std::string> differences(const StatedAnswer& expected, const PartialAnswer& answer) {
+  return differences(expected, stated(answer));
+}
+
 std::string_view word(Test test) {
   switch (test) {
     case Test::Plane: return "plane";
@@ -44,6 +90,17 @@ std::string_view word(Test test) {
     case Test::Relation: return "relation";
   }
   return "";
+}
+
+Key key_of(Test test) {
+  switch (test) {
+    case Test::Plane: return Key::Plane;
+    case Test::Foot: return Key::Foot;
+    case Test::Edges: return Key::EdgesHit;
+    case Test::Relation: return Key::Relation;
+    case Test::Contact: break;
+  }
+  return Key::Contact;
 }
 
 cases::QueryKind query_kind(Test test) {

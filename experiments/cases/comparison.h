@@ -3,11 +3,28 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
+#include "experiments/cases/stated_answer.h"
 
+// All comparisons of answers: key by key, as the contract defines them, and test by test, as the studies count them.
 namespace touchstone::cases {
+
+/// Returns whether two answers have the same value for a key, or both lack it. Numbers are compared by value, as JSON
+/// has them: 0 = -0, and all numbers that are not finite are null.
+[[nodiscard]] bool same_value(Key key, const PartialAnswer& a, const PartialAnswer& b);
+/// Returns the keys that both answers have, with different values, in the order of the contract.
+[[nodiscard]] std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b);
+
+/// Returns the expectations that an answer does not meet, one sentence for each key, in the order of their names:
+/// `relation: expected "touching", found "separate"`. A key that the answer lacks is not met; values are compared by
+/// `same_value`. A value that does not have the form of the contract meets only an expectation with the same text.
+[[nodiscard]] std::vector<std::string> differences(const StatedAnswer& expected, const StatedAnswer& answer);
+[[nodiscard]] std::vector<std::string> differences(const StatedAnswer& expected, const PartialAnswer& answer);
 
 /// The parts of an answer that studies compare: the contract's three tests, contact, and the relation.
 enum class Test { Plane, Foot, Edges, Contact, Relation };
@@ -15,6 +32,8 @@ enum class Test { Plane, Foot, Edges, Contact, Relation };
 inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact};
 
 [[nodiscard]] std::string_view word(Test test);
+/// Returns the key that the test compares.
+[[nodiscard]] Key key_of(Test test);
 /// Returns the query that yields the key of the test.
 [[nodiscard]] cases::QueryKind query_kind(Test test);
 

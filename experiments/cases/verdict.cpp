@@ -6,11 +6,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
-#include "experiments/workloads/ulp.h"
+#include "experiments/cases/key.h"
 
 namespace touchstone::cases {
 namespace {
+
+using nlohmann::json;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Verdict number(double value) {
   if (!std::isfinite(value)) return nullptr;
@@ -18,13 +23,13 @@ Verdict number(double value) {
 }
 
 /// Returns whether numbers below this key denote their nearest doubles. Numbers below other keys are indices.
-bool holds_doubles(std::string_view key) { return key == "point" || key == "distance" || key == "off_plane"; }
+bool holds_doubles(Key key) { return key == Key::Point || key == Key::Distance || key == Key::OffPlane; }
 
 /// The same for every number within a value; keeps integers that are not doubles.
-Verdict plain(const nlohmann::json& value, bool doubles) {
+json plain(const json& value, bool doubles) {
   if (value.is_number_float() || (doubles && value.is_number())) return number(value.get<double>());
   if (!value.is_structured()) return value;
-  Verdict copy = value.is_array() ? Verdict::array() : Verdict::object();
+  json copy = value.is_array() ? json::array() : json::object();
   for (const auto& [key, member] : value.items()) {
     if (value.is_array())
       copy.push_back(plain(member, doubles));
@@ -34,46 +39,98 @@ Verdict plain(const nlohmann::json& value, bool doubles) {
   return copy;
 }
 
-bool is_negative_integer(const nlohmann::json& value) {
-  return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() < 0;
-}
-
-/// The library treats a signed and an unsigned integer with the same bits as equal.
-bool same_number(const nlohmann::json& a, const nlohmann::json& b, bool doubles) {
-  if (doubles) return a.get<double>() == b.get<double>();
-  return is_negative_integer(a) == is_negative_integer(b) && a == b;
-}
-
-bool same_value(const nlohmann::json& a, const nlohmann::json& b, bool doubles) {
-  if (a.is_number() && b.is_number()) return same_number(a, b, doubles);
-  const auto same_members = [doubles](const nlohmann::json& x, const nlohmann::json& y) {
-    return same_value(x, y, doubles);
-  };
-  if (a.is_array() && b.is_array()) return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_members);
-  if (!a.is_object() || !b.is_object()) return a == b;
-  return a.size() == b.size() && std::all_of(a.items().begin(), a.items().end(), [&](const auto& member) {
-           const auto found = b.find(member.key());
-           return found != b.end() && same_value(member.value(), *found, doubles);
-         });
-}
-
-constexpr std::array<std::string_view, 10> kAnswerKeys{"plane",   "plane_tangent", "foot",  "edges_hit", "relation",
-                                                       "contact", "nearest",       "point", "distance",  "off_plane"};
-
-Verdict point(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
-
-Verdict loop(const Polygon& polygon, std::size_t number) {
-  Verdict points = Verdict::array();
-  for (std::size_t i = polygon.loop_begin(number); i < polygon.loop_end(number); ++i)
-    points.push_back(point(polygon.vertex(i)));
-  return points;
-}
-
-Verdict feature(const Feature& nearest) {
+Verdict value_of(PlaneSide value) { return word(value); }
+Verdict value_of(PointLocation value) { return word(value); }
+Verdict value_of(Relation value) { return word(value); }
+Verdict value_of(bool value) { return value; }
+Verdict value_of(const std::vector<std::size_t>& value) { return value; }
+Verdict value_of(double value) { return number(value); }
+Verdict value_of(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
+Verdict value_of(const Feature& nearest) {
   Verdict object = Verdict::object();
   object["kind"] = word(nearest.kind);
   if (nearest.kind != Feature::Kind::Face) object["index"] = nearest.index;
   return object;
+}
+
+// Each reads a value of the contract's form.
+
+template <class Enumerator>
+void read_word(const json& value, std::initializer_list<Enumerator> all, std::optional<Enumerator>& read) {
+  if (!value.is_string()) return;
+  for (const Enumerator one : all)
+    if (word(one) == value.get_ref<const std::string&>()) read = one;
+}
+
+void read(const json& value, std::optional<PlaneSide>& side) {
+  read_word(value, {PlaneSide::InFront, PlaneSide::Behind, PlaneSide::Intersects}, side);
+}
+
+void read(const json& value, std::optional<PointLocation>& location) {
+  read_word(value, {PointLocation::Inside, PointLocation::Boundary, PointLocation::Outside}, location);
+}
+
+void read(const json& value, std::optional<Relation>& relation) {
+  read_word(value, {Relation::Separate, Relation::Touching, Relation::Overlapping}, relation);
+}
+
+void read(const json& value, std::optional<bool>& yes) {
+  if (value.is_boolean()) yes = value.get<bool>();
+}
+
+/// 1.0 is the index 1.
+std::optional<std::size_t> index_in(const json& value) {
+  if (value.is_number_unsigned()) return value.get<std::size_t>();
+  if (!value.is_number_float()) return std::nullopt;
+  const auto number = value.get<double>();
+  if (!(number >= 0 && number < 0x1p64 && number == std::floor(number))) return std::nullopt;
+  return static_cast<std::size_t>(number);
+}
+
+void read(const json& value, std::optional<std::vector<std::size_t>>& edges) {
+  if (!value.is_array()) return;
+  std::vector<std::size_t> found;
+  for (const json& member : value) {
+    const auto index = index_in(member);
+    if (!index) return;
+    found.push_back(*index);
+  }
+  edges = std::move(found);
+}
+
+void read(const json& value, std::optional<Feature>& nearest) {
+  using Kind = Feature::Kind;
+  if (!value.is_object() || !value.contains("kind")) return;
+  std::optional<Kind> kind;
+  read_word(value["kind"], {Kind::Face, Kind::Edge, Kind::Vertex}, kind);
+  const bool has_index = value.contains("index");
+  if (!kind || has_index != (*kind != Kind::Face) || value.size() != (has_index ? 2U : 1U)) return;
+  const auto index = has_index ? index_in(value["index"]) : 0;
+  if (index) nearest = {*kind, *index};
+}
+
+void read(const json& value, std::optional<double>& length) {
+  if (value.is_number()) length = value.get<double>();
+  if (value.is_null()) length = kInfinity;
+}
+
+void read(const json& value, std::optional<Eigen::Vector3d>& point) {
+  if (!value.is_array() || value.size() != 3) return;
+  Eigen::Vector3d found;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::optional<double> coordinate;
+    read(value[axis], coordinate);
+    if (!coordinate) return;
+    found[static_cast<Eigen::Index>(axis)] = *coordinate;
+  }
+  point = found;
+}
+
+Verdict loop(const Polygon& polygon, std::size_t number) {
+  Verdict points = Verdict::array();
+  for (std::size_t i = polygon.loop_begin(number); i < polygon.loop_end(number); ++i)
+    points.push_back(value_of(polygon.vertex(i)));
+  return points;
 }
 
 template <class Json>
@@ -104,7 +161,7 @@ void write(std::string& line, const Json& value) {
   }
 }
 
-std::string text(const nlohmann::json& value) {
+std::string text(const json& value) {
   std::string line;
   write(line, value);
   return line;
@@ -112,84 +169,60 @@ std::string text(const nlohmann::json& value) {
 
 }  // namespace
 
-bool is_answer_key(std::string_view key) {
-  return std::find(kAnswerKeys.begin(), kAnswerKeys.end(), key) != kAnswerKeys.end();
+Verdict object_of(const PartialAnswer& answer) {
+  Verdict object = Verdict::object();
+  for (const Key key : kKeys)
+    visit_key(key, [&](auto member) {
+      if (answer.*member) object[std::string(word(key))] = value_of(*(answer.*member));
+    });
+  return object;
 }
 
-Verdict object_of(const cases::PartialAnswer& answer) {
-  Verdict verdict = Verdict::object();
-  if (answer.plane) verdict["plane"] = word(*answer.plane);
-  if (answer.plane_tangent) verdict["plane_tangent"] = *answer.plane_tangent;
-  if (answer.foot) verdict["foot"] = word(*answer.foot);
-  if (answer.edges_hit) verdict["edges_hit"] = *answer.edges_hit;
-  if (answer.relation) verdict["relation"] = word(*answer.relation);
-  if (answer.contact) verdict["contact"] = *answer.contact;
-  if (answer.nearest) verdict["nearest"] = feature(*answer.nearest);
-  if (answer.point) verdict["point"] = point(*answer.point);
-  if (answer.distance) verdict["distance"] = number(*answer.distance);
-  if (answer.off_plane) verdict["off_plane"] = number(*answer.off_plane);
-  return verdict;
+StatedAnswer stated(const PartialAnswer& answer) {
+  StatedAnswer result{.values = answer, .texts = {}};
+  const Verdict object = object_of(answer);
+  for (const auto& [key, value] : object.items()) result.texts[key] = text(value);
+  return result;
 }
 
-Verdict answer_in(const nlohmann::json& reply) {
-  Verdict answer = Verdict::object();
-  const auto copy = [&](std::string_view key) {
-    if (const auto found = reply.find(key); found != reply.end())
-      answer[std::string(key)] = plain(*found, holds_doubles(key));
-  };
-  for (const std::string_view key : kAnswerKeys) copy(key);
-  copy("error");
-  copy("message");
-  return answer;
+StatedAnswer stated(const Rejection& rejection) {
+  return {.values = {}, .texts = {{"error", text(word(rejection.code))}, {"message", text(rejection.message)}}};
 }
 
-Verdict verdict_of(const std::string& id, std::string_view method, const cases::PartialAnswer& answer) {
-  Verdict verdict = Verdict::object();
-  verdict["id"] = id;
-  verdict["method"] = method;
-  verdict.update(object_of(answer));
-  return verdict;
-}
-
-Verdict verdict_of(const std::optional<std::string>& id, std::string_view method, const Rejection& rejection) {
-  Verdict verdict = Verdict::object();
-  verdict["id"] = id ? Verdict(*id) : Verdict(nullptr);
-  verdict["method"] = method;
-  verdict["error"] = word(rejection.code);
-  verdict["message"] = (id ? "case " + *id + ": " : "") + rejection.message;
-  return verdict;
-}
-
-void explain(Verdict& verdict, const cases::PartialAnswer& answer, double radius) {
-  if (!answer.stage.empty()) verdict["stage"] = answer.stage;
-  if (answer.distance && !std::isnan(*answer.distance))
-    verdict["margin"] = workloads::doubles_between(*answer.distance, radius);
-  else
-    verdict["margin"] = nullptr;
-}
-
-std::vector<std::string> differences(const nlohmann::json& expected, const Verdict& verdict) {
-  std::vector<std::string> found;
-  const nlohmann::json given = verdict;
-  for (const auto& [key, value] : expected.items()) {
-    const auto answered = given.find(key);
-    if (key == "error" && value == nlohmann::json(true) && answered != given.end()) continue;
-    if (answered == given.end())
-      found.push_back(key + ": expected " + text(value) + ", not given");
-    else if (!same_value(value, *answered, holds_doubles(key)))
-      found.push_back(key + ": expected " + text(value) + ", found " + text(*answered));
+StatedAnswer expectation_in(const json& expected) {
+  StatedAnswer result;
+  for (const auto& [name, value] : expected.items()) {
+    result.texts[name] = text(value);
+    if (const auto key = find_key(name))
+      visit_key(*key, [&, &value = value](auto member) { read(value, result.values.*member); });
   }
-  return found;
+  return result;
+}
+
+StatedAnswer answer_in(const json& reply) {
+  json known = json::object();
+  for (const Key key : kKeys)
+    if (const auto found = reply.find(word(key)); found != reply.end())
+      known[std::string(word(key))] = plain(*found, holds_doubles(key));
+  for (const char* key : {"error", "message"})
+    if (const auto found = reply.find(key); found != reply.end()) known[key] = plain(*found, false);
+  return expectation_in(known);
+}
+
+Verdict object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }
+
+Verdict object_of(const Polygon& polygon) {
+  Verdict holes = Verdict::array();
+  for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
+  return {{"outer", loop(polygon, 0)}, {"holes", std::move(holes)}};
 }
 
 Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon, const std::vector<std::string>& tags,
                 const Verdict& expected) {
-  Verdict holes = Verdict::array();
-  for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
   Verdict object = Verdict::object();
   object["id"] = id;
-  object["ball"] = {{"center", point(ball.center)}, {"radius", number(ball.radius)}};
-  object["polygon"] = {{"outer", loop(polygon, 0)}, {"holes", holes}};
+  object["ball"] = object_of(ball);
+  object["polygon"] = object_of(polygon);
   if (!expected.is_null()) object["expected"] = expected;
   object["tags"] = tags;
   return object;

@@ -152,7 +152,7 @@ harness::Command area_command() {
   command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's");
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
-  command.positive("--overhang", options->overhang, "By how much the balls that cover the arm may reach beyond it");
+  command.positive("--cover-margin", options->overhang, "By how much the balls that cover the arm may reach beyond it");
   command.threads(options->threads);
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);

@@ -13,7 +13,7 @@ void add_run_options(harness::Command& command, RunOptions& options) {
                 "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated");
   command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's");
   command.methods(options.methods, "Methods to ask at every stop; `all` for every method");
-  command.positive("--overhang", options.overhang, "By how much the balls that cover the arm may reach beyond it");
+  command.positive("--cover-margin", options.overhang, "By how much the balls that cover the arm may reach beyond it");
 }
 
 browser::Simulator simulator_of(const RunOptions& options) {

@@ -248,7 +248,7 @@ Option Command::threads(unsigned& value, const std::string& about) {
 }
 
 Option Command::methods(std::vector<std::string>& values, const std::string& about) {
-  return names("--method", values, about);
+  return names("--methods", values, about);
 }
 
 Option Command::families(std::vector<std::string>& values) {

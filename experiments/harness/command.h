@@ -104,7 +104,7 @@ class Command {
   Option seed(std::uint64_t& value, const std::string& about = "Seed; equal seeds give equal bytes");
   Option threads(unsigned& value, const std::string& about = "Number of threads; does not affect the results");
   Option methods(std::vector<std::string>& values,
-                 const std::string& about = "Method names, separated by commas, or all");
+                 const std::string& about = "Methods, separated by commas: names, exec:COMMAND, or all");
   Option families(std::vector<std::string>& values);
   Option meshes(std::vector<std::string>& files, const std::string& about = "Mesh files");
   Option output(std::string& folder, const std::string& about);

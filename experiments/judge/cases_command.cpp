@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <limits>
-#include <map>
+#include <memory>
+#include <optional>
 #include <system_error>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/methods/registry.h"
 #include "experiments/workloads/workload.h"
@@ -15,8 +18,7 @@
 namespace touchstone::commands {
 namespace {
 
-using cases::QueryKind;
-using cases::Verdict;
+using cases::Key;
 
 // Bounds the search for failures of a method that never fails.
 constexpr std::uint64_t kMostSamplesPerCase = 10'000;
@@ -28,18 +30,18 @@ struct CasesOptions {
   std::vector<std::string> failing;
 };
 
-Verdict ask(const cases::Method& method, const workloads::Sample& sample) {
-  return cases::object_of(method.prepare(sample.polygon)->ask(sample.ball, QueryKind::Answer));
+cases::PartialAnswer ask(const cases::Method& method, const workloads::Sample& sample) {
+  return method.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Answer);
 }
 
 /// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of point and distance.
-bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample, const Verdict& truth) {
-  for (const auto* method : methods) {
-    const Verdict given = ask(*method, sample);
-    for (const char* key : {"foot", "edges_hit", "relation", "contact", "nearest"})
-      if (given.contains(key) && given[key] != truth[key]) return true;
-  }
-  return false;
+bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample,
+           const cases::PartialAnswer& truth) {
+  const cases::PartialAnswer looked_at =
+      only(truth, {Key::Foot, Key::EdgesHit, Key::Relation, Key::Contact, Key::Nearest});
+  return std::ranges::any_of(methods, [&](const cases::Method* method) {
+    return !cases::differing_keys(looked_at, ask(*method, sample)).empty();
+  });
 }
 
 [[noreturn]] void cannot_write() {
@@ -52,15 +54,15 @@ void print(const CasesOptions& options) {
   std::uint64_t printed = 0;
   for (std::uint64_t index = options.first; printed < options.count; ++index) {
     const workloads::Sample sample = workloads::sample(options.workload, options.seed, index);
-    Verdict expected = nullptr;
-    if (options.expected || !failing.empty()) expected = ask(exact, sample);
-    if (!failing.empty() && !fails(failing, sample, expected)) {
+    std::optional<cases::PartialAnswer> truth;
+    if (options.expected || !failing.empty()) truth = ask(exact, sample);
+    if (!failing.empty() && !fails(failing, sample, *truth)) {
       if (index - options.first >= kMostSamplesPerCase * options.count) break;
       continue;
     }
     ++printed;
-    const std::string line = cases::to_line(cases::case_of(sample.id, sample.ball, sample.polygon, sample.tags,
-                                                           options.expected ? expected : Verdict(nullptr)));
+    const std::string line =
+        cases::case_line(sample.id, sample.ball, sample.polygon, sample.tags, options.expected ? truth : std::nullopt);
     if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
   }
   if (std::fflush(stdout) != 0) cannot_write();
@@ -83,12 +85,12 @@ harness::Command cases_command() {
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
   command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
   command.whole("--holes", workload.holes, "Holes", 0);
-  command.integer("--doubles", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
+  command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");
   command.real("--koch-dimension", workload.koch_dimension, "Dimension of Koch outlines");
   command.real("--origin-distance", workload.origin_distance, "Distance from the origin, in sizes");
   command.seed(options->seed);
   command.whole("--first", options->first, "Number of the first sample", 0);
-  command.whole("--count", options->count, "Cases to print", 0);
+  command.whole("--samples", options->count, "Cases to print", 0);
   command.flag("--expected", options->expected, "Add the exact answer");
   command.names("--failing", options->failing, "Only cases on which one of these methods errs");
   command.runs([options] {

@@ -36,8 +36,8 @@ std::string check_command(const std::string& text) {
 harness::Command judge_command() {
   harness::Command command("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
-  command.names("--method", options->methods, "Method names, separated by commas, or all (default: exact)");
-  command.text("--exec", options->engine, "A command that reads cases and prints verdicts, judged as a method",
+  command.methods(options->methods, "Methods, separated by commas: names, exec:COMMAND, or all (default: exact)");
+  command.text("--engine", options->engine, "A command that reads cases and prints verdicts, judged as a method",
                check_command);
   command
       .real(
@@ -45,7 +45,7 @@ harness::Command judge_command() {
           "Seconds for each verdict of the engine, from 0.001 to 86400; it is then sent one case after the other, and "
           "restarted if it ends, is late or prints anything but its verdict",
           1e-3, 86'400)
-      .needs("--exec");
+      .needs("--engine");
   command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
   command.texts("FILE", options->files, "Files of cases; none: standard input");
   command.runs([options] {

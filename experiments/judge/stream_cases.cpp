@@ -10,6 +10,7 @@
 #include "experiments/judge/verdict_reporter.h"
 #include "experiments/methods/process/engine_process.h"
 #include "experiments/methods/process/engine_signals.h"
+#include "experiments/methods/process/reply.h"
 
 namespace touchstone::judge {
 namespace {
@@ -61,12 +62,13 @@ class Replies {
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
       if (next_->id == line.read->id) {
-        reporter_.report_reply(line, *next_);
+        if (!next_->answer) reporter_.blame_engine(line, not_a_verdict(*next_));
+        reporter_.report_answer(line, next_->answer.value_or(cases::StatedAnswer()));
         next_.reset();
         return;
       }
       if (next_->id ? pending_.is_asked(*next_->id) : unnamed) break;
-      reporter_.blame_engine(line, *next_);
+      reporter_.blame_engine(line, not_a_verdict(*next_));
       told = true;
       if (next_->id)
         ++foreign;
@@ -79,7 +81,7 @@ class Replies {
       told = true;
     }
     if (told)
-      reporter_.report_missing_reply(line);
+      reporter_.report_answer(line, {});
     else
       settle_without(line);
   }
@@ -88,7 +90,7 @@ class Replies {
   void settle_without(const cases::Line& line) {
     ++missing_;
     reporter_.blame_engine(line, "no verdict");
-    reporter_.report_missing_reply(line);
+    reporter_.report_answer(line, {});
   }
 
   /// Returns the number of cases without any output of the engine.
@@ -108,7 +110,7 @@ class Replies {
       pending_.await_reply(true);
       const auto line = engine_.receive();
       pending_.await_reply(false);
-      if (line) next_ = read_reply(*line);
+      if (line) next_ = methods::read_reply(*line);
       ended_ = !line;
     }
     return next_.has_value();
@@ -122,7 +124,7 @@ class Replies {
   methods::EngineProcess& engine_;
   PendingCases& pending_;
   VerdictReporter& reporter_;
-  std::optional<Reply> next_;
+  std::optional<methods::Reply> next_;
   std::size_t missing_ = 0;
   bool ended_ = false, surplus_ = false;
 };

@@ -8,6 +8,8 @@
 #include <exception>
 #include <system_error>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/methods/process/engine_signals.h"
 #include "geometry/io/detail/legible.h"
 
@@ -30,11 +32,10 @@ void VerdictReporter::report_rejection(const cases::Line& line) {
   Rejection rejection = std::get<Rejection>(given.content);
   const std::string reason = rejection.message;
   if (!given.id) rejection.message = fmt::format("{}: {}", io::all_legible(line.place), reason);
-  const bool expected = given.expected && given.expected->contains("error");
+  const bool expected = given.expected && given.expected->rejects();
   const auto give = [&](std::string_view method) {
-    const cases::Verdict verdict = cases::verdict_of(given.id, method, rejection);
-    print(verdict);
-    if (expected) compare(line, verdict);
+    print(cases::verdict_line(given.id, method, rejection));
+    if (expected) compare(line, method, cases::stated(rejection));
   };
   for (const auto* method : order_.methods) give(method->name());
   if (!order_.engine.empty()) give(order_.engine);
@@ -59,24 +60,10 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
       complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
-    cases::Verdict verdict = cases::verdict_of(*given.id, method->name(), answer);
-    if (order_.explain) explain(verdict, answer, ball.radius);
-    print(verdict);
-    compare(line, verdict);
+    print(cases::verdict_line(*given.id, method->name(), answer,
+                              order_.explain ? std::optional(ball.radius) : std::nullopt));
+    if (given.expected) compare(line, method->name(), cases::stated(answer));
   }
-}
-
-bool VerdictReporter::report_reply(const cases::Line& line, const Reply& reply) {
-  const bool is_verdict = reply.id == line.read->id && reply.answer;
-  if (!is_verdict) blame_engine(line, reply);
-  report_answer(line, is_verdict ? *reply.answer : cases::Verdict::object());
-  return is_verdict;
-}
-
-void VerdictReporter::report_missing_reply(const cases::Line& line) { report_answer(line, cases::Verdict::object()); }
-
-void VerdictReporter::blame_engine(const cases::Line& line, const Reply& reply) {
-  blame_engine(line, "not a verdict on this case: " + reply.echo);
 }
 
 void VerdictReporter::blame_engine(const cases::Line& line, const std::string& reason) {
@@ -84,29 +71,23 @@ void VerdictReporter::blame_engine(const cases::Line& line, const std::string& r
   worsen(ExpectationNotMet);
 }
 
-/// Reports the answer of the engine; an empty object if it gave no verdict.
-void VerdictReporter::report_answer(const cases::Line& line, const cases::Verdict& answer) {
-  cases::Verdict verdict = cases::Verdict::object();
-  verdict["id"] = *line.read->id;
-  verdict["method"] = order_.engine;
-  verdict.update(answer);
-  print(verdict);
-  compare(line, verdict);
+void VerdictReporter::report_answer(const cases::Line& line, const cases::StatedAnswer& answer) {
+  print(cases::verdict_line(*line.read->id, order_.engine, answer));
+  compare(line, order_.engine, answer);
 }
 
-void VerdictReporter::print(const cases::Verdict& verdict) {
-  const std::string line = cases::to_line(verdict);
+void VerdictReporter::print(const std::string& verdict) {
   const methods::DeferSignals whole;
-  const bool written = std::fwrite(line.data(), 1, line.size(), order_.verdicts) == line.size();
+  const bool written = std::fwrite(verdict.data(), 1, verdict.size(), order_.verdicts) == verdict.size();
   if (!written || std::fflush(order_.verdicts) != 0)
     throw std::system_error(errno, std::generic_category(), "the verdicts cannot be written");
 }
 
-/// Compares a verdict with the expectation of the case.
-void VerdictReporter::compare(const cases::Line& line, const cases::Verdict& verdict) {
+/// Compares an answer with the expectation of the case.
+void VerdictReporter::compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer) {
   if (!line.read->expected) return;
-  for (const std::string& difference : cases::differences(*line.read->expected, verdict)) {
-    complain(fmt::format("{}: method {}: {}", name(line), verdict["method"].get<std::string>(), difference));
+  for (const std::string& difference : cases::differences(*line.read->expected, answer)) {
+    complain(fmt::format("{}: method {}: {}", name(line), method, difference));
     worsen(ExpectationNotMet);
   }
 }

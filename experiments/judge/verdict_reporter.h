@@ -2,11 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "experiments/cases/input_lines.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/stated_answer.h"
 #include "experiments/judge/judge.h"
-#include "experiments/judge/reply.h"
 
 namespace touchstone::judge {
 
@@ -21,22 +21,16 @@ class VerdictReporter {
   void worsen(Status status);
   /// Reports the verdicts of the methods of the order, or the rejection.
   void report_own_methods(const cases::Line& line);
-  /// Reports the verdict of the engine on a case that is not rejected. If the reply is not a verdict on it, blames the
-  /// engine and returns false.
-  bool report_reply(const cases::Line& line, const Reply& reply);
-  /// The same without a verdict: prints a line without an answer. The caller reports the reason.
-  void report_missing_reply(const cases::Line& line);
+  /// Reports the answer of the engine to a case that is not rejected: an empty one if it gave no verdict.
+  void report_answer(const cases::Line& line, const cases::StatedAnswer& answer);
   /// Reports a fault of the engine with a case that is not rejected.
   void blame_engine(const cases::Line& line, const std::string& reason);
-  /// The same for a line that is not its verdict on the case.
-  void blame_engine(const cases::Line& line, const Reply& reply);
   [[nodiscard]] Status status() const { return status_; }
 
  private:
   void report_rejection(const cases::Line& line);
-  void report_answer(const cases::Line& line, const cases::Verdict& answer);
-  void print(const cases::Verdict& verdict);
-  void compare(const cases::Line& line, const cases::Verdict& verdict);
+  void print(const std::string& verdict);
+  void compare(const cases::Line& line, std::string_view method, const cases::StatedAnswer& answer);
 
   const Order& order_;
   Status status_ = AllMet;

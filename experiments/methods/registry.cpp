@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/registry.h"
 
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "experiments/methods/add_methods.h"
 #include "experiments/methods/engines/engines.h"
+#include "experiments/methods/process/external_method.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::methods {
 
@@ -27,7 +31,29 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
   return methods;
 }
 
+namespace {
+
+constexpr std::string_view kExternal = "exec:";
+
+const Method* find_external(const std::string& name) {
+  const std::string command = name.substr(kExternal.size());
+  if (io::all_legible(name) != name)
+    throw std::invalid_argument(io::legible(name) + ": is not printable text in UTF-8");
+  if (command.find_first_not_of(' ') == std::string::npos) throw std::invalid_argument(name + ": the command is empty");
+  if (command.find_first_of(",\"") != std::string::npos)
+    throw std::invalid_argument(name + ": a command in a list of methods has no comma and no \"; use a script");
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<Method>> found;
+  const std::lock_guard lock(mutex);
+  auto& method = found[name];
+  if (!method) method = external_method(name, "an external program", command);
+  return method.get();
+}
+
+}  // namespace
+
 const Method* find_method(std::string_view name) {
+  if (name.starts_with(kExternal)) return find_external(std::string(name));
   for (const auto& method : all_methods())
     if (method->name() == name) return method.get();
   return nullptr;

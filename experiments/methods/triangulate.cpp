@@ -79,4 +79,12 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
   return triangles;
 }
 
+std::vector<Triangle> triangles_of(const Polygon& polygon) {
+  if (polygon.vertex_count() == 3) return {{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}};
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : triangulate(polygon))
+    triangles.push_back({polygon.vertex(a), polygon.vertex(b), polygon.vertex(c)});
+  return triangles;
+}
+
 }  // namespace touchstone::methods

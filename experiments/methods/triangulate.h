@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes/polygon.h"
+#include "geometry/shapes/triangle.h"
 
 namespace touchstone::methods {
 
@@ -15,5 +16,8 @@ namespace touchstone::methods {
 /// outline of n vertices with h holes yields n - 2 + 2 h triangles if no hole lies in another. A triangle may be
 /// degenerate in space only if the polygon is not planar. Source: CGAL's Constrained_Delaunay_triangulation_2 (GPL).
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon);
+
+/// Returns the triangles of the polygon: the polygon itself if it is a triangle, else those of `triangulate`.
+[[nodiscard]] std::vector<Triangle> triangles_of(const Polygon& polygon);
 
 }  // namespace touchstone::methods

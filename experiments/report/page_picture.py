@@ -21,7 +21,7 @@ SQUARE, GAP, TOP, BOTTOM = 2, 16, 46, 46
 
 def maps(touchstone):
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "near-edge", "--method", ",".join(PANELS), "--families", "l", "--samples", "1", "--seed", "1",
+        subprocess.run([touchstone, "near-edge", "--methods", ",".join(PANELS), "--families", "l", "--samples", "1", "--seed", "1",
                         "--search", "0", "--no-pictures", "--output", folder], check=True, stdout=subprocess.DEVNULL)
         return read_map(pathlib.Path(folder, "map-reflex-vertex-foot-0.csv"))
 

@@ -37,7 +37,7 @@ def near_edge_counts(touchstone):
     """Failures and trials by (threshold, method), all families and placements, within one double of the threshold."""
     counts = collections.defaultdict(lambda: [0, 0])
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([touchstone, "near-edge", "--method", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
+        subprocess.run([touchstone, "near-edge", "--methods", ",".join(NEAR_EDGE_METHODS), "--samples", str(SAMPLES), "--seed", "1",
                         "--search", "0", "--no-pictures", "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
         with open(pathlib.Path(folder, "rates.csv"), newline="") as rates:
@@ -74,13 +74,13 @@ def absent_engines(touchstone):
 
 
 @functools.cache
-def standing(touchstone):
-    """The rows of standing.csv, and how many polygons they are about. What is compared with is filtered, which must be exact."""
+def outcomes(touchstone):
+    """The rows of outcomes.csv, and how many polygons they are about. What is compared with is filtered, which must be exact."""
     with tempfile.TemporaryDirectory() as folder:
         present = ["exact", *(engine for engine in ENGINES if engine not in absent_engines(touchstone))]
-        subprocess.run([touchstone, "regress", "--method", ",".join(present), "--output", folder],
+        subprocess.run([touchstone, "regress", "--methods", ",".join(present), "--output", folder],
                        check=True, stdout=subprocess.DEVNULL)
-        with open(pathlib.Path(folder, "standing.csv"), newline="") as rows:
+        with open(pathlib.Path(folder, "outcomes.csv"), newline="") as rows:
             found = list(csv.DictReader(rows))
         samples = json.loads(pathlib.Path(folder, "run.json").read_text())["samples_done"]
     if any(row["method"] == "exact" and row["wrong"] != "0" for row in found):
@@ -94,11 +94,11 @@ def markdown(head, lines):
 
 
 def engines_table(touchstone):
-    return markdown(OVERALL, overall(*standing(touchstone))).replace("|  |", "| |")
+    return markdown(OVERALL, overall(*outcomes(touchstone))).replace("|  |", "| |")
 
 
 def engines_by_family_table(touchstone):
-    return markdown(*by_family(standing(touchstone)[0]))
+    return markdown(*by_family(outcomes(touchstone)[0]))
 
 
 def columns_page(touchstone):

@@ -130,7 +130,7 @@ with any number of threads; for studies that run on many machines (<code>near-ed
 <h3>Test your own engine</h3>
 <p>An engine is any program that reads cases, one line of JSON each, and prints its answers:</p>
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles are wrong
-touchstone judge --exec './engine' cases.jsonl              # compares its answers with the exact ones
+touchstone judge --engine './engine' cases.jsonl            # compares its answers with the exact ones
 touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # compares the built-in engines with their baseline</code></pre>
 <p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
 <code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></section>

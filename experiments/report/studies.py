@@ -30,11 +30,11 @@ def same(*calls):
 
 KERNELS = "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cgal-double,cgal-epick"
 THESIS = "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed"
-NEAR_EDGE = ["near-edge", "--method", "filtered,fast,fast-float,thesis,thesis-signed"]
+NEAR_EDGE = ["near-edge", "--methods", "filtered,fast,fast-float,thesis,thesis-signed"]
 
 STUDIES = [
     Study("meshes", "every face of real meshes",
-          **same(["meshes", MESHES, "--skip-bad", "--method", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
+          **same(["meshes", MESHES, "--skip-bad", "--methods", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
     Study("cell", "the manufacturing cell",
           **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"])),
     Study("thesis", "the thesis's figures",
@@ -49,7 +49,7 @@ STUDIES = [
           full=[["tradeoff", "--output", OUTPUT]],
           quick=[["tradeoff", "--samples", "12", "--queries", "300", "--repetitions", "3", "--output", OUTPUT]]),
     Study("soak", "the certified path under attack", resumes=True,
-          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--cases", "100000", "--output", OUTPUT]]),
+          full=[["soak", "--output", OUTPUT]], quick=[["soak", "--samples", "100000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
     Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",

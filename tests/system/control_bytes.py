@@ -128,7 +128,7 @@ class Checks:
 def check_meshes(checks):
     for name, content in MESHES.items():
         checks.write(name, content)
-        for command in ("scenes", "--random", "1"), ("merging", "--force"), ("meshes", "--method", "fast", "--force"):
+        for command in ("scenes", "--samples", "1"), ("merging", "--force"), ("meshes", "--methods", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
             echo = (SHOWN, b"END")
             checks.run(arguments, *arguments, echoes=echo)
@@ -140,7 +140,7 @@ def check_names(checks):
     for what, content in ("sound", TRIANGLE), ("bad", bad), ("broken", b"f 7 8 9\n"):
         name = NAME + what.encode() + b".obj"
         checks.write(name, content)
-        for command in ("scenes", "--random", "1"), ("merging", "--compare", "3", "--force"), ("meshes", "--method", "fast", "--force"):
+        for command in ("scenes", "--samples", "1"), ("merging", "--compare", "3", "--force"), ("meshes", "--methods", "fast", "--force"):
             arguments = (command[0], name, *command[1:])
             echo = (b"END",) if what != "sound" or command[0] != "scenes" else ()
             checks.run(arguments, *arguments, status=(0,) if what == "sound" else (2,), echoes=echo,
@@ -148,12 +148,12 @@ def check_names(checks):
             checks.run((*arguments, "--skip-bad"), *arguments, "--skip-bad", status=(0, 2), echoes=echo,
                        json_lines=command[0] == "scenes")
     for arguments in (("judge", NAME), ("corpus", "check", NAME), ("corpus", "shrink", NAME, "--method", "fast"),
-                      ("scenes", NAME + b".obj", "--random", "1"), ("merging", NAME + b".xyz" + NAME, "--force"),
-                      ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--method", NAME)):
+                      ("scenes", NAME + b".obj", "--samples", "1"), ("merging", NAME + b".xyz" + NAME, "--force"),
+                      ("regress", "--baseline", NAME), (NAME,), ("judge", b"--" + NAME), ("judge", "--methods", NAME)):
         checks.run(arguments, *arguments, status=(1, 2, *range(100, 120)),
                    echoes=(SHOWN,) if len(arguments) > 1 else ())
     checks.write("a.obj", TRIANGLE)
-    checks.run("object", "scenes", "a.obj", "--objects", NAME, "--random", "1", echoes=(SHOWN,))
+    checks.run("object", "scenes", "a.obj", "--objects", NAME, "--samples", "1", echoes=(SHOWN,))
     checks.write("balls", b"0 0 0 x\n")
     os.rename(os.path.join(checks.folder, "balls"), os.path.join(os.fsencode(checks.folder), NAME))
     checks.run("balls", "scenes", "a.obj", "--balls", NAME, echoes=(SHOWN,))
@@ -162,8 +162,8 @@ def check_names(checks):
 def check_cases(checks):
     for what, content in CASES.items():
         checks.write("cases.jsonl", content)
-        for arguments in (("judge",), ("judge", "--exec", "cat"), ("judge", "--exec", "cat", "--time-limit", "20"),
-                          ("judge", "--exec", "exit 1"), ("corpus", "check"), ("corpus", "shrink", "--method", "fast")):
+        for arguments in (("judge",), ("judge", "--engine", "cat"), ("judge", "--engine", "cat", "--time-limit", "20"),
+                          ("judge", "--engine", "exit 1"), ("corpus", "check"), ("corpus", "shrink", "--method", "fast")):
             told = "JSON" not in what and not ("shrink" in arguments and what.startswith(("value", "key that is")))
             checks.run((what, arguments), *arguments, "cases.jsonl", status=(1, 2), json_lines="check" not in arguments,
                        echoes=(b"END",) if told else ())
@@ -171,9 +171,9 @@ def check_cases(checks):
         checks.write("cases.jsonl", case(expected={"contact": False}))
         checks.write("reply", content)
         for options in (), ("--time-limit", "20"):
-            checks.run((what, options), "judge", "--exec", "cat reply; cat >/dev/null", *options, "cases.jsonl",
+            checks.run((what, options), "judge", "--engine", "cat reply; cat >/dev/null", *options, "cases.jsonl",
                        status=(1,), echoes=(b"END",), json_lines=True)
-    checks.run("engine", "judge", "--exec", b"exit 1 # " + NAME, "cases.jsonl", status=(1,), echoes=(SHOWN,),
+    checks.run("engine", "judge", "--engine", b"exit 1 # " + NAME, "cases.jsonl", status=(1,), echoes=(SHOWN,),
                json_lines=True)
 
 
@@ -185,7 +185,7 @@ def check_balls(checks):
 
 
 def check_baselines(checks):
-    settings = ("--method", "fast,thesis", "--samples", "1", "--seed", "3")
+    settings = ("--methods", "fast,thesis", "--samples", "1", "--seed", "3")
     checks.run("baseline", "regress", *settings, "--write", "sound.json", status=(0,))
     with open(os.path.join(checks.folder, "sound.json")) as file:
         sound = json.load(file)
@@ -198,7 +198,7 @@ def check_baselines(checks):
             ("version", 2, {**sound, "version": TEXT}),
             ("unsure", 2, {**sound, "unsure": {TEXT: fast}})):
         checks.write("other.json", json.dumps(content).encode())
-        checks.run(("baseline", what), "regress", "--method", "fast", "--baseline", "other.json", status=(status,),
+        checks.run(("baseline", what), "regress", "--methods", "fast", "--baseline", "other.json", status=(status,),
                    echoes=(b"END",))
     twice = json.dumps(sound)[:-1] + ', %s: 1, %s: 2}' % ((json.dumps(TEXT),) * 2)
     for what, content in ("key that stands twice", twice.encode()), ("word that is no JSON", b"{" + WORD):
@@ -207,7 +207,7 @@ def check_baselines(checks):
 
 
 def check_checkpoints(checks):
-    soak = ("soak", "--cases", "3", "--output", "soak")
+    soak = ("soak", "--samples", "3", "--output", "soak")
     checks.run("soak", *soak, status=(0,))
     path = os.path.join(checks.folder, "soak", "checkpoint.json")
     with open(path) as file:

@@ -25,29 +25,29 @@ CASE = ('{"id":"a","ball":{"center":[1,1,1],"radius":1},"polygon":{"outer":[[0,0
 
 # Of each subcommand, calls that take a moment: they print something, and those with OUTPUT write it.
 COMMANDS = {
-    "judge": [["--method", "fast", "case.jsonl"]],
+    "judge": [["--methods", "fast", "case.jsonl"]],
     "methods": [[]],
-    "near-edge": [["--method", "fast", "--families", "l", "--samples", "1", "--search", "0", "--no-pictures", "--output", OUTPUT]],
-    "angles": [["--method", "fast", "--families", "l", "--samples", "1", "--output", OUTPUT]],
-    "meshes": [["mesh.obj", "--method", "fast", "--output", OUTPUT]],
+    "near-edge": [["--methods", "fast", "--families", "l", "--samples", "1", "--search", "0", "--no-pictures", "--output", OUTPUT]],
+    "angles": [["--methods", "fast", "--families", "l", "--samples", "1", "--output", OUTPUT]],
+    "meshes": [["mesh.obj", "--methods", "fast", "--output", OUTPUT]],
     "merging": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
-    "cases": [["--count", "3"]],
+    "cases": [["--samples", "3"]],
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
-    "soak": [["--cases", "5", "--output", OUTPUT], ["--cases", "5", "--print"]],
-    "tradeoff": [["--method", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
+    "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
+    "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
                   "--output", OUTPUT]],
-    "stability": [["--method", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
-    "scenes": [["mesh.obj", "--random", "2"], ["mesh.obj", "--random", "2", "--output", OUTPUT]],
+    "stability": [["--methods", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
+    "scenes": [["mesh.obj", "--samples", "2"], ["mesh.obj", "--samples", "2", "--output", OUTPUT]],
     "cell show": [[CELL], [CELL, "--output", OUTPUT]],
-    "cell run": [[CELL, "--method", "fast", "--output", OUTPUT]],
+    "cell run": [[CELL, "--methods", "fast", "--output", OUTPUT]],
     "cell area": [[CELL, "--angle-step", "90", "--length-step", "2000", "--no-pictures", "--output", OUTPUT]],
     "cell layout": [["--no-pictures", "--output", OUTPUT]],
     "cell missed": [["--samples", "5", "--no-pictures", "--output", OUTPUT]],
     "cell convert": [["mesh.obj", "converted.off"]],
     "cell export": [[CELL, "exported.glb"]],
     "cell serve": [["--port", "0"]],
-    "regress": [["--method", "fast", "--samples", "1", "--output", OUTPUT]],
+    "regress": [["--methods", "fast", "--samples", "1", "--output", OUTPUT]],
     "columns": [[]],
     "corpus make": [[OUTPUT]],
     "corpus check": [[str(SOURCE / "tests/corpus/features.jsonl")]],
@@ -87,7 +87,7 @@ class EveryCommand(unittest.TestCase):
         self.addCleanup(shutil.rmtree, SCRATCH)
         (SCRATCH / "mesh.obj").write_text(MESH)
         (SCRATCH / "case.jsonl").write_text(CASE)
-        drawn = subprocess.run([TOUCHSTONE, "cases", "--count", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)
+        drawn = subprocess.run([TOUCHSTONE, "cases", "--samples", "1", "--failing", "thesis"], capture_output=True, text=True, check=True)
         (SCRATCH / "wrong.jsonl").write_text(drawn.stdout)
 
     def run_in(self, call, output, **options):
@@ -176,10 +176,10 @@ class EveryCommand(unittest.TestCase):
         process.kill()
         process.wait()
         balls.close()
-        self.assertEqual(self.run_in(["soak", "--cases", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
+        self.assertEqual(self.run_in(["soak", "--samples", "5", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL).returncode, 0)
 
     def test_of_two_runs_at_once_one_is_refused_whole(self):
-        seeded = lambda seed, output: [TOUCHSTONE, "soak", "--cases", "1000", "--threads", "1", "--seed", seed, "--output", str(output)]
+        seeded = lambda seed, output: [TOUCHSTONE, "soak", "--samples", "1000", "--threads", "1", "--seed", seed, "--output", str(output)]
         data = lambda folder: {name: bytes for name, bytes in content(folder).items() if name != "run.json"}
         alone = {}
         for seed in "1", "5":
@@ -217,7 +217,7 @@ class EveryCommand(unittest.TestCase):
         written = ["soak.csv", "differences.jsonl", "checkpoint.json", "run.json"]
         for name in written:
             (folder / name).symlink_to(victim)
-        done = self.run_in(["soak", "--cases", "5", "--force", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL)
+        done = self.run_in(["soak", "--samples", "5", "--force", "--output", OUTPUT], folder, stdout=subprocess.DEVNULL)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(victim.read_text(), "precious\n")
         self.assertFalse(any((folder / name).is_symlink() for name in written))

@@ -55,8 +55,8 @@ def main(program):
             json.dump({"id": "a", "ball": {"center": [0, 0, 1], "radius": 1}, "polygon": {"outer": circle}}, file)
         with open(mesh, "w") as file:
             file.write("OFF\n400000 1 0\n0 0 0\n1 0 0\n" + "0.12345678901 1 0\n" * 399_998 + "3 0 1 2\n")
-        check([program, "judge", "--method", "fast", cases])
-        check([program, "scenes", mesh, "--random", "1", "--threads", "1"])
+        check([program, "judge", "--methods", "fast", cases])
+        check([program, "scenes", mesh, "--samples", "1", "--threads", "1"])
 
 
 if __name__ == "__main__":

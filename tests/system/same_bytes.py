@@ -17,12 +17,12 @@ import tempfile
 import time
 
 STUDIES = {
-    "near-edge": ["near-edge", "--method", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
-                  "--truth", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
-    "soak": ["soak", "--seed", "5", "--threads", "1", "--cases", "20000"],
-    "tradeoff": ["tradeoff", "--method", "fast,thesis,interval,exact", "--families", "u", "--seed", "5",
+    "near-edge": ["near-edge", "--methods", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
+                  "--oracle", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
+    "soak": ["soak", "--seed", "5", "--threads", "1", "--samples", "20000"],
+    "tradeoff": ["tradeoff", "--methods", "fast,thesis,interval,exact", "--families", "u", "--seed", "5",
                  "--queries", "1", "--repetitions", "1", "--no-pictures", "--threads", "1", "--samples", "60"],
-    "stability": ["stability", "--method", "fast,thesis", "--axes", "aspect,origin,mixed", "--seed", "5",
+    "stability": ["stability", "--methods", "fast,thesis", "--axes", "aspect,origin,mixed", "--seed", "5",
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
 TIMES = {"timings.csv", "front.csv"}  # which one process alone measures

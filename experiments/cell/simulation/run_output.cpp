@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"
@@ -171,8 +172,7 @@ std::string disagreements_text(const Contest& contest, std::size_t most) {
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
     const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
-    text += cases::to_line(cases::case_of(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon,
-                                          tags, cases::object_of(answer)));
+    text += cases::case_line(fmt::format("stop-{}-{}-{}", d.stop, d.owner, d.face), d.sphere, d.polygon, tags, answer);
   }
   return text;
 }

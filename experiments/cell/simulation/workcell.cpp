@@ -76,7 +76,8 @@ std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overh
     try {
       covered.push_back({part.name, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
     } catch (const std::length_error& error) {
-      throw std::length_error(fmt::format("the part {}: {}; --overhang allows larger ones", part.name, error.what()));
+      throw std::length_error(
+          fmt::format("the part {}: {}; --cover-margin allows larger ones", part.name, error.what()));
     }
   }
   return covered;

@@ -4,17 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace touchstone::harness {
+#include "experiments/harness/json/not_json.h"
 
-/// A text that is not JSON.
-class NotJson : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace touchstone::harness {
 
 /// A JSON value, and faults that usual JSON readers do not report.
 struct StrictJson {
@@ -23,9 +18,6 @@ struct StrictJson {
   std::set<std::string> ambiguous;           ///< members of the outermost object that are, or hold, a duplicate key
   bool too_deep = false;                     ///< nested deeper than kMostLevels; `value` omits the deeper levels
 };
-
-/// The limit of nested arrays and objects, because values are copied, written and freed by recursion.
-inline constexpr int kMostLevels = 64;
 
 /// Reads one JSON text; numbers become the nearest doubles or integers. Throws NotJson. Uses a stack of fixed size and
 /// memory linear in the length of the text.

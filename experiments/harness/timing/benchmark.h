@@ -33,7 +33,8 @@ struct Candidate {
   std::size_t queries;
   /// Answers the first n queries. Returns a sum of the answers, so that no answer is optimised away.
   std::function<std::uint64_t(std::size_t)> ask;
-  /// Returns the number of wrong answers among the first n; not timed. Empty if there are no wrong answers.
+  /// Returns the number of wrong answers among the first n; not timed. Empty if there are no wrong answers. Answers are
+  /// compared by == of their type, which need not be an answer of the contract.
   std::function<std::size_t(std::size_t)> count_wrong;
   /// Prepares for the first n queries; not timed. May be empty.
   std::function<void(std::size_t)> before;

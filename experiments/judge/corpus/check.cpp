@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/harness/json/strict_json.h"
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
 #include "geometry/io/detail/legible.h"
@@ -30,12 +32,13 @@ Polygon polygon_in(const std::string& line) {
 }
 
 void check_rejection(const cases::Case& read, const std::string& line, std::vector<std::string>& faults) {
-  const auto& [code, message] = std::get<Rejection>(read.content);
+  const auto& rejection = std::get<Rejection>(read.content);
+  const auto& [code, message] = rejection;
   const auto found = std::string(word(code));
-  if (!read.expected || !read.expected->contains("error"))
+  if (!read.expected || !read.expected->rejects())
     return faults.push_back(fmt::format("rejected: {}: {}", found, message));
-  if (const auto& error = read.expected->at("error"); error != true && error != found)
-    faults.push_back(fmt::format("error: stands {}, found \"{}\"", error.dump(), found));
+  if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
+    faults.push_back(fmt::format("error: stands {}, found \"{}\"", read.expected->texts.at("error"), found));
   if (code < RejectionCode::ZeroNormal) return;  // single comparisons decide these
   if (const auto again = find_rational_fault(polygon_in(line)); again != code)
     faults.push_back(fmt::format("error: exact finds \"{}\", the rationals {}", found,
@@ -49,7 +52,7 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const std::string& difference : cases::differences(*read.expected, exact_answer(ball, polygon)))
     faults.push_back(difference + ", by exact");
-  if (read.expected->contains("error")) return;
+  if (read.expected->rejects()) return;
   for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
     faults.push_back(difference);
 }

@@ -4,31 +4,33 @@
 #include <algorithm>
 #include <exception>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/verdict.h"
+#include "experiments/harness/json/strict_json.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::corpus {
 
-using cases::Verdict;
+using cases::Key;
+using cases::PartialAnswer;
 
-Verdict exact_answer(const Ball& ball, const Polygon& polygon) {
-  return cases::object_of(cases::PartialAnswer::of(exact::answer(ball, polygon), ""));
+PartialAnswer exact_answer(const Ball& ball, const Polygon& polygon) {
+  return PartialAnswer::of(exact::answer(ball, polygon), "");
 }
 
-bool is_decisive(std::string_view key) {
-  return cases::is_answer_key(key) && key != "point" && key != "distance" && key != "off_plane";
-}
+bool is_decisive(Key key) { return key != Key::Point && key != Key::Distance && key != Key::OffPlane; }
 
-Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon, const Verdict& truth) {
-  Verdict given, wrong = Verdict::object();
+WrongAnswer wrong_answer(const cases::Method& method, const Ball& ball, const Polygon& polygon,
+                         const PartialAnswer& truth) {
+  WrongAnswer wrong;
   try {
-    given = cases::object_of(method.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
+    wrong.answer = method.prepare(polygon)->ask(ball, cases::QueryKind::Answer);
+    wrong.keys = differing_keys(truth, wrong.answer);
   } catch (const std::exception&) {  // thrown by a third-party engine
-    for (const auto& [key, value] : truth.items()) wrong[key] = nullptr;
-    return wrong;
+    for (const Key key : cases::kKeys)
+      if (has(truth, key)) wrong.keys.push_back(key);
   }
-  for (const auto& [key, value] : given.items())
-    if (truth.contains(key) && value != truth[key]) wrong[key] = value;
   return wrong;
 }
 
@@ -38,25 +40,22 @@ const std::vector<const cases::Method*>& witnesses() {
   return found;
 }
 
-bool any_decisive(const Verdict& wrong) {
-  for (const auto& [key, value] : wrong.items())
-    if (is_decisive(key)) return true;
-  return false;
-}
+bool any_decisive(const std::vector<Key>& keys) { return std::ranges::any_of(keys, is_decisive); }
 
-std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon, const Verdict& truth) {
+std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
+                                                    const PartialAnswer& truth) {
   std::vector<const cases::Method*> failing;
   for (const auto* method : witnesses())
-    if (any_decisive(wrong_values(*method, ball, polygon, truth))) failing.push_back(method);
+    if (any_decisive(wrong_answer(*method, ball, polygon, truth).keys)) failing.push_back(method);
   return failing;
 }
 
-std::string line_of(const CorpusCase& given, const Verdict& truth) {
+std::string line_of(const CorpusCase& given, const PartialAnswer& truth) {
   std::vector<std::string> tags = given.tags;
   std::erase_if(tags, [](const std::string& tag) { return tag.starts_with("fails:"); });
   for (const auto* method : failing_witnesses(given.ball, given.polygon, truth))
     tags.push_back("fails:" + std::string(method->name()));
-  Verdict object = cases::case_of(given.id, given.ball, given.polygon, tags, truth);
+  cases::Verdict object = cases::case_of(given.id, given.ball, given.polygon, tags, cases::object_of(truth));
   object["origin"] = given.origin;
   return cases::to_line(object);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/key.h"
 
 namespace touchstone::corpus {
 
@@ -19,31 +18,37 @@ struct CorpusCase {
   std::string origin;  ///< the command that draws it again, or the reason why it was made
 };
 
-/// Returns the exact answer with all its keys, in the form of `expected`.
-[[nodiscard]] cases::Verdict exact_answer(const Ball& ball, const Polygon& polygon);
+/// Returns the exact answer with all its keys.
+[[nodiscard]] cases::PartialAnswer exact_answer(const Ball& ball, const Polygon& polygon);
 
 /// Returns whether the value of the key is yes or no, a choice or a count. Inexact methods nearly always miss the last
 /// bit of `point` and `distance`.
-[[nodiscard]] bool is_decisive(std::string_view key);
+[[nodiscard]] bool is_decisive(cases::Key key);
 
-/// Returns the keys for which the value of the method differs from the truth, with the value of the method. Keys that
-/// it omits or is unsure about are not wrong. If it throws, all keys are wrong, with the value null.
-[[nodiscard]] cases::Verdict wrong_values(const cases::Method& method, const Ball& ball, const Polygon& polygon,
-                                          const cases::Verdict& truth);
+/// The keys that a method gets wrong, in the order of the contract, and its answer.
+struct WrongAnswer {
+  std::vector<cases::Key> keys;
+  cases::PartialAnswer answer;
+};
+
+/// Compares the answer of the method with the truth. Keys that it omits or is unsure about are not wrong. If it throws,
+/// all keys are wrong, and the answer has none.
+[[nodiscard]] WrongAnswer wrong_answer(const cases::Method& method, const Ball& ball, const Polygon& polygon,
+                                       const cases::PartialAnswer& truth);
 
 /// Returns whether one of these keys is decisive.
-[[nodiscard]] bool any_decisive(const cases::Verdict& wrong);
+[[nodiscard]] bool any_decisive(const std::vector<cases::Key>& keys);
 
 /// Returns the methods that the corpus was chosen to fail: floating-point numbers of several kinds, the thesis, and
 /// third-party kernels. Every build has all of them.
 [[nodiscard]] const std::vector<const cases::Method*>& witnesses();
 /// Returns the witnesses that get a decisive key wrong.
 [[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
-                                                                  const cases::Verdict& truth);
+                                                                  const cases::PartialAnswer& truth);
 
 /// Returns the case in the form of the contract with its whole answer, the tag `fails:NAME` for each failing witness,
 /// and `origin`, as one line.
-[[nodiscard]] std::string line_of(const CorpusCase& given, const cases::Verdict& truth);
+[[nodiscard]] std::string line_of(const CorpusCase& given, const cases::PartialAnswer& truth);
 
 /// `origin` and `tags` of a line that cases::read_case accepts; empty where they are missing.
 struct Labels {

@@ -88,8 +88,10 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
     if (std::ranges::find(labels.tags, "shrunk") == labels.tags.end()) {
       labels.tags.emplace_back("shrunk");
       std::string from = labels.origin.empty() ? id : labels.origin;
+      std::vector<std::string> keys;
+      for (const cases::Key wrong : failure.keys()) keys.emplace_back(word(wrong));
       labels.origin = fmt::format("touchstone corpus shrink --method {}{}: {}; from: {}", method.name(),
-                                  key ? " --key " + *key : "", harness::joined(failure.keys()), from);
+                                  key ? " --key " + *key : "", harness::joined(keys), from);
     }
     return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
                            corpus::exact_answer(small_ball, small_polygon));

@@ -12,9 +12,9 @@ constexpr std::size_t kLongestLine = 2'400;
 std::string command_of(const workloads::Workload& w, std::uint64_t index) {
   std::string command = fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}",
                                     word(w.family), word(w.placement), word(w.ball), w.vertices, w.holes);
-  if (w.doubles != 0) command += fmt::format(" --doubles {}", w.doubles);
+  if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
   if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
-  return command + fmt::format(" --seed {} --first {} --count 1", kSeed, index);
+  return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ Stream soak_stream(adversarial::Family family, std::size_t count) {
                               drawn.ball,
                               std::move(drawn.polygon),
                               {std::string(word(family))},
-                              fmt::format("touchstone soak --seed {} --from {} --cases 1 --print", kSeed, index)};
+                              fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
           },
           .count = count};
 }
@@ -49,7 +49,7 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
     for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
       const auto drawn = stream.draw(index);
       if (!drawn) continue;
-      const cases::Verdict truth = exact_answer(drawn->ball, drawn->polygon);
+      const cases::PartialAnswer truth = exact_answer(drawn->ball, drawn->polygon);
       if (!kind(*drawn, truth) || failing_witnesses(drawn->ball, drawn->polygon, truth).empty()) continue;
       const std::string line = line_of(*drawn, truth);
       if (line.size() > kLongestLine) continue;

@@ -27,7 +27,7 @@ struct Stream {
 [[nodiscard]] Stream soak_stream(adversarial::Family family, std::size_t count);
 
 /// A predicate: whether the case, given its answer, is of the kind of the family.
-using Kind = std::function<bool(const CorpusCase&, const cases::Verdict& truth)>;
+using Kind = std::function<bool(const CorpusCase&, const cases::PartialAnswer& truth)>;
 
 /// Returns, one per line, the first cases of each stream that are of that kind and that a witness gets wrong. Skips
 /// long lines, because people read the cases.

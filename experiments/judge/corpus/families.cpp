@@ -12,15 +12,15 @@
 namespace touchstone::corpus {
 namespace {
 
-using cases::Verdict;
+using cases::PartialAnswer;
 using Eigen::Vector3d;
 using workloads::BallPlace;
 using workloads::Placement;
 using workloads::Workload;
 
-bool any_kind(const CorpusCase&, const Verdict&) { return true; }
+bool any_kind(const CorpusCase&, const PartialAnswer&) { return true; }
 
-bool is_nearest(const Verdict& truth, std::string_view kind) { return truth["nearest"]["kind"] == kind; }
+bool is_nearest(const PartialAnswer& truth, Feature::Kind kind) { return truth.nearest->kind == kind; }
 
 /// Returns a stream for each family of outlines and each placement.
 void add_outlines(std::vector<Stream>& streams, const Workload& pattern, std::size_t count) {
@@ -46,19 +46,22 @@ std::vector<Stream> outlines_near(BallPlace place, std::size_t count) {
 std::string face() {
   auto streams = outlines_near(BallPlace::NearFace, 2);
   streams.push_back(soak_stream(adversarial::Family::General, 60));
-  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "face"); });
+  return drawn_text(
+      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Face); });
 }
 
 std::string edge() {
   auto streams = outlines_near(BallPlace::NearEdge, 2);
   streams.push_back(soak_stream(adversarial::Family::General, 60));
-  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "edge"); });
+  return drawn_text(
+      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Edge); });
 }
 
 std::string vertex() {
   auto streams = outlines_near(BallPlace::NearVertex, 2);
   streams.push_back(soak_stream(adversarial::Family::General, 60));
-  return drawn_text(streams, [](const CorpusCase&, const Verdict& truth) { return is_nearest(truth, "vertex"); });
+  return drawn_text(
+      streams, [](const CorpusCase&, const PartialAnswer& truth) { return is_nearest(truth, Feature::Kind::Vertex); });
 }
 
 Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
@@ -70,7 +73,7 @@ Vector3d normal_of(const Polygon& polygon, std::size_t loop) {
 }
 
 /// Returns whether the interior angle at the vertex nearest to the foot is greater than 180 degrees. In doubles.
-bool is_reflex_near_foot(const CorpusCase& drawn, const Verdict&) {
+bool is_reflex_near_foot(const CorpusCase& drawn, const PartialAnswer&) {
   const Polygon& polygon = drawn.polygon;
   const Vector3d normal = normal_of(polygon, 0);
   const Vector3d from = drawn.ball.center - polygon.vertex(0);
@@ -155,9 +158,9 @@ double extent_of(const Polygon& polygon) {
 
 std::string off_plane() {
   return drawn_text({soak_stream(adversarial::Family::Outline, 190)},
-                    [](const CorpusCase& drawn, const Verdict& truth) {
-                      const Verdict& off = truth["off_plane"];
-                      return off.is_number() && off.get<double>() > 0x1p-30 * extent_of(drawn.polygon);
+                    [](const CorpusCase& drawn, const PartialAnswer& truth) {
+                      const double off = *truth.off_plane;
+                      return std::isfinite(off) && off > 0x1p-30 * extent_of(drawn.polygon);
                     });
 }
 
@@ -166,9 +169,8 @@ std::string holes() {
   for (const BallPlace place : {BallPlace::NearEdge, BallPlace::NearVertex, BallPlace::FootNearEdge})
     for (const std::size_t holes : {std::size_t{1}, std::size_t{2}})
       add_outlines(streams, {.ball = place, .vertices = 7, .holes = holes}, holes == 1 ? 2 : 1);
-  return drawn_text(streams, [](const CorpusCase& drawn, const Verdict& truth) {
-    const Verdict& nearest = truth["nearest"];
-    return nearest.contains("index") && nearest["index"].get<std::size_t>() >= drawn.polygon.loop_end(0);
+  return drawn_text(streams, [](const CorpusCase& drawn, const PartialAnswer& truth) {
+    return !is_nearest(truth, Feature::Kind::Face) && truth.nearest->index >= drawn.polygon.loop_end(0);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "experiments/cases/comparison.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/judge/corpus/corpus_case.h"
 
@@ -18,14 +19,14 @@ std::string completed(const std::string& text, const std::string& name) {
   const cases::Case read = cases::read_case(text);
   if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
     const auto code = std::string(word(rejection->code));
-    if (!read.expected || !read.expected->contains("error"))
+    if (!read.expected || !read.expected->rejects())
       throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
-    if (const auto& expected = read.expected->at("error"); expected != true && expected != code)
-      throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, expected.dump()));
+    if (!cases::differences(*read.expected, cases::stated(*rejection)).empty())
+      throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
     return text + "\n";
   }
   const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
-  const cases::Verdict truth = exact_answer(ball, polygon);
+  const cases::PartialAnswer truth = exact_answer(ball, polygon);
   if (read.expected)
     for (const std::string& difference : cases::differences(*read.expected, truth))
       throw std::runtime_error(difference);

@@ -10,13 +10,14 @@
 #include <cstdint>
 #include <limits>
 
+#include "experiments/cases/comparison.h"
 #include "experiments/cases/verdict.h"
 #include "experiments/methods/plain_formulas.h"
 
 namespace touchstone::corpus {
 namespace {
 
-using cases::Verdict;
+using cases::Key;
 
 /// Numbers of the formulas, whose results are never rounded.
 struct UnroundedRationals {
@@ -42,12 +43,7 @@ Rounded that_round_to(double x) {
   return {(below + here) / 2, (here + above) / 2, (std::bit_cast<std::uint64_t>(x) & 1) == 0};
 }
 
-/// Reads a number of an answer: null means beyond the finite doubles.
-double number(const nlohmann::json& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::infinity();
-}
-
-std::string text(const Verdict& value) {
+std::string text(const cases::Verdict& value) {
   std::string line = cases::to_line(value);
   line.pop_back();
   return line;
@@ -127,7 +123,8 @@ bool is_nearest_root(double x, const mpq_class& squared) {
   return low < 0 || squared > low_squared || (squared == low_squared && with_ends);
 }
 
-std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon, const nlohmann::json& answer) {
+std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
+                                              const cases::StatedAnswer& answer) {
   const RationalPolygon prepared(polygon);
   const RationalPolygon::Query query(ball, prepared);
   const auto nearest = query.nearest();
@@ -139,41 +136,35 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   decisive.relation = query.relation();
   decisive.contact = query.contact();
   decisive.nearest = nearest->feature;
-  const Verdict found = cases::object_of(decisive);
 
   std::vector<std::string> differences;
-  const auto compare = [&](const std::string& key, auto is_right, const auto& give) {
-    const auto stands = answer.find(key);
-    if (stands == answer.end())
-      differences.push_back(key + ": is missing");
-    else if (!is_right(*stands))
-      differences.push_back(fmt::format("{}: stands {}, the rationals give {}", key, text(*stands), give()));
+  const auto& [stands, texts] = answer;
+  const auto compare = [&differences, &texts = texts](Key key, bool is_right, const std::string& given) {
+    const std::string name(word(key));
+    const auto text = texts.find(name);
+    if (text == texts.end())
+      differences.push_back(name + ": is missing");
+    else if (!is_right)
+      differences.push_back(fmt::format("{}: stands {}, the rationals give {}", name, text->second, given));
   };
-  for (const auto& [key, value] : found.items())
-    compare(
-        key, [&value = value](const nlohmann::json& stands) { return stands == nlohmann::json(value); },
-        [&value = value] { return text(value); });
+  const cases::Verdict found = cases::object_of(decisive);
+  for (const Key key : cases::kKeys)
+    if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(word(key))]));
 
   const auto about = [](const mpq_class& x) { return fmt::format("about {}", x.get_d()); };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);
-  compare(
-      "off_plane", [&](const auto& x) { return is_nearest_double(number(x), off_plane); },
-      [&] { return about(off_plane); });
-  compare(
-      "distance", [&](const auto& x) { return number(x) >= 0 && is_nearest_root(number(x), squared); },
-      [&] { return "the root of " + about(squared); });
+  compare(Key::OffPlane, stands.off_plane && is_nearest_double(*stands.off_plane, off_plane), about(off_plane));
+  compare(Key::Distance, stands.distance && *stands.distance >= 0 && is_nearest_root(*stands.distance, squared),
+          "the root of " + about(squared));
   const auto closest = query.closest_point(nearest->feature);
   const std::array point{rational(closest.x()), rational(closest.y()), rational(closest.z())};
-  compare(
-      "point",
-      [&](const nlohmann::json& x) {
-        if (!x.is_array() || x.size() != 3) return false;
-        for (std::size_t k = 0; k < 3; ++k)
-          if (!is_nearest_double(x[k].is_null() ? std::copysign(number(x[k]), sgn(point[k])) : number(x[k]), point[k]))
-            return false;
-        return true;
-      },
-      [&] { return fmt::format("about [{},{},{}]", point[0].get_d(), point[1].get_d(), point[2].get_d()); });
+  bool is_nearest_point = stands.point.has_value();
+  for (std::size_t k = 0; k < 3 && is_nearest_point; ++k) {
+    const double x = (*stands.point)[static_cast<Eigen::Index>(k)];  // an infinite one was stated without its sign
+    is_nearest_point = is_nearest_double(std::isinf(x) ? std::copysign(x, sgn(point[k])) : x, point[k]);
+  }
+  compare(Key::Point, is_nearest_point,
+          fmt::format("about [{},{},{}]", point[0].get_d(), point[1].get_d(), point[2].get_d()));
   return differences;
 }
 

@@ -3,11 +3,11 @@
 
 #include <gmpxx.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/cases/stated_answer.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
@@ -23,10 +23,11 @@ namespace touchstone::corpus {
 [[nodiscard]] bool is_nearest_root(double x, const mpq_class& squared);
 
 /// Returns the faults of an answer, one sentence for each wrong key: its value and the value of the rationals. Every
-/// key of the contract must be present. Requires a polygon for which find_rational_fault finds nothing. Cost: about ten
+/// key of the contract must be present. Does not use cases::same_value for numbers: it holds a double to the exact
+/// number that it must be nearest to. Requires a polygon for which find_rational_fault finds nothing. Cost: about ten
 /// times that of `exact`.
 [[nodiscard]] std::vector<std::string> rational_differences(const Ball& ball, const Polygon& polygon,
-                                                            const nlohmann::json& answer);
+                                                            const cases::StatedAnswer& answer);
 
 /// Returns the first rejection that applies to loops of at least three vertices without equal neighbours:
 /// `zero-normal`, `loop-meets-itself`, `loops-meet` or `hole-outside`. Tests every pair of edges.

@@ -19,7 +19,8 @@
 namespace touchstone::corpus {
 namespace {
 
-using cases::Verdict;
+using cases::Key;
+using cases::PartialAnswer;
 using Eigen::Vector3d;
 
 /// A number |x| = significand 2^exponent with an odd significand; both are 0 for 0.
@@ -67,11 +68,22 @@ bool is_usable(const Ball& ball, const Polygon& polygon) {
   return !find_fault(ball) && !exact::validate(polygon).has_value();
 }
 
-/// Returns the part of a value that is a word, yes or no: the kind of the nearest feature; nothing for edges and
-/// numbers.
-std::string words_of(const Verdict& value) {
-  if (value.is_object()) return value.at("kind").get<std::string>();
-  return value.is_string() || value.is_boolean() ? value.dump() : "";
+/// Returns the part of an answer that is a word, yes or no: the kind of the nearest feature; an empty text for edges
+/// and numbers, and for a key that the answer lacks.
+std::string words_of(const PartialAnswer& answer, Key key) {
+  switch (key) {
+    case Key::Plane: return answer.plane ? std::string(word(*answer.plane)) : "";
+    case Key::PlaneTangent: return answer.plane_tangent ? (*answer.plane_tangent ? "yes" : "no") : "";
+    case Key::Foot: return answer.foot ? std::string(word(*answer.foot)) : "";
+    case Key::Relation: return answer.relation ? std::string(word(*answer.relation)) : "";
+    case Key::Contact: return answer.contact ? (*answer.contact ? "yes" : "no") : "";
+    case Key::Nearest: return answer.nearest ? std::string(word(answer.nearest->kind)) : "";
+    case Key::EdgesHit:
+    case Key::Point:
+    case Key::Distance:
+    case Key::OffPlane: break;
+  }
+  return "";
 }
 
 /// A case while it is being reduced.
@@ -272,26 +284,28 @@ Size size_of(const Ball& ball, const Polygon& polygon) {
 SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
                          const std::optional<std::string>& key)
     : method_(method) {
-  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method, ball, polygon, truth);
+  const PartialAnswer truth = exact_answer(ball, polygon);
+  const auto [wrong, given] = wrong_answer(method, ball, polygon, truth);
   if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
-  if (key && !wrong.contains(*key))
+  if (key && std::ranges::find(wrong, *key, [](Key each) { return word(each); }) == wrong.end())
     throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
   nothing_decisive_ = !key && !any_decisive(wrong);
-  for (const auto& [name, value] : wrong.items()) {
-    if (key ? name != *key : !is_decisive(name) && !nothing_decisive_) continue;
-    keys_.push_back(name);
-    true_words_.push_back(words_of(truth[name]));
-    given_words_.push_back(words_of(value));
+  for (const Key each : wrong) {
+    if (key ? word(each) != *key : !is_decisive(each) && !nothing_decisive_) continue;
+    keys_.push_back(each);
+    true_words_.push_back(words_of(truth, each));
+    given_words_.push_back(words_of(given, each));
   }
 }
 
 bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
   if (!is_usable(ball, polygon)) return false;
-  const Verdict truth = exact_answer(ball, polygon), wrong = wrong_values(method_, ball, polygon, truth);
+  const PartialAnswer truth = exact_answer(ball, polygon);
+  const auto [wrong, given] = wrong_answer(method_, ball, polygon, truth);
   if (nothing_decisive_ && any_decisive(wrong)) return false;
   for (std::size_t i = 0; i < keys_.size(); ++i)
-    if (!wrong.contains(keys_[i]) || words_of(wrong[keys_[i]]) != given_words_[i] ||
-        words_of(truth[keys_[i]]) != true_words_[i])
+    if (std::ranges::find(wrong, keys_[i]) == wrong.end() || words_of(given, keys_[i]) != given_words_[i] ||
+        words_of(truth, keys_[i]) != true_words_[i])
       return false;
   return true;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/polygon.h"
@@ -36,13 +37,13 @@ class SameFailure {
               const std::optional<std::string>& key = std::nullopt);
 
   /// Returns the keys that must stay wrong.
-  [[nodiscard]] const std::vector<std::string>& keys() const { return keys_; }
+  [[nodiscard]] const std::vector<cases::Key>& keys() const { return keys_; }
   /// Returns whether the case, which need not be valid, fails in the same way.
   [[nodiscard]] bool holds(const Ball& ball, const Polygon& polygon) const;
 
  private:
   const cases::Method& method_;
-  std::vector<std::string> keys_;
+  std::vector<cases::Key> keys_;
   std::vector<std::string> true_words_, given_words_;  // a key each
   bool nothing_decisive_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/cases/comparison.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
 
@@ -70,9 +71,12 @@ std::optional<OutcomeTable> find_outcomes(const Settings& settings, const std::v
           const auto prepared = methods[m]->prepare(sample.polygon);
           for (std::size_t i = 0; i < kRadii; ++i) {
             const Ball ball{sample.ball.center, sample.ball.radius * factor(i)};
-            const auto said = prepared->ask(ball, cases::QueryKind::Contact).contact;
-            if (said == truth[i]) continue;
-            outcomes[m][family * settings.cases() + block * kRadii + i] = said ? Outcome::Wrong : Outcome::Unsure;
+            cases::PartialAnswer certain;
+            certain.contact = truth[i];
+            const auto answer = prepared->ask(ball, cases::QueryKind::Contact);
+            const auto compared = cases::compare(cases::Test::Contact, answer, certain, true);
+            if (compared == cases::Outcome::Right) continue;
+            outcomes[m][family * settings.cases() + block * kRadii + i] = compared ? Outcome::Wrong : Outcome::Unsure;
             if (exact::contact(ball, sample.polygon) != truth[i])
               throw std::logic_error(fmt::format("filtered differs from exact: {} family {} case {}", settings.seed,
                                                  word(families[family]), block * kRadii + i));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/processes.h"
@@ -85,7 +85,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, family, n);
       const auto answer = cases::PartialAnswer::of(exact::answer(sample.ball, sample.polygon), "exact");
-      text += cases::to_line(cases::case_of(sample.id, sample.ball, sample.polygon, tags, cases::object_of(answer)));
+      text += cases::case_line(sample.id, sample.ball, sample.polygon, tags, answer);
     }
   }
   return text;
@@ -118,7 +118,7 @@ void refuse_missing(const Options& options, const Baseline& baseline,
   for (const cases::Method* method : methods)
     if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
       throw std::runtime_error(
-          fmt::format("{}: has no method {}, which --method names; --allow-missing continues without it",
+          fmt::format("{}: has no method {}, which --methods names; --allow-missing continues without it",
                       options.baseline, method->name()));
 }
 
@@ -165,7 +165,7 @@ int run(const Options& options) {
   if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "standing.csv", csv_of(*table));
+    harness::write_file(folder / "outcomes.csv", csv_of(*table));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
         folder, {.command = options.line,
@@ -190,16 +190,16 @@ harness::Command regress_command() {
       "single\n"
       "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
       "or\n"
-      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --method names, or "
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods names, or "
       "if\n"
       "--write names an existing file without --force.");
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,
-            "A method that --method names may be missing from the baseline; it is then not compared")
+            "A method that --methods names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
   command.text("--write", options->write, "Write the outcomes as a baseline");
-  command.names("--method", options->methods, "Methods; `all` for every one of this build");
+  command.methods(options->methods);
   command.seed(options->settings.seed).excludes("--baseline");
   command
       .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,
@@ -207,7 +207,7 @@ harness::Command regress_command() {
       .excludes("--baseline");
   command.threads(options->threads);
   command.output(options->output,
-                 "Folder for standing.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
+                 "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.force(options->force);
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/engines/engines.h"
 
+#include "experiments/methods/process/external_method.h"
+
 namespace touchstone::methods {
 
 void add_engines(MethodList& list) {
@@ -16,7 +18,9 @@ void add_engines(MethodList& list) {
   add_bullet(list);
 #endif
 #ifdef TOUCHSTONE_BULLET_FLOAT
-  add_bullet_float(list);
+  list.push_back(external_method(
+      "bullet-float", "Bullet's sphere against triangle, its float build, which runs as a program of its own",
+      "exec '" TOUCHSTONE_BULLET_FLOAT "'"));
 #endif
 #ifdef TOUCHSTONE_ODE
   add_ode(list);

@@ -14,7 +14,6 @@ using MethodList = std::vector<std::unique_ptr<Method>>;
 
 void add_boost_geometry(MethodList& list);
 void add_bullet(MethodList& list);
-void add_bullet_float(MethodList& list);
 void add_cgal_triangles(MethodList& list);
 void add_embree(MethodList& list);
 void add_fcl(MethodList& list);

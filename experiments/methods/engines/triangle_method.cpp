@@ -71,14 +71,6 @@ std::unique_ptr<Method> engine(std::string_view name, std::string_view summary, 
 
 }  // namespace
 
-std::vector<Triangle> triangles_of(const Polygon& polygon) {
-  if (polygon.vertex_count() == 3) return {{polygon.vertex(0), polygon.vertex(1), polygon.vertex(2)}};
-  std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : methods::triangulate(polygon))
-    triangles.push_back({polygon.vertex(a), polygon.vertex(b), polygon.vertex(c)});
-  return triangles;
-}
-
 std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact) {
   return engine(name, summary, [contact](std::vector<Triangle> triangles) -> std::unique_ptr<TriangleSet> {
     return std::make_unique<EachTriangle>(std::move(triangles), contact);

@@ -14,10 +14,6 @@
 
 namespace touchstone::methods {
 
-/// Returns the triangles of the polygon: the polygon itself if it is a triangle, else those of a triangulation of its
-/// own vertices.
-[[nodiscard]] std::vector<Triangle> triangles_of(const Polygon& polygon);
-
 /// An engine that decides whether a ball touches one triangle; nothing if the engine cannot handle the input.
 using TriangleContact = std::optional<bool> (*)(const Ball& ball, const Triangle& triangle);
 

@@ -8,7 +8,7 @@ from results import maybe, natural
 
 
 @dataclasses.dataclass(frozen=True)
-class Standing:
+class Outcomes:
     """An engine in some families together."""
     wrong: int
     cases: int
@@ -36,7 +36,7 @@ def rows_by_engine(rows):
 
 
 def rows_of(study):
-    return study.rows("standing.csv", method=str, family=str, wrong=natural, unsure=natural, cases=natural,
+    return study.rows("outcomes.csv", method=str, family=str, wrong=natural, unsure=natural, cases=natural,
                       first_offset_exponent=maybe(natural))
 
 

@@ -163,7 +163,7 @@ int count(const Options& options) {
     std::string names;
     for (const std::string& name : known) names.append(names.empty() ? "" : ", ").append(name);
     throw harness::UsageError(
-        "--count", "\"" + options.count + "\" is not a contestant of " + families[0]->name + "; there are " + names);
+        "--count", "\"" + options.count + "\" is not a candidate of " + families[0]->name + "; there are " + names);
   }
   fmt::print("{}, {}: {} queries, {} times; sum of the answers {}\n", families[0]->name, options.count, asked,
              options.repetitions, sum);
@@ -186,11 +186,11 @@ harness::Command bench_command() {
   command.names("--family", options->families, "Families of queries, separated by commas, or all");
   command.whole("--samples", options->settings.samples,
                 "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
-  command.whole("--repetitions", options->repetitions, "The number of turns of each contestant", 1, 100'000);
+  command.whole("--repetitions", options->repetitions, "The number of turns of each candidate", 1, 100'000);
   command.seed(options->settings.seed, "Any number; the same seed gives the same queries");
   command.text("--json", options->json, "The file for all numbers; run.json beside it records how they were made");
   command.text("--count", options->count,
-               "Do not time: run this contestant of one family on all queries, for a profiler");
+               "Do not time: run this candidate of one family on all queries, for a profiler");
   command.force(options->force);
   command.runs([options] {
     return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });

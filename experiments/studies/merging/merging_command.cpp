@@ -126,7 +126,8 @@ harness::Command merging_command() {
       1e300);
   command.whole("--compare", settings.balls, "The number of balls per mesh for comparing scenes; 0: no scenes", 0,
                 10'000'000);
-  command.whole("--least", settings.least, "The least number of faces that a polygon of the mixed scene replaces", 2);
+  command.whole("--min-faces", settings.least, "The least number of faces that a polygon of the mixed scene replaces",
+                2);
   command.whole("--repetitions", settings.repetitions, "The number of repetitions of every timing", 1, 1000);
   command.seed(settings.seed, "Any number; the same seed gives the same bytes, except for times");
   command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");

@@ -128,6 +128,7 @@ void time_question(Question question, std::vector<Contender>& contenders, const 
   }
 }
 
+/// Compares answers that name faces of the mesh, for which cases::differing_keys has no keys.
 Differences differences(const std::vector<Contender>& contenders, const std::vector<Ball>& balls,
                         const std::vector<Ball>& few, const std::atomic<bool>& stop) {
   Differences result;

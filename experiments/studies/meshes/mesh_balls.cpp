@@ -101,16 +101,17 @@ bool can_be_moved(const Ball& ball) {
 }
 
 /// A centre whose nearest feature is of that kind, with the double nearest to its distance.
-std::optional<Ball> draw_near(Random& random, const Shape& shape, const exact::PreparedPolygon& exact, Place place) {
+std::optional<Ball> draw_near(Random& random, const Shape& shape, const exact::PreparedPolygon& exact,
+                              BallRegion place) {
   constexpr int kAttempts = 16;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const double length = draw_length(random, attempt / 2);
-    const auto kind = place == Place::Face   ? Feature::Kind::Face
-                      : place == Place::Edge ? Feature::Kind::Edge
-                                             : Feature::Kind::Vertex;
-    const Vector3d center = shape.in_space(place == Place::Face   ? draw_above_face(random, shape, length)
-                                           : place == Place::Edge ? draw_off_edge(random, shape, length)
-                                                                  : draw_off_vertex(random, shape, length));
+    const auto kind = place == BallRegion::Face   ? Feature::Kind::Face
+                      : place == BallRegion::Edge ? Feature::Kind::Edge
+                                                  : Feature::Kind::Vertex;
+    const Vector3d center = shape.in_space(place == BallRegion::Face   ? draw_above_face(random, shape, length)
+                                           : place == BallRegion::Edge ? draw_off_edge(random, shape, length)
+                                                                       : draw_off_vertex(random, shape, length));
     if (!center.allFinite()) continue;
     const Answer answer = exact::answer({center, 0}, exact);
     const Ball ball{center, answer.distance};
@@ -129,20 +130,20 @@ std::optional<Ball> draw_foot(Random& random, const Shape& shape) {
   return ball;
 }
 
-Ball moved(Ball ball, Place place, int axis, int steps) {
-  double& coordinate = place == Place::Foot ? ball.center[axis] : ball.radius;
+Ball moved(Ball ball, BallRegion place, int axis, int steps) {
+  double& coordinate = place == BallRegion::Foot ? ball.center[axis] : ball.radius;
   coordinate = workloads::move_by_doubles(coordinate, steps);
   return ball;
 }
 
 }  // namespace
 
-std::string_view word(Place place) {
+std::string_view word(BallRegion place) {
   switch (place) {
-    case Place::Face: return "face";
-    case Place::Edge: return "edge";
-    case Place::Vertex: return "vertex";
-    case Place::Foot: return "foot";
+    case BallRegion::Face: return "face";
+    case BallRegion::Edge: return "edge";
+    case BallRegion::Vertex: return "vertex";
+    case BallRegion::Foot: return "foot";
   }
   return "";
 }
@@ -152,10 +153,10 @@ MeshBalls draw_mesh_balls(const Polygon& polygon, const exact::PreparedPolygon& 
   const Shape shape(polygon);
   const std::uint64_t stream = hash(mesh);
   MeshBalls drawn;
-  for (const Place place : kPlaces) {
+  for (const BallRegion place : kPlaces) {
     Random random(seed, face, stream + static_cast<std::uint64_t>(place));
     const auto axis = static_cast<int>(random.integer(0, 2));
-    const auto ball = place == Place::Foot ? draw_foot(random, shape) : draw_near(random, shape, exact, place);
+    const auto ball = place == BallRegion::Foot ? draw_foot(random, shape) : draw_near(random, shape, exact, place);
     if (!ball) drawn.missing.push_back(place);
     for (const int steps : kSteps)
       if (ball) drawn.balls.push_back({place, steps, moved(*ball, place, axis, steps)});

@@ -14,15 +14,15 @@
 namespace touchstone::meshes {
 
 /// The object to which a ball is near.
-enum class Place {
+enum class BallRegion {
   Face,    ///< the radius is near the distance to the polygon, whose nearest feature is the face
   Edge,    ///< the same, a drawn edge
   Vertex,  ///< the same, a drawn vertex
   Foot,    ///< the foot is near a drawn edge, the radius ample
 };
-inline constexpr std::array kPlaces{Place::Face, Place::Edge, Place::Vertex, Place::Foot};
+inline constexpr std::array kPlaces{BallRegion::Face, BallRegion::Edge, BallRegion::Vertex, BallRegion::Foot};
 
-[[nodiscard]] std::string_view word(Place place);
+[[nodiscard]] std::string_view word(BallRegion place);
 
 /// The distances by which balls are moved, in doubles.
 inline constexpr std::array kSteps{-2, -1, 0, 1, 2};
@@ -30,14 +30,14 @@ inline constexpr std::array kSteps{-2, -1, 0, 1, 2};
 /// A ball near a place. For Foot, `steps` moves the centre along one axis; otherwise it moves the radius, from the
 /// double nearest to the exact distance.
 struct MeshBall {
-  Place place;
+  BallRegion place;
   int steps;
   Ball ball;
 };
 
 struct MeshBalls {
   std::vector<MeshBall> balls;  ///< one per step for each place that is not missing, in order
-  std::vector<Place>
+  std::vector<BallRegion>
       missing;  ///< places for which no ball was found, such as needles thinner than the spacing of doubles near them
 };
 

@@ -88,7 +88,7 @@ class Tally {
 
     MeshCounts& counts = result_.meshes[mesh];
     counts.queries += drawn.balls.size();
-    for (const Place place : drawn.missing) ++counts.missing[static_cast<std::size_t>(place)];
+    for (const BallRegion place : drawn.missing) ++counts.missing[static_cast<std::size_t>(place)];
     for (std::size_t method = 0; method < settings_.methods.size(); ++method) {
       const auto prepared = settings_.methods[method]->prepare(polygon);
       bool face_wrong = false;

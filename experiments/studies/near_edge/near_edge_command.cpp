@@ -16,7 +16,7 @@ struct Options : harness::StudyOptions {
   std::vector<std::string> methods{"fast", "fast-float", "thesis", "thesis-signed"};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
-  std::string truth = "exact";
+  std::string oracle = "exact";
   std::uint64_t search = 100;  // about 20 s
 };
 
@@ -35,7 +35,7 @@ class Run {
                   options.seed,
                   options.threads,
                   options.shape,
-                  methods::find_method(options.truth)} {}
+                  methods::find_method(options.oracle)} {}
 
   int operator()() {
     const std::string pace = sample();
@@ -46,7 +46,7 @@ class Run {
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
     if (settings_.truth->name() != "exact")
-      text += fmt::format("{} was compared with exact for {} balls: {} differences.\n", options_.truth, result_.checked,
+      text += fmt::format("{} was compared with exact for {} balls: {} differences.\n", options_.oracle, result_.checked,
                           result_.disagreements.count());
     return run_.finish({.done = result_.samples,
                         .missing = result_.missing,
@@ -104,8 +104,8 @@ class Run {
     if (differing > 0)
       fmt::print(stderr,
                  "touchstone: {0} DIFFERS FROM exact {1} times ({2} times in the search): a defect of this program. "
-                 "See {3}; `touchstone judge --method {0}` takes it\n",
-                 options_.truth, differing, worst_.wrong_truths, (run_.folder() / "disagreements.jsonl").string());
+                 "See {3}; `touchstone judge --methods {0}` takes it\n",
+                 options_.oracle, differing, worst_.wrong_truths, (run_.folder() / "disagreements.jsonl").string());
     return differing > 0;
   }
 
@@ -139,7 +139,7 @@ harness::Command near_edge_command() {
             "The distance of each polygon from the origin, in its sizes", 0.0, 0x1p30)
       .changes_results();
   command
-      .choice("--truth", options->truth, {"exact", "filtered"},
+      .choice("--oracle", options->oracle, {"exact", "filtered"},
               "The oracle that decides which answers are right; filtered is faster, and is compared with exact where a "
               "method is wrong and in a hundredth of the samples")
       .changes_results();

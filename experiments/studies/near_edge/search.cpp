@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/methods/registry.h"
 #include "experiments/workloads/ulp.h"
 
@@ -91,8 +91,8 @@ class Search {
     else
       expected.foot = truth.foot;
     const std::vector<std::string> tags{"worst", std::string(method.name())};
-    return cases::to_line(cases::case_of("worst-" + std::string(method.name()) + "-" + id(place(region, n)), ball,
-                                         at.polygon, tags, cases::object_of(expected)));
+    return cases::case_line("worst-" + std::string(method.name()) + "-" + id(place(region, n)), ball, at.polygon, tags,
+                            expected);
   }
 
   const Settings& settings_;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/methods/registry.h"
 
 namespace touchstone::near_edge {
@@ -54,31 +54,19 @@ class Sample {
       for (std::size_t i = 0; i < crossing_.balls.size(); ++i) {
         if (!every_ball && !wrong[i]) continue;
         const PartialAnswer truth = growing.empty() ? exact->ask(crossing_.balls[i], query_kind(test)) : growing[i];
-        if (!same(test, truth, crossing_.truths[i])) found.push_back(disagreement(test, i, *exact));
+        if (!same_value(key_of(test), truth, crossing_.truths[i])) found.push_back(disagreement(test, i, *exact));
       }
     }
     if (!found.empty()) result_.disagreements.add(std::move(found));
   }
 
  private:
-  static bool same(Test test, const PartialAnswer& a, const PartialAnswer& b) {
-    switch (test) {
-      case Test::Plane: return a.plane == b.plane;
-      case Test::Foot: return a.foot == b.foot;
-      case Test::Edges: return a.edges_hit == b.edges_hit;
-      case Test::Relation: return a.relation == b.relation;
-      case Test::Contact: break;
-    }
-    return a.contact == b.contact;
-  }
-
   Disagreement disagreement(Test test, std::size_t i, const cases::PreparedMethod& exact) const {
     const Ball& ball = crossing_.balls[i];
     const std::vector<std::string> tags{std::string(word(test)), std::string(settings_.truth->name())};
-    const auto expected = cases::object_of(exact.ask(ball, cases::QueryKind::Answer));
     return {place_.n, place_.stratum,
-            cases::to_line(cases::case_of(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball,
-                                          crossing_.polygon, tags, expected))};
+            cases::case_line(id(place_) + "-k" + std::to_string(cases::all_offsets()[i]), ball, crossing_.polygon, tags,
+                             exact.ask(ball, cases::QueryKind::Answer))};
   }
 
   const Settings& settings_;

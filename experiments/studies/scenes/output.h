@@ -17,7 +17,8 @@ namespace touchstone::scenes {
 [[nodiscard]] std::string answer_line(const NamedBall& ball, const BallAnswer& answer, Question question,
                                       const std::vector<Object>& objects, bool with_counts);
 
-/// The differences between a method's answers and the scene's.
+/// The differences between a method's answers and the scene's. They are compared here, not by cases::differing_keys,
+/// because they name faces of the scene.
 struct Differences {
   std::uint64_t balls = 0;
   std::uint64_t answers = 0;    ///< balls with another answer: touched or not, other faces, or another nearest face

@@ -312,9 +312,9 @@ harness::Command scenes_command() {
       "--balls", options->balls,
       "A file of balls, one a line: {\"id\":\"a\",\"ball\":{\"center\":[x,y,z],\"radius\":r}} as in a case, or "
       "the numbers x y z r; # begins a comment; - is standard input");
-  command.whole("--random", options->random, "The number of random balls, half of them near a face", 1);
-  command.require_one_of({"--balls", "--random"});
-  command.seed(options->seed, "The seed of --random; the same seed gives the same bytes");
+  command.whole("--samples", options->random, "The number of random balls, half of them near a face", 1);
+  command.require_one_of({"--balls", "--samples"});
+  command.seed(options->seed, "The seed of --samples; the same seed gives the same bytes");
   command.flag("--any", options->any, "Answer whether the ball touches any face");
   command.flag("--all", options->all, "Answer which faces it touches (default)");
   command.flag("--nearest", options->nearest, "Answer which face is nearest to its centre, and where");

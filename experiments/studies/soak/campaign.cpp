@@ -5,12 +5,12 @@
 
 namespace touchstone::soak {
 
-std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant,
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
                            const harness::RunControl<Tally>& control, Tally& tally) {
   constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core
   return harness::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
-      [&](std::uint64_t i, Tally& part) { compare(contestant, settings.seed, settings.from + i, part); }, kBlock);
+      [&](std::uint64_t i, Tally& part) { compare(tested, settings.seed, settings.from + i, part); }, kBlock);
 }
 
 }  // namespace touchstone::soak

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "experiments/harness/run_control.h"
-#include "experiments/studies/soak/contestant.h"
+#include "experiments/studies/soak/system_under_test.h"
 #include "experiments/studies/soak/tally.h"
 
 namespace touchstone::soak {
@@ -18,9 +18,9 @@ struct Settings {
 
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
-/// In the first process the tally is a function of the contestant, seed, from and the number of cases that it contains;
+/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it contains;
 /// processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
-std::uint64_t run_campaign(const Settings& settings, const Contestant& contestant,
+std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
                            const harness::RunControl<Tally>& control, Tally& tally);
 
 }  // namespace touchstone::soak

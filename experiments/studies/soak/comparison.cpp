@@ -5,7 +5,7 @@
 #include <exception>
 #include <memory>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 
@@ -19,12 +19,8 @@ constexpr std::uint64_t kWholeOneIn = 16;
 /// All questions about one case.
 class Comparison {
  public:
-  Comparison(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally)
-      : contestant_(contestant),
-        seed_(seed),
-        index_(index),
-        case_(adversarial::draw_case(seed, index)),
-        tally_(tally) {}
+  Comparison(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally)
+      : tested_(tested), seed_(seed), index_(index), case_(adversarial::draw_case(seed, index)), tally_(tally) {}
 
   void ask_all() {
     const exact::PreparedPolygon truth(case_.polygon);
@@ -61,44 +57,46 @@ class Comparison {
     outcomes.differences += differences_.size() > before ? 1 : 0;
   }
 
+  /// Compares by ==, not by cases::differing_keys: every function of `filtered` returns the very type that `exact`
+  /// does.
   void expect(bool same, const char* question) {
     if (!same) differs(question, case_.ball, case_.polygon);
   }
 
   void ask_triangle(const Triangle& t, bool touches, StageCounts& counts) {
-    expect(contestant_.contact(case_.ball, t) == touches, "triangle");
-    expect(contestant_.contact(case_.ball, t, counts) == touches, "triangle, counted");
-    expect(contestant_.plain_contact(case_.ball, t) == touches, "triangle, without vectors");
+    expect(tested_.contact(case_.ball, t) == touches, "triangle");
+    expect(tested_.contact(case_.ball, t, counts) == touches, "triangle, counted");
+    expect(tested_.plain_contact(case_.ball, t) == touches, "triangle, without vectors");
 
     const std::array<Triangle, 6> orders{
         {{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}, {t.b, t.a, t.c}, {t.a, t.c, t.b}}};
     std::array<bool, 6> found{};
-    contestant_.contact(case_.ball, orders, found);
+    tested_.contact(case_.ball, orders, found);
     for (std::size_t i = 0; i < orders.size(); ++i)
       if (found[i] != touches)
         differs("triangle, in a batch", case_.ball, Polygon({orders[i].a, orders[i].b, orders[i].c}));
   }
 
   void ask_prepared(const filtered::PreparedPolygon& prepared, bool touches, StageCounts& counts) {
-    expect(contestant_.contact(case_.ball, prepared) == touches, "contact");
-    expect(contestant_.contact(case_.ball, prepared, counts) == touches, "contact, counted");
-    expect(contestant_.plain_contact(case_.ball, prepared) == touches, "contact, without vectors");
+    expect(tested_.contact(case_.ball, prepared) == touches, "contact");
+    expect(tested_.contact(case_.ball, prepared, counts) == touches, "contact, counted");
+    expect(tested_.plain_contact(case_.ball, prepared) == touches, "contact, without vectors");
   }
 
   void ask_whole(const filtered::PreparedPolygon& prepared, const exact::PreparedPolygon& truth, StageCounts& counts) {
     const Ball& ball = case_.ball;
     const Answer answer = exact::answer(ball, truth);
-    expect(contestant_.relation(ball, prepared) == answer.relation, "relation");
-    expect(contestant_.plane_side(ball, prepared) == answer.plane, "plane");
-    expect(contestant_.foot(ball, prepared) == answer.foot, "foot");
-    expect(contestant_.edges_hit(ball, prepared) == answer.edges_hit, "edges_hit");
-    expect(contestant_.answer(ball, prepared) == answer, "answer");
-    expect(contestant_.answer(ball, prepared, counts) == answer, "answer, counted");
-    expect(contestant_.plain_answer(ball, prepared) == answer, "answer, without vectors");
+    expect(tested_.relation(ball, prepared) == answer.relation, "relation");
+    expect(tested_.plane_side(ball, prepared) == answer.plane, "plane");
+    expect(tested_.foot(ball, prepared) == answer.foot, "foot");
+    expect(tested_.edges_hit(ball, prepared) == answer.edges_hit, "edges_hit");
+    expect(tested_.answer(ball, prepared) == answer, "answer");
+    expect(tested_.answer(ball, prepared, counts) == answer, "answer, counted");
+    expect(tested_.plain_answer(ball, prepared) == answer, "answer, without vectors");
     if (const auto triangle = case_.triangle()) {
       const filtered::ClosestPoint closest{answer.nearest, answer.point, answer.distance};
-      expect(contestant_.closest(ball.center, *triangle) == closest, "closest");
-      expect(contestant_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
+      expect(tested_.closest(ball.center, *triangle) == closest, "closest");
+      expect(tested_.plain_closest(ball.center, *triangle) == closest, "closest, without vectors");
     }
     ask_neighbours(prepared, truth);
   }
@@ -111,19 +109,18 @@ class Comparison {
       balls[static_cast<std::size_t>(i)] = {case_.ball.center,
                                             workloads::move_radius_by_doubles(case_.ball.radius, i - 4)};
     }
-    contestant_.contact(balls, prepared, found);
+    tested_.contact(balls, prepared, found);
     for (std::size_t i = 0; i < balls.size(); ++i)
       if (found[i] != exact::contact(balls[i], truth)) differs("contact, in a batch", balls[i], case_.polygon);
   }
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    const cases::Verdict expected = cases::object_of(cases::PartialAnswer::of(exact::answer(ball, polygon), ""));
-    differences_.push_back(
-        {index_, cases::to_line(cases::case_of(adversarial::name_of_case(seed_, index_), ball, polygon,
-                                               {std::string(word(case_.family)), question}, expected))});
+    differences_.push_back({index_, cases::case_line(adversarial::name_of_case(seed_, index_), ball, polygon,
+                                                     {std::string(word(case_.family)), question},
+                                                     cases::PartialAnswer::of(exact::answer(ball, polygon), ""))});
   }
 
-  const Contestant& contestant_;
+  const SystemUnderTest& tested_;
   std::uint64_t seed_, index_;
   adversarial::Case case_;
   Tally& tally_;
@@ -132,8 +129,8 @@ class Comparison {
 
 }  // namespace
 
-void compare(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally) {
-  Comparison(contestant, seed, index, tally).ask_all();
+void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
+  Comparison(tested, seed, index, tally).ask_all();
 }
 
 }  // namespace touchstone::soak

@@ -3,17 +3,17 @@
 
 #include <cstdint>
 
-#include "experiments/studies/soak/contestant.h"
+#include "experiments/studies/soak/system_under_test.h"
 #include "experiments/studies/soak/tally.h"
 
 namespace touchstone::soak {
 
-/// Asks the contestant about case `index` and adds the result to the tally.
+/// Asks the system under test about case `index` and adds the result to the tally.
 ///
 /// Every case: contact with the polygon, prepared, with and without counts and vector instructions; with a triangle
 /// also unprepared, and in a batch of all orders of its vertices. One case in 16: every question and the whole answer,
 /// the closest point of a triangle, and a batch of balls of neighbouring radii. Compares all answers with `exact`; an
 /// exception counts as a difference.
-void compare(const Contestant& contestant, std::uint64_t seed, std::uint64_t index, Tally& tally);
+void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
 }  // namespace touchstone::soak

@@ -15,7 +15,7 @@ namespace touchstone::soak {
 // tables() says what the table holds.
 
 void write_counts(const std::filesystem::path& folder, const Tally& tally);
-/// differences.jsonl: the first cases that differed, for `touchstone judge --method filtered`; empty if none did.
+/// differences.jsonl: the first cases that differed, for `touchstone judge --methods filtered`; empty if none did.
 void write_differences(const std::filesystem::path& folder, const Tally& tally);
 
 [[nodiscard]] std::vector<harness::TableDescription> tables();

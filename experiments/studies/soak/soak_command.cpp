@@ -50,7 +50,7 @@ int run_cases(harness::StudyRun& run, const Options& options) {
       save(now);
       announce(now);
     };
-    run_campaign(settings, Contestant(), control, sum);
+    run_campaign(settings, SystemUnderTest(), control, sum);
   });
   if (!run.first()) return 0;
   write_counts(run.folder(), tally);
@@ -58,8 +58,8 @@ int run_cases(harness::StudyRun& run, const Options& options) {
   const double seconds = run.seconds();
   if (tally.differing() > 0)
     fmt::print(stderr,
-               "touchstone: see {}; `touchstone judge --method filtered` takes it, and "
-               "`touchstone soak --seed {} --from INDEX --cases 1` asks again\n",
+               "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
+               "`touchstone soak --seed {} --from INDEX --samples 1` asks again\n",
                (run.folder() / "differences.jsonl").string(), settings.seed);
   return run.finish(
       {.done = tally.cases(),
@@ -86,7 +86,7 @@ harness::Command soak_command() {
   options->output = "results/soak";
   options->has_pictures = false;
   command.whole("--from", options->from, "The index of the first case").changes_results();
-  harness::declare_study(command, *options, "--cases",
+  harness::declare_study(command, *options, "--samples",
                          "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them").excludes("--resume");
   command.writes(tables());
@@ -94,7 +94,7 @@ harness::Command soak_command() {
                                              [options](harness::StudyRun& run) { return run_cases(run, *options); });
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)
-      throw std::invalid_argument("--from and --cases together go beyond 2^64 - 1");
+      throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");
     return options->print ? harness::run_alone([&] { return print_cases(*options); }) : compare();
   });
   return command;

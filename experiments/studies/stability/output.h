@@ -27,8 +27,8 @@ struct Known {
 void write_failures(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
 void write_errors(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
 void write_bounds(const std::filesystem::path& folder, const Settings& settings, const Summary& summary);
-/// worst.jsonl: the worst case of each axis and method, as `touchstone judge --method NAME` takes it; the method is its
-/// first tag. Axes that compare with an intended motion and those of the floating-point mode have none.
+/// worst.jsonl: the worst case of each axis and method, as `touchstone judge --methods NAME` takes it; the method is
+/// its first tag. Axes that compare with an intended motion and those of the floating-point mode have none.
 void write_worst(const std::filesystem::path& folder, const Summary& summary);
 void write_known(const std::filesystem::path& folder, const Known& known);
 

@@ -12,7 +12,8 @@
 #include <tuple>
 #include <utility>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/workloads/random.h"
 
 namespace touchstone::stability {
@@ -164,16 +165,13 @@ class Study {
     const auto held = std::find_if(block.worst.begin(), block.worst.end(),
                                    [&](const WorstCase& other) { return other.method == method; });
     if (held != block.worst.end() && !worst.worse_than(*held)) return;
-    const cases::Verdict given = cases::object_of(*answer), truth = cases::object_of(probe.truth);
-    cases::Verdict expected = cases::Verdict::object();
-    for (const auto& [key, value] : truth.items())
-      if (given.contains(key) && given[key] != value) expected[key] = value;
-    if (expected.empty()) return;
+    const std::vector<cases::Key> wrong = cases::differing_keys(probe.truth, *answer);
+    if (wrong.empty()) return;
     const std::string_view name = settings_.methods[method]->name();
-    worst.line = cases::to_line(cases::case_of(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
-                                               {std::string(name), std::string(word(probe.nearness)),
-                                                worst.rank > 0 ? "wrong final answer" : "right final answer"},
-                                               expected));
+    worst.line = cases::case_line(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
+                                  {std::string(name), std::string(word(probe.nearness)),
+                                   worst.rank > 0 ? "wrong final answer" : "right final answer"},
+                                  only(probe.truth, wrong));
     if (held != block.worst.end())
       *held = std::move(worst);
     else

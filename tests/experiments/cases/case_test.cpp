@@ -27,7 +27,7 @@ TEST(ReadCase, TakesTheExampleOfTheContract) {
       R"({"id":"tilted-L-17","ball":{"center":[0.5,0.25,1],"radius":1},"polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]],)"
       R"("holes":[]},"expected":{"relation":"touching"},"tags":["tangent","lattice"]})");
   EXPECT_EQ(read.id, "tilted-L-17");
-  EXPECT_EQ(read.expected->at("relation"), "touching");
+  EXPECT_EQ(read.expected->values.relation, Relation::Touching);
   const auto& shapes = std::get<cases::Shapes>(read.content);
   EXPECT_EQ(shapes.ball.center, Eigen::Vector3d(0.5, 0.25, 1));
   EXPECT_EQ(shapes.polygon.vertex_count(), 3u);
@@ -169,7 +169,7 @@ TEST(ReadCase, NamesTheLoopAndTheVertex) {
 TEST(ReadCase, KeepsIdAndExpectationOfARejectedCase) {
   const cases::Case read = cases::read_case(R"({"id":"a","expected":{"error":"malformed-case"}})");
   EXPECT_EQ(read.id, "a");
-  EXPECT_EQ(read.expected->at("error"), "malformed-case");
+  EXPECT_EQ(read.expected->texts.at("error"), "\"malformed-case\"");
   EXPECT_FALSE(cases::read_case("{}").id.has_value());
 }
 

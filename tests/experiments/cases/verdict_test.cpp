@@ -5,12 +5,15 @@
 
 #include <limits>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/output_lines.h"
+
 namespace touchstone::judge {
 namespace {
 
 TEST(Verdict, CasesAreWrittenInTheFormOfTheContract) {
   const Polygon polygon({{0, 0, 0}, {4, 0, -0.0}, {0, 4, 0}}, {{{1, 1, 0}, {1.5, 1, 0}, {1, 1.25, 0}}});
-  EXPECT_EQ(cases::to_line(cases::case_of("a-1", {{0.1, -0.0, 1e300}, 5e-324}, polygon, {"star", "tangent"})),
+  EXPECT_EQ(cases::case_line("a-1", {{0.1, -0.0, 1e300}, 5e-324}, polygon, {"star", "tangent"}),
             R"({"id":"a-1","ball":{"center":[0.1,0,1e+300],"radius":5e-324},)"
             R"("polygon":{"outer":[[0,0,0],[4,0,0],[0,4,0]],"holes":[[[1,1,0],[1.5,1,0],[1,1.25,0]]]},)"
             R"("tags":["star","tangent"]})"
@@ -34,14 +37,18 @@ TEST(Verdict, WhatIsNoFiniteNumberIsNull) {
 }
 
 TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
-  EXPECT_EQ(cases::to_line(cases::verdict_of("a\"b", "m", cases::PartialAnswer{})), R"({"id":"a\"b","method":"m"})"
-                                                                                    "\n");
+  EXPECT_EQ(cases::verdict_line("a\"b", "m", cases::PartialAnswer{}), R"({"id":"a\"b","method":"m"})"
+                                                                      "\n");
+}
+
+/// Returns the differences between an expectation and a reply.
+std::vector<std::string> differences(const std::string& expected, const std::string& reply) {
+  return cases::differences(cases::expectation_in(nlohmann::json::parse(expected)),
+                            cases::answer_in(nlohmann::json::parse(reply)));
 }
 
 /// Returns whether a reply meets the expectation.
-bool meets(const std::string& expected, const std::string& reply) {
-  return cases::differences(nlohmann::json::parse(expected), cases::answer_in(nlohmann::json::parse(reply))).empty();
-}
+bool meets(const std::string& expected, const std::string& reply) { return differences(expected, reply).empty(); }
 
 TEST(Verdict, CoordinatesAndLengthsAreComparedAsTheDoublesThatTheyMean) {
   const std::string low = R"({"point":[-9223372036854775808,0,0]})", high = R"({"point":[9223372036854775808,0,0]})";
@@ -70,9 +77,55 @@ TEST(Verdict, IndicesAreComparedAsWholeNumbers) {
 }
 
 TEST(Verdict, LengthsOfAReplyAreWrittenAsTheDoublesThatTheyMean) {
-  EXPECT_EQ(cases::to_line(cases::answer_in(
-                nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
-            "{\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
+  EXPECT_EQ(
+      cases::verdict_line(
+          "a", "m",
+          cases::answer_in(nlohmann::json::parse(R"({"distance":9007199254740993,"edges_hit":[9007199254740993]})"))),
+      "{\"id\":\"a\",\"method\":\"m\",\"edges_hit\":[9007199254740993],\"distance\":9007199254740992}\n");
+}
+
+TEST(Verdict, ValuesThatDoNotHaveTheFormOfTheContractAreComparedAsWritten) {
+  EXPECT_TRUE(meets(R"({"relation":"near"})", R"({"relation":"near"})"));
+  EXPECT_TRUE(meets(R"({"nearest":{"kind":"face","index":0}})", R"({"nearest":{"index":0,"kind":"face"}})"));
+  EXPECT_EQ(differences(R"({"relation":"touching","foot":7,"contact":true})", R"({"relation":"near","foot":[7]})"),
+            (std::vector<std::string>{"contact: expected true, not given", "foot: expected 7, found [7]",
+                                      "relation: expected \"touching\", found \"near\""}));
+  EXPECT_FALSE(meets(R"({"edges_hit":[-1]})", R"({"edges_hit":[1]})"));
+  EXPECT_FALSE(meets(R"({"point":[0,0]})", R"({"point":[0,0,0]})"));
+}
+
+// What is read back from a statement is the statement.
+TEST(Verdict, StatementsAreReadAsTheAnswersThatTheyState) {
+  cases::PartialAnswer answer;
+  answer.plane = PlaneSide::Behind;
+  answer.plane_tangent = false;
+  answer.foot = PointLocation::Boundary;
+  answer.edges_hit = {0, 7};
+  answer.relation = Relation::Overlapping;
+  answer.contact = true;
+  answer.nearest = {Feature::Kind::Vertex, 3};
+  answer.point = {-0.0, std::numeric_limits<double>::infinity(), 0.1};
+  answer.distance = 5e-324;
+  answer.off_plane = std::numeric_limits<double>::quiet_NaN();
+  const cases::StatedAnswer read = cases::expectation_in(nlohmann::json(cases::object_of(answer)));
+  EXPECT_EQ(read.texts, cases::stated(answer).texts);
+  EXPECT_EQ(read.texts.size(), cases::kKeys.size());
+  for (const cases::Key key : cases::kKeys) {
+    EXPECT_TRUE(has(read.values, key)) << word(key);
+    EXPECT_TRUE(same_value(key, read.values, answer)) << word(key);
+    EXPECT_FALSE(same_value(key, only(answer, {}), answer)) << word(key);
+    EXPECT_EQ(cases::find_key(word(key)), key);
+  }
+}
+
+TEST(Verdict, DifferingKeysAreThoseThatBothAnswersHave) {
+  cases::PartialAnswer truth, answer;
+  truth.contact = true, truth.distance = 1.0, truth.foot = PointLocation::Inside;
+  answer.contact = false, answer.distance = std::numeric_limits<double>::infinity();
+  answer.nearest = {Feature::Kind::Face, 0};
+  EXPECT_EQ(differing_keys(truth, answer), (std::vector{cases::Key::Contact, cases::Key::Distance}));
+  EXPECT_TRUE(differing_keys(truth, truth).empty());
+  EXPECT_TRUE(differing_keys(truth, {}).empty());
 }
 
 }  // namespace

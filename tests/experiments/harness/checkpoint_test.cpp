@@ -63,7 +63,7 @@ TEST_F(CheckpointFile, NamesTheSettingsThatDiffer) {
   EXPECT_EQ(refusal(kSettings), "");
   EXPECT_EQ(refusal(settings(1, "4", "fast,thesis")), path().string() + ": is of --seed 3, not of --seed 4");
   EXPECT_EQ(refusal(settings(1, "4", "fast")),
-            path().string() + ": is of --seed 3 --method fast,thesis, not of --seed 4 --method fast");
+            path().string() + ": is of --seed 3 --methods fast,thesis, not of --seed 4 --methods fast");
   EXPECT_EQ(refusal(settings(2, "3", "fast,thesis")), path().string() + ": is of another version of this program");
 }
 

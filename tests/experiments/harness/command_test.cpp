@@ -37,7 +37,7 @@ struct Declared {
     command.integer("--offset", offset, "An offset");
     command.real("--step", step, "A step", 0, 90);
     command.positive("--limit", limit, "A limit");
-    command.choice("--truth", truth, {"exact", "filtered"}, "The truth");
+    command.choice("--oracle", truth, {"exact", "filtered"}, "The truth");
     command.choice("--colour", colour, std::vector{Colour::Red, Colour::Green}, "A colour");
     command.texts("--set", changes, "Changes");
     command.text("--file", file, "A file").needs("--step");
@@ -51,7 +51,7 @@ struct Declared {
 };
 
 constexpr const char* kUnchanged =
-    "touchstone measure --seed 7 --threads 3 --method all --count 20 --offset -2 --step 0.5 --truth exact --colour "
+    "touchstone measure --seed 7 --threads 3 --methods all --count 20 --offset -2 --step 0.5 --oracle exact --colour "
     "green "
     "--output results/it";
 
@@ -68,13 +68,13 @@ TEST(Command, ItsLineRepeatsTheRun) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> given{
       {{"--seed", "8"}, "--seed 8"},
       {{"--threads", "4"}, "--threads 4"},
-      {{"--method", "fast,exact"}, "--method fast,exact"},
+      {{"--methods", "fast,exact"}, "--methods fast,exact"},
       {{"--count", "21"}, "--count 21"},
       {{"--most", "9"}, "--most 9"},
       {{"--offset", "3"}, "--offset 3"},
       {{"--step", "0.1"}, "--step 0.1"},
       {{"--limit", "2"}, "--limit 2"},
-      {{"--truth", "filtered"}, "--truth filtered"},
+      {{"--oracle", "filtered"}, "--oracle filtered"},
       {{"--colour", "red"}, "--colour red"},
       {{"--set", "a=1", "--set", "b c=2"}, "--set a=1 --set 'b c=2'"},
       {{"--file", "it's", "--step", "1"}, "--file 'it'\\''s'"},
@@ -107,16 +107,16 @@ TEST(Command, TakesTheWholeRangeOfItsNumbers) {
 }
 
 TEST(Command, RefusesWhatIsNotInTheRange) {
-  const std::vector<std::vector<std::string>> wrong{{"--seed", "-1"},      {"--seed", "18446744073709551616"},
-                                                    {"--threads", "0"},    {"--threads", "1025"},
-                                                    {"--seed", "1.5"},     {"--threads", "4294967297"},
-                                                    {"--count", "0"},      {"--count", "1001"},
-                                                    {"--offset", "many"},  {"--step", "-0.1"},
-                                                    {"--step", "90.1"},    {"--step", "nan"},
-                                                    {"--limit", "0"},      {"--limit", "1e999"},
-                                                    {"--truth", "thesis"}, {"--colour", "blue"},
-                                                    {"--file", "without"}, {"--resume", "--force"},
-                                                    {"--unknown"},         {"--seed"}};
+  const std::vector<std::vector<std::string>> wrong{{"--seed", "-1"},       {"--seed", "18446744073709551616"},
+                                                    {"--threads", "0"},     {"--threads", "1025"},
+                                                    {"--seed", "1.5"},      {"--threads", "4294967297"},
+                                                    {"--count", "0"},       {"--count", "1001"},
+                                                    {"--offset", "many"},   {"--step", "-0.1"},
+                                                    {"--step", "90.1"},     {"--step", "nan"},
+                                                    {"--limit", "0"},       {"--limit", "1e999"},
+                                                    {"--oracle", "thesis"}, {"--colour", "blue"},
+                                                    {"--file", "without"},  {"--resume", "--force"},
+                                                    {"--unknown"},          {"--seed"}};
   for (const auto& arguments : wrong) {
     Declared declared;
     EXPECT_THROW(declared.run(arguments), UsageError) << arguments.front() << ' ' << arguments.back();
@@ -126,7 +126,7 @@ TEST(Command, RefusesWhatIsNotInTheRange) {
 
 TEST(Command, LeavesWhatStandsBehindAListOfNamesToOthers) {
   Declared declared;
-  declared.run({"--method", "fast,exact", "mesh.obj"});
+  declared.run({"--methods", "fast,exact", "mesh.obj"});
   EXPECT_EQ(declared.methods, (std::vector<std::string>{"fast", "exact"}));
   EXPECT_EQ(declared.meshes, std::vector<std::string>{"mesh.obj"});
 }
@@ -181,8 +181,8 @@ TEST(Command, KeepsTheOptionsThatChangeResults) {
   command.keep_result_options(kept);
   command.runs([] { return 0; });
   EXPECT_EQ(command({"--seed", "4"}), 0);
-  EXPECT_EQ(kept(), (std::vector<std::pair<std::string, std::string>>{{"seed", "4"}, {"method", "fast,thesis"}}));
-  EXPECT_EQ(command({"--method", "none"}), 0);
+  EXPECT_EQ(kept(), (std::vector<std::pair<std::string, std::string>>{{"seed", "4"}, {"methods", "fast,thesis"}}));
+  EXPECT_EQ(command({"--methods", "none"}), 0);
   EXPECT_THROW((void)kept(), UsageError);
 }
 

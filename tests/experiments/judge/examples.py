@@ -26,7 +26,7 @@ def judged(program, engine, folder):
     cases.write_text("".join(json.dumps(case) + "\n" for case in CASES))
     results = []
     for limit in [[], ["--time-limit", "20"]]:
-        done = subprocess.run([program, "judge", "--exec", engine, *limit, cases], capture_output=True, text=True)
+        done = subprocess.run([program, "judge", "--engine", engine, *limit, cases], capture_output=True, text=True)
         results.append((done.returncode, done.stdout, done.stderr))
     if results[0] != results[1]:
         sys.exit(f"with and without a time limit: {results}")

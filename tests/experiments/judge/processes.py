@@ -33,7 +33,7 @@ def start(program, engine, *options):
     """The judge, whose input stays open, and the pipe; `{pipe}` in the engine is its other end."""
     reader, writer = os.pipe()
     engine = engine.format(pipe=f"/proc/self/fd/{writer}")
-    judge = subprocess.Popen([program, "judge", "--method", "fast", "--exec", engine, *options], pass_fds=[writer],
+    judge = subprocess.Popen([program, "judge", "--methods", "fast", "--engine", engine, *options], pass_fds=[writer],
                              stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     os.close(writer)
     judge.stdin.write(CASE)
@@ -95,7 +95,7 @@ def check_stopped_supervisor(program):
 
 
 def check_unreadable_input(program, redirection):
-    for options in "", "--exec cat", "--exec cat --time-limit 9":
+    for options in "", "--engine cat", "--engine cat --time-limit 9":
         command = f"judge {options} {redirection}"
         done = subprocess.run(["sh", "-c", f"exec {program} {command}"], capture_output=True, text=True,
                               timeout=SECONDS)

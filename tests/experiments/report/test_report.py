@@ -199,7 +199,7 @@ class Report(unittest.TestCase):
         self.assertIn("The studies were made by different commits", self.changed().text)
 
     def test_missing_data_are_an_error_that_names_the_file(self):
-        for file in ("near-edge/rates.csv", "meshes/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "regress/standing.csv",
+        for file in ("near-edge/rates.csv", "meshes/meshes.csv", "tradeoff/front.csv", "stability/failures.csv", "regress/outcomes.csv",
                      "soak/soak.csv", "cell/moves.csv", "cell/cell.html", "thesis/entries.csv", "merging/merge.csv", "bench-scenes/queries.csv",
                      "bench/bench.json", "cell-area/plan.csv"):
             with self.subTest(file=file):
@@ -246,7 +246,7 @@ class Report(unittest.TestCase):
                 self.assertIn(f"{path}: {key} cannot be {json.dumps(value)}", self.complaint())
 
     def test_data_that_do_not_fit_together_are_an_error_that_names_the_study(self):
-        for file in ("near-edge/rates.csv", "near-edge/bands.csv", "regress/standing.csv"):
+        for file in ("near-edge/rates.csv", "near-edge/bands.csv", "regress/outcomes.csv"):
             path = self.results / file
             whole = path.read_text()
             path.write_text(whole.splitlines(keepends=True)[0])  # cut behind the names
@@ -301,10 +301,10 @@ class Report(unittest.TestCase):
             self.assertEqual(CHAPTERS[study].asked(study_in(self.results / study))["filtered"].trials, max(outlines.values()))
 
     def test_what_is_compared_with_itself_is_not_counted(self):
-        cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/standing.csv") if row["method"] == "filtered")
+        cases = sum(int(row["cases"]) for row in rows_of(self.results / "regress/outcomes.csv") if row["method"] == "filtered")
         row = f"Other engines on the same questions{cases:,}10 polygons0"
         self.assertIn(row, self.page.text)
-        edited(self.results / "regress/standing.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
+        edited(self.results / "regress/outcomes.csv", lambda row: row.update(method="thesis-1") if row["method"] == "exact" else None)
         self.assertNotIn(row, self.changed().text)
 
     def test_a_failure_of_what_must_not_fail_is_said_first(self):

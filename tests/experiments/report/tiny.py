@@ -25,14 +25,14 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBo
 def calls(source, mesh):
     cell = str(source / "experiments/cell/cells/aristo.json")
     return {
-        "meshes": ["meshes", mesh, "--method", "exact,filtered,fast,cgal-double,thesis"],
-        "near-edge": ["near-edge", "--method", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
-        "stability": ["stability", "--method", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
-        "tradeoff": ["tradeoff", "--method", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
+        "meshes": ["meshes", mesh, "--methods", "exact,filtered,fast,cgal-double,thesis"],
+        "near-edge": ["near-edge", "--methods", "filtered,fast,thesis", "--families", "u", "--samples", "4", "--search", "2", "--no-pictures"],
+        "stability": ["stability", "--methods", "filtered,fast", "--axes", "aspect,origin,small,rounding", "--samples", "2", "--no-pictures"],
+        "tradeoff": ["tradeoff", "--methods", "fast,filtered,exact,interval", "--families", "u", "--samples", "2", "--queries", "2",
                      "--repetitions", "1", "--no-pictures"],
-        "regress": ["regress", "--method", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
-        "soak": ["soak", "--cases", "200"],
-        "cell": ["cell", "run", cell, "--method", "filtered,fast"],
+        "regress": ["regress", "--methods", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
+        "soak": ["soak", "--samples", "200"],
+        "cell": ["cell", "run", cell, "--methods", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
         "merging": ["merging", mesh, "--compare", "10", "--repetitions", "1"],
         "bench-scenes": ["bench-scenes", "--max-faces", "1000", "--samples", "10", "--repetitions", "1", "--no-pictures"],
@@ -56,7 +56,7 @@ def write(program, source, results):
     mesh.write_text(MESH)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
-    run(program, "cell", "export", str(source / "experiments/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--method", "filtered")
+    run(program, "cell", "export", str(source / "experiments/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--methods", "filtered")
     for path in (results / "near-edge").glob("map-*.csv"):
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
     (results / "methods.txt").write_text(run(program, "methods"))

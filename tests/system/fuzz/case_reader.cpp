@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 
 using namespace touchstone;
 
@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const cases::Case read = cases::read_case({reinterpret_cast<const char*>(data), size});
     if (const auto* shapes = std::get_if<cases::Shapes>(&read.content)) {
-      const std::string line = cases::to_line(cases::case_of("again", shapes->ball, shapes->polygon, {}, nullptr));
+      const std::string line = cases::case_line("again", shapes->ball, shapes->polygon, {});
       const cases::Case again = cases::read_case(line);
       const auto& same = std::get<cases::Shapes>(again.content);
       if (!(same.polygon == shapes->polygon) || same.ball.center != shapes->ball.center ||

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
@@ -62,7 +62,7 @@ Loop loop_of(Bytes& bytes, std::size_t vertices, unsigned flat_axis) {
 void expect(bool same, const char* question, const Ball& ball, const Polygon& polygon) {
   if (!same)
     throw std::logic_error(std::string("another answer to ") + question + ": " +
-                           cases::to_line(cases::case_of("found", ball, polygon, {}, nullptr)));
+                           cases::case_line("found", ball, polygon, {}));
 }
 
 /// What f gives in an environment; outside it, numbers are compared as they are.

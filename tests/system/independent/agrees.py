@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: python3 agrees.py TOUCHSTONE SEED COUNT
 
-Draws unseen cases, has `touchstone judge --method exact` answer them, and holds its verdicts against the checker's own.
+Draws unseen cases, has `touchstone judge --methods exact` answer them, and holds its verdicts against the checker's own.
 """
 
 import os
@@ -23,7 +23,7 @@ def main(touchstone, seed, count):
                            stdout=out, check=True, env=environment)
         with verdicts.open("w") as out:
             # Exit status 2: some of the cases are rejected, as they should be.
-            subprocess.run([touchstone, "judge", "--method", "exact", cases], stdout=out, stderr=subprocess.DEVNULL)
+            subprocess.run([touchstone, "judge", "--methods", "exact", cases], stdout=out, stderr=subprocess.DEVNULL)
         return subprocess.run([sys.executable, HERE / "checker.py", cases, verdicts], env=environment).returncode
 
 

@@ -3,7 +3,7 @@
 
     python3 checker.py [--method NAME] CASES.jsonl VERDICTS.jsonl
 
-compares the verdicts that `touchstone judge --method exact CASES.jsonl` printed with the ones derived here, key by
+compares the verdicts that `touchstone judge --methods exact CASES.jsonl` printed with the ones derived here, key by
 key. Exit status 0 if all agree and at least one was compared, else 1.
 
 Every double is an integer over a power of two, so each case is scaled by one power of two to integers. Nothing is

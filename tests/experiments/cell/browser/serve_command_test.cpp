@@ -35,13 +35,13 @@ TEST(ServeCommand, NamesTheKeyOfABadCellFile) {
 TEST(ServeCommand, NamesThePortThatIsTaken) {
   const Serving other([](const cell::browser::HttpRequest&) { return cell::browser::HttpReply{}; });
   const std::string port = std::to_string(other.port());
-  const run_tests::Ran ran = serve({aristo().file.string(), "--overhang", "30", "--port", port});
+  const run_tests::Ran ran = serve({aristo().file.string(), "--cover-margin", "30", "--port", port});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind("cannot listen at 127.0.0.1, port " + port, 0), 0U) << ran.err;
 }
 
 TEST(ServeCommand, NamesAMethodThatThereIsNot) {
-  EXPECT_NE(serve({aristo().file.string(), "--method", "guess"}).err.find("guess"), std::string::npos);
+  EXPECT_NE(serve({aristo().file.string(), "--methods", "guess"}).err.find("guess"), std::string::npos);
 }
 
 }  // namespace

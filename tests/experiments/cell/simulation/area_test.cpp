@@ -81,7 +81,7 @@ TEST(Area, IsTheSameForAnyNumberOfThreads) {
 TEST(Area, TheCommandWritesEveryPlace) {
   const run_tests::Scratch scratch;
   const auto ran = run_tests::run_captured(
-      commands::cell_command, {"area", kAristo.string(), "--angle-step", "90", "--length-step", "300", "--overhang",
+      commands::cell_command, {"area", kAristo.string(), "--angle-step", "90", "--length-step", "300", "--cover-margin",
                                "20", "--no-pictures", "--output", scratch.path.string()});
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto lines = [&](const char* name) {
@@ -98,7 +98,7 @@ TEST(Area, TheCommandRefusesAGridWithoutEnd) {
   const run_tests::Scratch scratch;
   const auto ran = run_tests::run_captured(
       commands::cell_command,
-      {"area", kAristo.string(), "--length-step", "1e-3", "--overhang", "20", "--output", scratch.path.string()});
+      {"area", kAristo.string(), "--length-step", "1e-3", "--cover-margin", "20", "--output", scratch.path.string()});
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err.rfind("--length-step 0.001: that is about ", 0), 0U) << ran.err;
 }

@@ -64,7 +64,7 @@ TEST(BallCover, MoreThanAMillionBallsAreRefused) {
     FAIL();
   } catch (const std::length_error& error) {
     EXPECT_EQ(std::string(error.what()).rfind("the part Base/", 0), 0U) << error.what();
-    EXPECT_NE(std::string(error.what()).find("; --overhang allows larger ones"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("; --cover-margin allows larger ones"), std::string::npos) << error.what();
   }
 }
 

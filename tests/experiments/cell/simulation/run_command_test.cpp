@@ -20,14 +20,14 @@ namespace {
 using run_tests::Ran;
 
 Ran cell_run(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"run", kAristo.string(), "--overhang", "20"});
+  arguments.insert(arguments.begin(), {"run", kAristo.string(), "--cover-margin", "20"});
   return run_tests::run_captured(commands::cell_command, std::move(arguments));
 }
 
 TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
   const run_tests::Scratch scratch;
   const auto text = [&](const char* name) { return run_tests::text_of(scratch.path / name); };
-  const Ran ran = cell_run({"--output", scratch.path.string(), "--method", "filtered,thesis"});
+  const Ran ran = cell_run({"--output", scratch.path.string(), "--methods", "filtered,thesis"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_NE(ran.out.find("to-machine       shoulder        +28  contact  at +27.507"), std::string::npos) << ran.out;
   const auto lines = [](const std::string& s) { return std::count(s.begin(), s.end(), '\n'); };
@@ -46,7 +46,7 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
 }
 
 TEST(CellRun, SaysWhyItDidNotCompleteByItsExitStatusToo) {
-  const Ran ran = cell_run({"--set", "step=3", "--method", "fast"});
+  const Ran ran = cell_run({"--set", "step=3", "--methods", "fast"});
   EXPECT_EQ(ran.status, 1);
   EXPECT_NE(
       ran.out.find("not completed: from the side: to-storage base -150: steps of 3 degrees pass over the contact"),
@@ -70,7 +70,7 @@ TEST(CellRun, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(err({"--set", "step=1e-320"}).rfind("step: at ", 0), 0U) << err({"--set", "step=1e-320"});
   EXPECT_EQ(err({"--set", "material.slot=D"}), "material.slot: there is no slot \"D\"");
   EXPECT_EQ(err({"--set", "no.where=1"}), "no.where: there is no key \"no\"");
-  EXPECT_NE(err({"--method", "nonsense"}).find("\"nonsense\""), std::string::npos);
+  EXPECT_NE(err({"--methods", "nonsense"}).find("\"nonsense\""), std::string::npos);
 }
 
 }  // namespace

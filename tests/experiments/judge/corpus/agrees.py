@@ -26,14 +26,14 @@ def main(touchstone, corpus, scratch):
     if subprocess.run([touchstone, "corpus", "check", *files]).returncode != 0:
         faults.append("corpus check finds faults")
     with verdicts.open("w") as out:
-        if subprocess.run([touchstone, "judge", "--method", "exact", cases], stdout=out).returncode != 0:
+        if subprocess.run([touchstone, "judge", "--methods", "exact", cases], stdout=out).returncode != 0:
             faults.append("exact does not meet the corpus")
     checker = corpus.parent / "system" / "independent" / "checker.py"
     if subprocess.run([sys.executable, "-B", checker, cases, verdicts]).returncode != 0:
         faults.append("the independent checker disagrees")
     for method in ("fast", "thesis"):
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        if subprocess.run([touchstone, "judge", "--method", method, cases], **quiet).returncode != 1:
+        if subprocess.run([touchstone, "judge", "--methods", method, cases], **quiet).returncode != 1:
             faults.append(f"{method} passes the corpus, which is there to fail it")
 
     stored = {file.name: file.read_bytes() for file in [*files, corpus / "README.md", corpus / "corpus.json"]}

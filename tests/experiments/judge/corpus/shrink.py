@@ -34,7 +34,7 @@ def main(touchstone, corpus):
     expect(shrink(some, "--method", "fast").stdout == small.stdout, "a second run prints something else")
     expect(shrink(small.stdout, "--method", "fast").stdout == small.stdout, "what was shrunk is shrunk again")
     for method, status in (("exact", 0), ("rational", 0), ("fast", 1)):
-        judged = subprocess.run([touchstone, "judge", "--method", method], input=small.stdout, capture_output=True, text=True)
+        judged = subprocess.run([touchstone, "judge", "--methods", method], input=small.stdout, capture_output=True, text=True)
         expect(judged.returncode == status, f"judged by {method}: status {judged.returncode}")
 
     square = {"id": "square", "ball": {"center": [1, 1, 1], "radius": 2},

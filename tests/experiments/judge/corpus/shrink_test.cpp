@@ -32,8 +32,8 @@ std::vector<const Stored*> failed_by(const std::string& method, std::size_t ever
   return some;
 }
 
-cases::Verdict wrong(const cases::Method& method, const Ball& ball, const Polygon& polygon) {
-  return corpus::wrong_values(method, ball, polygon, corpus::exact_answer(ball, polygon));
+corpus::WrongAnswer wrong(const cases::Method& method, const Ball& ball, const Polygon& polygon) {
+  return corpus::wrong_answer(method, ball, polygon, corpus::exact_answer(ball, polygon));
 }
 
 class Shrink : public testing::TestWithParam<const char*> {};
@@ -51,7 +51,8 @@ TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
     EXPECT_LE(after.vertices, before.vertices) << *stored;
     const auto still = wrong(method, small.ball, small.polygon);
     ASSERT_FALSE(failure.keys().empty()) << *stored;
-    for (const std::string& key : failure.keys()) EXPECT_TRUE(still.contains(key)) << *stored << ": " << key;
+    for (const cases::Key key : failure.keys())
+      EXPECT_EQ(std::ranges::count(still.keys, key), 1) << *stored << ": " << word(key);
   }
 }
 
@@ -102,11 +103,13 @@ TEST(ShrinkOf, WordsStayAsTheyWere) {
   const cases::Method& fast = *methods::find_method("fast");
   for (const Stored* stored : failed_by("fast", 40)) {
     const auto before = wrong(fast, stored->ball(), stored->polygon());
-    if (!before.contains("relation")) continue;
+    if (std::ranges::count(before.keys, cases::Key::Relation) == 0) continue;
     const Shrunk small =
         corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
     EXPECT_EQ(exact::relation(small.ball, small.polygon), stored->answer->relation) << *stored;
-    EXPECT_EQ(wrong(fast, small.ball, small.polygon)["relation"], before["relation"]) << *stored;
+    const auto after = wrong(fast, small.ball, small.polygon);
+    EXPECT_EQ(std::ranges::count(after.keys, cases::Key::Relation), 1) << *stored;
+    EXPECT_EQ(after.answer.relation, before.answer.relation) << *stored;
   }
 }
 
@@ -115,12 +118,12 @@ TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
   int shrunk = 0;
   for (const Stored& stored : stored_cases()) {
     if (!stored.answer || stored.fails("fast") || shrunk == 15) continue;
-    if (wrong(fast, stored.ball(), stored.polygon()).empty()) continue;
+    if (wrong(fast, stored.ball(), stored.polygon()).keys.empty()) continue;
     const Shrunk small =
         corpus::shrink(SameFailure(fast, stored.ball(), stored.polygon()), stored.ball(), stored.polygon(), never);
     const auto still = wrong(fast, small.ball, small.polygon);
-    EXPECT_FALSE(still.empty()) << stored;
-    EXPECT_FALSE(corpus::any_decisive(still)) << stored;
+    EXPECT_FALSE(still.keys.empty()) << stored;
+    EXPECT_FALSE(corpus::any_decisive(still.keys)) << stored;
     ++shrunk;
   }
   EXPECT_EQ(shrunk, 15);

@@ -8,42 +8,24 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <ostream>
-#include <stdexcept>
 
 #include "experiments/judge/corpus/corpus_case.h"
 
 namespace touchstone {
 namespace {
 
-using nlohmann::json;
-
-template <class Enumerator>
-Enumerator named(const json& name, std::initializer_list<Enumerator> all) {
-  for (const Enumerator value : all)
-    if (word(value) == name.get<std::string>()) return value;
-  throw std::invalid_argument("unknown word " + name.dump());
-}
-
-/// Null means an infinite number.
-double number(const json& value) {
-  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
-}
-
-Answer answer_of(const json& expected) {
-  using Kind = Feature::Kind;
-  const json &nearest = expected.at("nearest"), &point = expected.at("point");
-  return {.plane = named(expected.at("plane"), {PlaneSide::InFront, PlaneSide::Behind, PlaneSide::Intersects}),
-          .plane_tangent = expected.at("plane_tangent").get<bool>(),
-          .foot = named(expected.at("foot"), {PointLocation::Inside, PointLocation::Boundary, PointLocation::Outside}),
-          .edges_hit = expected.at("edges_hit").get<std::vector<std::size_t>>(),
-          .relation = named(expected.at("relation"), {Relation::Separate, Relation::Touching, Relation::Overlapping}),
-          .nearest = {named(nearest.at("kind"), {Kind::Face, Kind::Edge, Kind::Vertex}),
-                      nearest.value("index", std::size_t{0})},
-          .point = {number(point[0]), number(point[1]), number(point[2])},
-          .distance = number(expected.at("distance")),
-          .off_plane = number(expected.at("off_plane"))};
+/// Throws std::bad_optional_access if a key is missing.
+Answer answer_of(const cases::PartialAnswer& expected) {
+  return {.plane = expected.plane.value(),
+          .plane_tangent = expected.plane_tangent.value(),
+          .foot = expected.foot.value(),
+          .edges_hit = expected.edges_hit.value(),
+          .relation = expected.relation.value(),
+          .nearest = expected.nearest.value(),
+          .point = expected.point.value(),
+          .distance = expected.distance.value(),
+          .off_plane = expected.off_plane.value()};
 }
 
 std::string asked;
@@ -68,9 +50,9 @@ std::vector<Stored> read_corpus() {
       cases::Case read = cases::read_case(line);
       Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}};
       if (std::holds_alternative<cases::Shapes>(stored.read.content) && stored.read.expected &&
-          !stored.read.expected->contains("error")) {
+          !stored.read.expected->rejects()) {
         stored.tags = corpus::labels_of(line).tags;
-        stored.answer = answer_of(*stored.read.expected);
+        stored.answer = answer_of(stored.read.expected->values);
       }
       cases.push_back(std::move(stored));
     }

@@ -187,7 +187,7 @@ TEST(Regress, RefusesABaselineWithoutAnyMethodOfTheRun) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
   harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
-  const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--method", "fast"});
+  const auto ran = run_tests::run_captured(commands::regress_command, {"--baseline", file, "--methods", "fast"});
   EXPECT_EQ(ran.status, 2) << ran.out;
   EXPECT_EQ(ran.err, file + ": has none of the methods of this run");
 }
@@ -196,13 +196,13 @@ TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
   harness::write_file(file, baseline_text({kSmall, outcomes_of({"thesis"})}));
-  const std::vector<std::string> named = {"--baseline", file, "--method", "thesis,fast"};
+  const std::vector<std::string> named = {"--baseline", file, "--methods", "thesis,fast"};
   const auto refused = run_tests::run_captured(commands::regress_command, named);
   EXPECT_EQ(refused.status, 2) << refused.out;
-  EXPECT_EQ(refused.err, file + ": has no method fast, which --method names; --allow-missing continues without it");
+  EXPECT_EQ(refused.err, file + ": has no method fast, which --methods names; --allow-missing continues without it");
   std::vector<std::string> allowed = named;
   allowed.emplace_back("--allow-missing");
-  for (const auto& arguments : {allowed, {"--baseline", file, "--method", "all", "--threads", "2"}}) {
+  for (const auto& arguments : {allowed, {"--baseline", file, "--methods", "all", "--threads", "2"}}) {
     const auto ran = run_tests::run_captured(commands::regress_command, arguments);
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_NE(ran.out.find("fast: not in the baseline\n"), std::string::npos) << ran.out;
@@ -212,7 +212,7 @@ TEST(Regress, RefusesABaselineWithoutAMethodThatIsNamed) {
 TEST(Regress, WritesOverAFileOnlyWhenToldTo) {
   const run_tests::Scratch scratch;
   const std::string file = (scratch.path / "baseline.json").string();
-  const std::vector<std::string> arguments = {"--method", "fast", "--samples", "1", "--write", file};
+  const std::vector<std::string> arguments = {"--methods", "fast", "--samples", "1", "--write", file};
   EXPECT_EQ(run_tests::run_captured(commands::regress_command, arguments).status, 0);
   const std::string written = run_tests::text_of(file);
   harness::write_file(file, "mine");
@@ -235,7 +235,7 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   outcomes[wrong] = Outcome::Right;  // as if it had been right about it
   harness::write_file(scratch.path / "baseline.json", baseline_text(baseline));
   const auto ran = run_tests::run_captured(commands::regress_command,
-                                           {"--baseline", (scratch.path / "baseline.json").string(), "--method",
+                                           {"--baseline", (scratch.path / "baseline.json").string(), "--methods",
                                             "thesis,boost-geometry", "--output", (scratch.path / "out").string()});
   EXPECT_EQ(ran.status, 1) << ran.err;
   EXPECT_NE(ran.out.find("thesis on star: 0 better, 1 worse: cases " + std::to_string(wrong) + "\n"), std::string::npos)
@@ -245,10 +245,10 @@ TEST(Regress, EndsWithOneAndWritesTheCaseThatHasBecomeWrong) {
   ASSERT_EQ(std::count(worse.begin(), worse.end(), '\n'), 1);
   const auto judged = cases::read_case(worse);
   const auto& shapes = std::get<cases::Shapes>(judged.content);
-  EXPECT_EQ(judged.expected->at("contact"), exact::contact(shapes.ball, shapes.polygon));
+  EXPECT_EQ(judged.expected->values.contact, exact::contact(shapes.ball, shapes.polygon));
   EXPECT_NE(
       methods::find_method("thesis")->prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Contact).contact,
-      judged.expected->at("contact").get<bool>());
+      judged.expected->values.contact);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::map<int, std::pair<int, int>> counts_of(const std::string& table, const std
 TEST(Angles, AMethodThatIsExactIsNeverWrongAndFloatsAreEverywhere) {
   const Scratch scratch;
   const std::string table =
-      table_of(scratch.path / "run", {"--method", "filtered,fast-float", "--families", "star,u", "--samples", "12"});
+      table_of(scratch.path / "run", {"--methods", "filtered,fast-float", "--families", "star,u", "--samples", "12"});
   const auto filtered = counts_of(table, "filtered"), floats = counts_of(table, "fast-float");
   ASSERT_EQ(filtered.size(), 19U);
   ASSERT_EQ(floats.size(), 19U);
@@ -55,7 +55,7 @@ TEST(Angles, AMethodThatIsExactIsNeverWrongAndFloatsAreEverywhere) {
 
 TEST(Angles, TheNumberOfThreadsAndAPauseChangeNothing) {
   const Scratch scratch;
-  const std::vector<std::string> settings{"--method", "fast,thesis", "--families", "l", "--seed", "5"};
+  const std::vector<std::string> settings{"--methods", "fast,thesis", "--families", "l", "--seed", "5"};
   const auto run = [&](const char* folder, const char* samples, const char* threads, bool resume) {
     std::vector<std::string> arguments = settings;
     arguments.insert(arguments.end(), {"--samples", samples, "--threads", threads});
@@ -70,12 +70,12 @@ TEST(Angles, TheNumberOfThreadsAndAPauseChangeNothing) {
 TEST(Angles, AnotherRunsCheckpointIsRefused) {
   const Scratch scratch;
   const auto folder = scratch.path / "run";
-  table_of(folder, {"--method", "fast", "--families", "l", "--samples", "1"});
+  table_of(folder, {"--methods", "fast", "--families", "l", "--samples", "1"});
   const auto refused = run_tests::run_captured(
       commands::angles_command,
-      {"--method", "fast,filtered", "--families", "l", "--samples", "1", "--resume", "--output", folder.string()});
+      {"--methods", "fast,filtered", "--families", "l", "--samples", "1", "--resume", "--output", folder.string()});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("checkpoint.json: is of --method fast, not of --method fast,filtered"), std::string::npos)
+  EXPECT_NE(refused.err.find("checkpoint.json: is of --methods fast, not of --methods fast,filtered"), std::string::npos)
       << refused.err;
 }
 

@@ -136,7 +136,7 @@ TEST_F(MeshContact, BallsAreNearTheirFeature) {
     ASSERT_EQ(drawn.balls.size(), kPlaces.size() * kSteps.size());
     for (const auto& [place, steps, ball] : drawn.balls) {
       const Answer answer = exact::answer(ball, exact);
-      if (place == Place::Foot) {
+      if (place == BallRegion::Foot) {
         EXPECT_TRUE(answer.contact());
         EXPECT_FALSE(answer.edges_hit.empty());
         continue;
@@ -200,16 +200,16 @@ TEST_F(MeshContact, FailuresAreJudgedWrongByTheMethodThatTheyName) {
     std::string text;
     for (const auto& failure : failures) text += failure.dump() + "\n";
     write("named.jsonl", text);
-    const Run run = touchstone("judge --method " + method + " named.jsonl");
+    const Run run = touchstone("judge --methods " + method + " named.jsonl");
     EXPECT_EQ(run.status, 1) << method;
     for (const auto& failure : failures)
       EXPECT_NE(run.err.find(failure["id"].get<std::string>() + ": "), std::string::npos) << method << failure["id"];
   }
-  EXPECT_EQ(touchstone("judge --method exact o/failures.jsonl").status, 0);
+  EXPECT_EQ(touchstone("judge --methods exact o/failures.jsonl").status, 0);
 }
 
 TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
-  const Run run = touchstone("meshes absent.obj model/cube.obj --skip-bad --method exact,thesis --output o");
+  const Run run = touchstone("meshes absent.obj model/cube.obj --skip-bad --methods exact,thesis --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("absent.obj"), std::string::npos) << run.err;
   EXPECT_NE(run.out.find("model/cube"), std::string::npos) << run.out;
@@ -218,7 +218,7 @@ TEST_F(MeshContact, AMissingMeshIsAnErrorAndTheOthersGoOn) {
 
 TEST_F(MeshContact, AMeshWithoutAFaceIsAnErrorAndTheOthersGoOn) {
   write("points.obj", "v 0 0 0\nv 1 0 0\n");
-  const Run run = touchstone("meshes points.obj model/cube.obj --skip-bad --method exact --output o");
+  const Run run = touchstone("meshes points.obj model/cube.obj --skip-bad --methods exact --output o");
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, "touchstone: points.obj: the file has no face\n");
   EXPECT_NE(text_of(folder / "o/meshes.csv").find("model/cube,9,"), std::string::npos);
@@ -231,10 +231,10 @@ TEST_F(MeshContact, NoMeshAtAllIsAnErrorWithoutATable) {
 }
 
 TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
-  const Run refused = touchstone("meshes model/cube.obj --method exact --output o");
+  const Run refused = touchstone("meshes model/cube.obj --methods exact --output o");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("2 faces were rejected"), std::string::npos) << refused.err;
-  const Run skipped = touchstone("meshes model/cube.obj --method exact --output o --skip-bad --force");
+  const Run skipped = touchstone("meshes model/cube.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   for (const Run& run : {refused, skipped}) EXPECT_NE(run.out.find("zero-normal"), std::string::npos) << run.out;
   EXPECT_NE(text_of(folder / "o/rejected.csv").find("model/cube,7,zero-normal,"), std::string::npos);
@@ -242,8 +242,8 @@ TEST_F(MeshContact, RejectedFacesAreAnErrorUnlessSkipped) {
 
 TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
   write("bad.obj", std::string(kCube) + "f 1 2 99\nf 3 4\n");
-  EXPECT_EQ(touchstone("meshes bad.obj --method exact --output o").status, 2);
-  const Run run = touchstone("meshes bad.obj --method exact --output o --skip-bad --force");
+  EXPECT_EQ(touchstone("meshes bad.obj --methods exact --output o").status, 2);
+  const Run run = touchstone("meshes bad.obj --methods exact --output o --skip-bad --force");
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("left out: bad.obj: line 20"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("left out: bad.obj: line 21"), std::string::npos) << run.err;
@@ -252,7 +252,7 @@ TEST_F(MeshContact, SkipBadSaysWhatItLeavesOut) {
 }
 
 TEST_F(MeshContact, TheSidecarSaysHowItWasRun) {
-  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --method exact --seed 17 --faces 3 --output o").status, 0);
+  ASSERT_EQ(touchstone("meshes model/cube.obj --skip-bad --methods exact --seed 17 --faces 3 --output o").status, 0);
   const auto record = nlohmann::json::parse(text_of(folder / "o/run.json"));
   EXPECT_EQ(record["seed"], 17);
   EXPECT_EQ(record["samples_done"], 3);
@@ -260,7 +260,7 @@ TEST_F(MeshContact, TheSidecarSaysHowItWasRun) {
 }
 
 TEST_F(MeshContact, AnUnknownMethodIsNamed) {
-  const Run run = touchstone("meshes model/cube.obj --method nonesuch --output o");
+  const Run run = touchstone("meshes model/cube.obj --methods nonesuch --output o");
   EXPECT_NE(run.status, 0);
   EXPECT_NE(run.err.find("nonesuch"), std::string::npos) << run.err;
 }

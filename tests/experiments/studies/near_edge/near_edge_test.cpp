@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/near_edge/map.h"
@@ -269,7 +269,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
     const cases::Case read = cases::read_case(found.line);
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
     const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
-    const auto truth = cases::object_of(kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer));
+    const auto truth = kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer);
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
   }
 }
@@ -317,7 +317,7 @@ int run_command(std::vector<std::string> arguments) {
 TEST(NearEdgeCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new" / "too";
-  ASSERT_EQ(run_command({"--method", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
+  ASSERT_EQ(run_command({"--methods", "fast", "--families", "l", "--samples", "1", "--seed", "5", "--search", "0",
                          "--no-pictures", "--output", folder.string()}),
             0);
   const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
@@ -344,13 +344,13 @@ std::string error_of(const std::vector<std::string>& arguments) {
 TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
   const Scratch scratch;
   const auto run = [&](const char* folder, std::vector<std::string> more) {
-    more.insert(more.end(),
-                {"--method", "fast", "--families", "l", "--no-pictures", "--output", (scratch.path / folder).string()});
+    more.insert(more.end(), {"--methods", "fast", "--families", "l", "--no-pictures", "--output",
+                             (scratch.path / folder).string()});
     return more;
   };
-  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--truth", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--truth", "filtered"})), 0);
-  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--truth", "filtered", "--resume"})), 0);
+  ASSERT_EQ(run_command(run("one", {"--samples", "5", "--search", "4", "--oracle", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "2", "--search", "1", "--oracle", "filtered"})), 0);
+  ASSERT_EQ(run_command(run("parts", {"--samples", "5", "--search", "4", "--oracle", "filtered", "--resume"})), 0);
   int files = 0;
   for (const auto& file : fs::directory_iterator(scratch.path / "one")) {
     if (file.path().filename() == "run.json") continue;
@@ -359,26 +359,26 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
   }
   EXPECT_EQ(files, 29);
 
-  EXPECT_NE(error_of(run("one", {"--samples", "5", "--truth", "filtered", "--resume", "--seed", "2"}))
+  EXPECT_NE(error_of(run("one", {"--samples", "5", "--oracle", "filtered", "--resume", "--seed", "2"}))
                 .find("is of --seed 1, not of --seed 2"),
             std::string::npos);
   EXPECT_NE(error_of(run("one", {"--samples", "5", "--holes", "1", "--resume"}))
-                .find("is of --holes 0 --truth filtered, not of --holes 1 --truth exact"),
+                .find("is of --holes 0 --oracle filtered, not of --holes 1 --oracle exact"),
             std::string::npos);
-  EXPECT_NE(error_of(run("one", {"--samples", "4", "--truth", "filtered", "--resume"}))
+  EXPECT_NE(error_of(run("one", {"--samples", "4", "--oracle", "filtered", "--resume"}))
                 .find("holds 5 already, more than the 4 asked for"),
             std::string::npos);
 }
 
 TEST(NearEdgeCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--method", "slow"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--families", "donut"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
   EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "1099511627777"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--truth", "fast"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--oracle", "fast"}), harness::UsageError);
   EXPECT_THROW(run_command({"--holes", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--vertices", "2"}), harness::UsageError);
   EXPECT_THROW(run_command({"--origin-distance", "-1"}), harness::UsageError);

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/methods/registry.h"
 #include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
@@ -171,7 +171,7 @@ TEST(Search, ReportsCasesThatAreWrong) {
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto meets = [&](const cases::Method& asked) {
       const auto answer = asked.prepare(shapes.polygon)->ask(shapes.ball, cases::QueryKind::Answer);
-      return cases::differences(*read.expected, cases::object_of(answer)).empty();
+      return cases::differences(*read.expected, answer).empty();
     };
     EXPECT_TRUE(meets(method("exact"))) << line;
     EXPECT_FALSE(meets(*setting.methods[i % 2])) << line;

@@ -114,18 +114,18 @@ TEST_F(SceneCommand, GivesTheSameBytesForAnyThreadsAndForItsOwnAnswersAsBalls) {
       EXPECT_EQ(run.status, 0) << run.err;
       return run.out;
     };
-    const std::string one = ask({"--random", "100", "--threads", "1"});
-    EXPECT_EQ(one, ask({"--random", "100", "--threads", "3"}));
-    EXPECT_NE(one, ask({"--random", "100", "--seed", "2"}));
+    const std::string one = ask({"--samples", "100", "--threads", "1"});
+    EXPECT_EQ(one, ask({"--samples", "100", "--threads", "3"}));
+    EXPECT_NE(one, ask({"--samples", "100", "--seed", "2"}));
     EXPECT_EQ(one, ask({"--balls", write("again.jsonl", one)}));
-    EXPECT_TRUE(one.starts_with(ask({"--random", "40"}))) << "a ball depends on seed and index alone";
+    EXPECT_TRUE(one.starts_with(ask({"--samples", "40"}))) << "a ball depends on seed and index alone";
   }
 }
 
 TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
   const std::string folder = path("it's new/results");
   const Ran run =
-      touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "50", "--counts", "--output", folder});
+      touchstone_scene({path("cube.obj"), path("roof.off"), "--samples", "50", "--counts", "--output", folder});
   EXPECT_EQ(run.status, 0) << run.err;
   std::map<std::string, std::uint64_t> sums;
   std::istringstream answers(text_of(folder + "/answers.jsonl"));
@@ -152,17 +152,17 @@ TEST_F(SceneCommand, SumsUpTheCountsOfEachAnswer) {
   EXPECT_EQ(rows, sums.size());
   const auto record = nlohmann::json::parse(text_of(folder + "/run.json"));
   EXPECT_EQ(record["samples_done"], 50);
-  EXPECT_NE(record["command"].get<std::string>().find("--random 50 --seed 1 --method filtered"), std::string::npos);
+  EXPECT_NE(record["command"].get<std::string>().find("--samples 50 --seed 1 --method filtered"), std::string::npos);
 }
 
 // Any method: exact agrees on every ball; single floats do not where a radius is a double below the distance.
 TEST_F(SceneCommand, HoldsAnotherMethodAgainstFiltered) {
   for (const std::string question : {"--any", "--all", "--nearest"}) {
     const Ran run =
-        touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question, "--method", "exact"});
+        touchstone_scene({path("cube.obj"), path("roof.off"), "--samples", "60", question, "--method", "exact"});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.err.find("exact answers otherwise than filtered to 0 of 60 balls"), std::string::npos) << run.err;
-    EXPECT_EQ(run.out, touchstone_scene({path("cube.obj"), path("roof.off"), "--random", "60", question}).out);
+    EXPECT_EQ(run.out, touchstone_scene({path("cube.obj"), path("roof.off"), "--samples", "60", question}).out);
   }
   const std::string balls = write("balls.txt", "0.5 0.5 2 0.99999999999\n0.5 0.5 2 0.5\n");
   const Ran run = touchstone_scene({path("cube.obj"), "--balls", balls, "--method", "fast-float"});
@@ -184,17 +184,17 @@ TEST_F(SceneCommand, ScalesMeshesToTheUnitOfTheScene) {
   const Ran two = touchstone_scene({path("cube.obj"), path("roof.off"), "--balls", balls, "--unit", "mm,m,inch"});
   EXPECT_EQ(two.status, 2);
   EXPECT_NE(two.err.find("3 were given for 2 meshes"), std::string::npos) << two.err;
-  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--unit", "ell"})
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--samples", "1", "--unit", "ell"})
                 .err.find("there is no unit \"ell\"; there are um, mm, cm, m, inch, foot"),
             std::string::npos);
 }
 
 TEST_F(SceneCommand, NamesTheFileAndVertexThatOverflowInTheUnitOfTheScene) {
   const std::string big = write("big.obj", "v 0 0 0\nv 1e308 0 0\nv 0 1e308 0\nf 1 2 3\n");
-  const Ran run = touchstone_scene({big, "--random", "1", "--unit", "m", "--scene-unit", "mm"});
+  const Ran run = touchstone_scene({big, "--samples", "1", "--unit", "m", "--scene-unit", "mm"});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, big + ": vertex 1 leaves the finite doubles from m to mm");
-  EXPECT_EQ(touchstone_scene({big, "--random", "1", "--unit", "mm", "--scene-unit", "foot"}).status, 0);
+  EXPECT_EQ(touchstone_scene({big, "--samples", "1", "--unit", "mm", "--scene-unit", "foot"}).status, 0);
 }
 
 // In the scene the triangles come first.
@@ -235,7 +235,7 @@ TEST_F(SceneCommand, TakesNamesOfObjectsThatHoldCommas) {
 }
 
 TEST_F(SceneCommand, RefusesAFileNameThatIsNotUtf8AndNamesIt) {
-  const Ran run = touchstone_scene({write("bad\xff.obj", kCube), "--random", "1"});
+  const Ran run = touchstone_scene({write("bad\xff.obj", kCube), "--samples", "1"});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.out, "");
   EXPECT_NE(run.err.find("the name of a file is not UTF-8: " + path("bad\\xff.obj")), std::string::npos) << run.err;
@@ -271,11 +271,11 @@ TEST_F(SceneCommand, NamesTheFileAndLineOfABallThatIsNone) {
 TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   // A face without area at line 15, an index out of range at line 16.
   const std::string bad = write("bad.obj", std::string(kCube) + "f 1 2 1\nf 1 2 99\nf 1 2 3\n");
-  const Ran refused = touchstone_scene({bad, "--random", "3"});
+  const Ran refused = touchstone_scene({bad, "--samples", "3"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_NE(refused.err.find("bad.obj: line 16: vertex 99 is out of range"), std::string::npos) << refused.err;
-  const Ran skipped = touchstone_scene({bad, "--random", "3", "--skip-bad", "--output", path("results")});
+  const Ran skipped = touchstone_scene({bad, "--samples", "3", "--skip-bad", "--output", path("results")});
   EXPECT_EQ(skipped.status, 0) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 16: "), std::string::npos) << skipped.err;
   EXPECT_NE(skipped.err.find("left out: " + bad + ": line 15: face 6: "), std::string::npos) << skipped.err;
@@ -283,11 +283,11 @@ TEST_F(SceneCommand, RefusesWhatIsWrongInAMeshOrSaysWhatItLeavesOut) {
   EXPECT_NE(text_of(path("results/left-out.txt")).find("line 15"), std::string::npos);
 
   const std::string flat = write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\n");
-  const Ran degenerate = touchstone_scene({path("cube.obj"), flat, "--random", "3"});
+  const Ran degenerate = touchstone_scene({path("cube.obj"), flat, "--samples", "3"});
   EXPECT_EQ(degenerate.status, 2);
   EXPECT_NE(degenerate.err.find("flat.obj: line 5: face 0: zero-normal: "), std::string::npos) << degenerate.err;
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), path("absent.stl"), "--random", "3", "--skip-bad"}).status, 2);
-  const Ran nothing = touchstone_scene({flat, "--random", "3", "--skip-bad"});
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), path("absent.stl"), "--samples", "3", "--skip-bad"}).status, 2);
+  const Ran nothing = touchstone_scene({flat, "--samples", "3", "--skip-bad"});
   EXPECT_EQ(nothing.status, 2);
   EXPECT_NE(nothing.err.find("flat.obj: no face is left"), std::string::npos) << nothing.err;
 }
@@ -320,10 +320,10 @@ TEST_F(SceneCommand, RefusesAMeshWhoseFacesAreAllLeftOut) {
 
 TEST_F(SceneCommand, WantsOneSourceOfBallsAndOneQuestion) {
   EXPECT_EQ(touchstone_scene({path("cube.obj")}).status, 2);
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--balls", "x"}).status, 2);
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--any", "--nearest"}).status, 2);
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "-1"}).status, 2);
-  EXPECT_NE(touchstone_scene({path("cube.obj"), "--random", "1", "--method", "guess"}).err.find("guess"),
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--samples", "1", "--balls", "x"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--samples", "1", "--any", "--nearest"}).status, 2);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--samples", "-1"}).status, 2);
+  EXPECT_NE(touchstone_scene({path("cube.obj"), "--samples", "1", "--method", "guess"}).err.find("guess"),
             std::string::npos);
 }
 
@@ -350,7 +350,7 @@ class NoRoomForFiles {
 TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
   for (const char* count : {"1", "2000"}) {
     const NoRoomForFiles no_room;
-    const Ran file = touchstone_scene({path("cube.obj"), "--random", count, "--force", "--output", path("full")});
+    const Ran file = touchstone_scene({path("cube.obj"), "--samples", count, "--force", "--output", path("full")});
     EXPECT_EQ(file.status, 2);
     EXPECT_EQ(file.err, path("full/answers.jsonl") + ": cannot be written: File too large");
     EXPECT_FALSE(std::filesystem::exists(path("full/run.json")));
@@ -380,7 +380,7 @@ TEST_F(SceneCommand, FailsWhereAnAnswerCannotBeWrittenAndWhateverCameAfterIt) {
 
 TEST_F(SceneCommand, RefusesAFileOfAnswersThatCannotBeOpened) {
   std::filesystem::create_directories(path("results/answers.jsonl"));
-  const Ran run = touchstone_scene({path("cube.obj"), "--random", "1", "--force", "--output", path("results")});
+  const Ran run = touchstone_scene({path("cube.obj"), "--samples", "1", "--force", "--output", path("results")});
   EXPECT_EQ(run.status, 2);
   EXPECT_EQ(run.err, path("results/answers.jsonl") + ": cannot be written: Is a directory");
 }
@@ -389,14 +389,14 @@ TEST_F(SceneCommand, ReplacesASymbolicLinkInPlaceOfFollowingIt) {
   const std::string victim = write("victim.txt", "precious\n");
   std::filesystem::create_directories(path("results"));
   std::filesystem::create_symlink(victim, path("results/answers.jsonl"));
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "1", "--force", "--output", path("results")}).status, 0);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--samples", "1", "--force", "--output", path("results")}).status, 0);
   EXPECT_EQ(text_of(victim), "precious\n");
   EXPECT_FALSE(std::filesystem::is_symlink(path("results/answers.jsonl")));
 }
 
 TEST_F(SceneCommand, TakesItsOwnFileOfAnswersForBallsAndReplacesIt) {
   const std::string file = path("results/answers.jsonl");
-  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--random", "30", "--output", path("results")}).status, 0);
+  EXPECT_EQ(touchstone_scene({path("cube.obj"), "--samples", "30", "--output", path("results")}).status, 0);
   const std::string once = text_of(file);
   EXPECT_EQ(touchstone_scene({path("cube.obj"), "--balls", file, "--force", "--output", path("results")}).status, 0);
   EXPECT_EQ(text_of(file), once);
@@ -417,7 +417,7 @@ TEST_F(SceneCommand, RecordsWhatIsMissingWhereItIsInterrupted) {
     }
     ::close(pipe);
   });
-  const Ran run = touchstone_scene({path("cube.obj"), "--random", "1000000", "--force", "--output", path("results")});
+  const Ran run = touchstone_scene({path("cube.obj"), "--samples", "1000000", "--force", "--output", path("results")});
   // Where the command wrote nothing, the reader still waits.
   const int writer = ::open(path("results/answers.jsonl").c_str(), O_RDWR | O_NONBLOCK);
   EXPECT_EQ(::write(writer, "x", 1), 1);

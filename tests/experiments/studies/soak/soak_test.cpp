@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/harness/run_control.h"
 #include "experiments/harness/write_file.h"
@@ -46,9 +46,9 @@ Tally resumed(const harness::Checkpoint& checkpoint, const Settings& settings) {
 }
 
 /// Returns the tally of a whole run.
-Tally whole(const Settings& settings, const Contestant& contestant = {}) {
+Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   Tally tally;
-  run_campaign(settings, contestant, {kAlone, kNeverStop, kSilent}, tally);
+  run_campaign(settings, tested, {kAlone, kNeverStop, kSilent}, tally);
   return tally;
 }
 
@@ -125,78 +125,78 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
 }
 
 /// Touching does not count, in one overload.
-class StrictTriangle : public Contestant {
-  using Contestant::contact;
+class StrictTriangle : public SystemUnderTest {
+  using SystemUnderTest::contact;
   bool contact(const Ball& ball, const Triangle& t) const override {
     return exact::relation(ball, Polygon({t.a, t.b, t.c})) == Relation::Overlapping;
   }
 };
 
 /// The last lane of a batch is forgotten.
-class ForgetfulBatch : public Contestant {
-  using Contestant::contact;
+class ForgetfulBatch : public SystemUnderTest {
+  using SystemUnderTest::contact;
   void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) const override {
-    Contestant::contact(ball, triangles.first(triangles.size() - 1), touches.first(touches.size() - 1));
+    SystemUnderTest::contact(ball, triangles.first(triangles.size() - 1), touches.first(touches.size() - 1));
     touches.back() = false;
   }
 };
 
-class StrictBatchOfBalls : public Contestant {
-  using Contestant::contact;
+class StrictBatchOfBalls : public SystemUnderTest {
+  using SystemUnderTest::contact;
   void contact(std::span<const Ball> balls, const Prepared& polygon, std::span<bool> touches) const override {
     for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = relation(balls[i], polygon) == Relation::Overlapping;
   }
 };
 
-class SwappedSides : public Contestant {
+class SwappedSides : public SystemUnderTest {
   PlaneSide plane_side(const Ball& ball, const Prepared& polygon) const override {
-    const PlaneSide side = Contestant::plane_side(ball, polygon);
+    const PlaneSide side = SystemUnderTest::plane_side(ball, polygon);
     return side == PlaneSide::InFront ? PlaneSide::Behind : side;
   }
 };
 
-class UnroundedDistance : public Contestant {
-  using Contestant::answer;
+class UnroundedDistance : public SystemUnderTest {
+  using SystemUnderTest::answer;
   Answer answer(const Ball& ball, const Prepared& polygon) const override {
-    Answer answer = Contestant::answer(ball, polygon);
+    Answer answer = SystemUnderTest::answer(ball, polygon);
     answer.distance = std::nextafter(answer.distance, 0.0);
     return answer;
   }
 };
 
-class FarthestVertex : public Contestant {
+class FarthestVertex : public SystemUnderTest {
   filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const override {
-    filtered::ClosestPoint closest = Contestant::closest(center, triangle);
+    filtered::ClosestPoint closest = SystemUnderTest::closest(center, triangle);
     if (closest.feature.kind == Feature::Kind::Vertex) closest.feature.index = (closest.feature.index + 1) % 3;
     return closest;
   }
 };
 
-class NoBoundary : public Contestant {
+class NoBoundary : public SystemUnderTest {
   PointLocation foot(const Ball& ball, const Prepared& polygon) const override {
-    const PointLocation place = Contestant::foot(ball, polygon);
+    const PointLocation place = SystemUnderTest::foot(ball, polygon);
     return place == PointLocation::Boundary ? PointLocation::Inside : place;
   }
 };
 
-class FirstEdgeOnly : public Contestant {
+class FirstEdgeOnly : public SystemUnderTest {
   std::vector<std::size_t> edges_hit(const Ball& ball, const Prepared& polygon) const override {
-    auto edges = Contestant::edges_hit(ball, polygon);
+    auto edges = SystemUnderTest::edges_hit(ball, polygon);
     if (edges.size() > 1) edges.erase(edges.begin() + 1, edges.end());
     return edges;
   }
 };
 
-class Throwing : public Contestant {
-  using Contestant::contact;
+class Throwing : public SystemUnderTest {
+  using SystemUnderTest::contact;
   bool contact(const Ball& ball, const Prepared& polygon) const override {
     if (ball.radius == 0) throw std::length_error("no points, please");
-    return Contestant::contact(ball, polygon);
+    return SystemUnderTest::contact(ball, polygon);
   }
 };
 
 /// Is the error found, and told as a case that the judge reads, with the exact answer expected?
-void expect_found(const Contestant& wrong, const std::string& question) {
+void expect_found(const SystemUnderTest& wrong, const std::string& question) {
   const Settings settings{.cases = 3000, .seed = 9};
   const Tally tally = whole(settings, wrong);
   EXPECT_GT(tally.differing(), 0U) << question;
@@ -208,7 +208,7 @@ void expect_found(const Contestant& wrong, const std::string& question) {
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
     const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
     const auto truth = cases::PartialAnswer::of(exact::answer(ball, polygon), "");
-    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << difference.line;
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << difference.line;
   }
   // Asked again by its index alone, the first one differs again.
   const std::uint64_t index = tally.kept().front().index;
@@ -337,7 +337,7 @@ int run_command(std::vector<std::string> arguments) {
 
 TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   const auto ran =
-      run_tests::run_captured(commands::soak_command, {"--seed", "2", "--from", "7", "--cases", "5", "--print"});
+      run_tests::run_captured(commands::soak_command, {"--seed", "2", "--from", "7", "--samples", "5", "--print"});
   ASSERT_EQ(ran.status, 0) << ran.err;
   std::istringstream lines(ran.out);
   std::string line;
@@ -357,26 +357,26 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
 TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
   const Scratch scratch;
   const std::string parts = (scratch.path / "parts").string(), one = (scratch.path / "one").string();
-  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "1", "--output", one}), 0);
-  ASSERT_EQ(run_command({"--cases", "700", "--seed", "2", "--threads", "2", "--output", parts}), 0);
-  ASSERT_EQ(run_command({"--cases", "1500", "--seed", "2", "--threads", "2", "--output", parts, "--resume"}), 0);
+  ASSERT_EQ(run_command({"--samples", "1500", "--seed", "2", "--threads", "1", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--samples", "700", "--seed", "2", "--threads", "2", "--output", parts}), 0);
+  ASSERT_EQ(run_command({"--samples", "1500", "--seed", "2", "--threads", "2", "--output", parts, "--resume"}), 0);
   for (const char* file : {"soak.csv", "differences.jsonl", "checkpoint.json"})
     EXPECT_EQ(text_of(fs::path(parts) / file), text_of(fs::path(one) / file)) << file;
   EXPECT_TRUE(fs::exists(fs::path(one) / "run.json"));
   // Without --resume it begins anew, and what stood there is kept.
-  ASSERT_EQ(run_command({"--cases", "100", "--seed", "3", "--force", "--output", one}), 0);
+  ASSERT_EQ(run_command({"--samples", "100", "--seed", "3", "--force", "--output", one}), 0);
   EXPECT_EQ(text_of(fs::path(one) / "checkpoint.json.previous"), text_of(fs::path(parts) / "checkpoint.json"));
   EXPECT_FALSE(fs::exists(fs::path(parts) / "checkpoint.json.previous"));
 }
 
 TEST(SoakCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--cases", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--cases", "many"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
+  EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);
   EXPECT_THROW(run_command({"--seed", "-1"}), harness::UsageError);
   EXPECT_THROW(run_command({"--from", "1.5"}), harness::UsageError);
   EXPECT_THROW(run_command({"--threads", "0"}), harness::UsageError);
-  EXPECT_THROW(run_command({"--from", "18446744073709551615", "--cases", "2"}), std::invalid_argument);
-  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--cases", "1"}), std::runtime_error);
+  EXPECT_THROW(run_command({"--from", "18446744073709551615", "--samples", "2"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--output", "/dev/null/folder", "--samples", "1"}), std::runtime_error);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/methods/registry.h"
 #include "tests/experiments/studies/stability/small_study.h"
 #include "tests/experiments/support/scratch.h"
@@ -38,8 +38,7 @@ TEST(StabilityWorst, AreCasesOnWhichTheMethodErrs) {
       const auto& shapes = std::get<cases::Shapes>(read.content);
       const auto differences = [&](std::string_view name) {
         const auto prepared = methods::find_method(name)->prepare(shapes.polygon);
-        return cases::differences(*read.expected,
-                                  cases::object_of(prepared->ask(shapes.ball, cases::QueryKind::Answer)));
+        return cases::differences(*read.expected, prepared->ask(shapes.ball, cases::QueryKind::Answer));
       };
       const std::string name = nlohmann::json::parse(worst->line)["tags"][0];
       EXPECT_TRUE(differences("exact").empty()) << worst->line;

@@ -313,7 +313,7 @@ int run_command(std::vector<std::string> arguments) {
 TEST(StabilityCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new" / "too";
-  ASSERT_EQ(run_command({"--method", "fast", "--axes", "origin,aspect,origin", "--samples", "1", "--seed", "5",
+  ASSERT_EQ(run_command({"--methods", "fast", "--axes", "origin,aspect,origin", "--samples", "1", "--seed", "5",
                          "--no-pictures", "--output", folder.string()}),
             0);
   const auto record = nlohmann::json::parse(text_of(folder / "run.json"));
@@ -325,7 +325,7 @@ TEST(StabilityCommand, WritesResultsAndASidecar) {
 }
 
 TEST(StabilityCommand, WrongOptionsAreErrors) {
-  EXPECT_THROW(run_command({"--method", "slow"}), std::invalid_argument);
+  EXPECT_THROW(run_command({"--methods", "slow"}), std::invalid_argument);
   EXPECT_THROW(run_command({"--axes", "width"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "0"}), harness::UsageError);
   EXPECT_THROW(run_command({"--samples", "many"}), harness::UsageError);

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/cases/case.h"
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
 #include "experiments/commands.h"
 #include "experiments/methods/registry.h"
 #include "experiments/studies/tradeoff/band.h"
@@ -203,10 +203,10 @@ TEST(Tradeoff, TheNumberOfThreadsChangesNothing) {
     const cases::Case read = cases::read_case(line);
     const auto& shapes = std::get<cases::Shapes>(read.content);
     const auto truth = PartialAnswer::of(exact::answer(shapes.ball, shapes.polygon), "");
-    EXPECT_TRUE(cases::differences(*read.expected, cases::object_of(truth)).empty()) << *read.id;
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << *read.id;
     const std::string method = nlohmann::json::parse(line)["tags"][0];
     const auto given = methods::find_method(method)->prepare(shapes.polygon)->ask(shapes.ball, QueryKind::Answer);
-    EXPECT_FALSE(cases::differences(*read.expected, cases::object_of(given)).empty()) << *read.id;
+    EXPECT_FALSE(cases::differences(*read.expected, given).empty()) << *read.id;
   }
   EXPECT_EQ(cases, 4);  // of fast, in either placement; the others are right, or say nothing
 }
@@ -239,7 +239,7 @@ int run_command(std::vector<std::string> arguments) {
 TEST(TradeoffCommand, WritesResultsAndASidecar) {
   const Scratch scratch;
   const auto folder = scratch.path / "it's new";
-  ASSERT_EQ(run_command({"--method", "fast,filtered", "--families", "l,u", "--samples", "1", "--queries", "10",
+  ASSERT_EQ(run_command({"--methods", "fast,filtered", "--families", "l,u", "--samples", "1", "--queries", "10",
                          "--repetitions", "1", "--no-pictures", "--output", folder.string()}),
             0);
   for (const char* file : {"errors.csv", "bands.csv", "points.csv", "worst.jsonl", "timings.csv", "front.csv"})
@@ -258,7 +258,7 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
     }
     return "none";
   };
-  EXPECT_NE(complaint({"--method", "slow"}).find("\"slow\""), std::string::npos);
+  EXPECT_NE(complaint({"--methods", "slow"}).find("\"slow\""), std::string::npos);
   EXPECT_NE(complaint({"--families", "donut"}).find("--families"), std::string::npos);
   EXPECT_NE(complaint({"--samples", "0"}).find("--samples"), std::string::npos);
   EXPECT_NE(complaint({"--seed", "-1"}).find("--seed"), std::string::npos);
@@ -273,8 +273,8 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
 TEST(TradeoffCommand, AnInterruptedRunIsMarked) {
   const Scratch scratch;
   const std::string folder = scratch.path / "run";
-  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--method", "fast", "--families", "l",
-                                 "--samples",        "100000000", "--output", folder};
+  std::vector<std::string> words{TOUCHSTONE_PROGRAM, "tradeoff",  "--methods", "fast", "--families", "l",
+                                 "--samples",        "100000000", "--output",  folder};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -10,12 +10,12 @@ namespace touchstone::soak {
 
 /// The functions that are compared with `exact`: the queries of `filtered`, each of which a test can replace by a wrong
 /// one.
-class Contestant {
+class SystemUnderTest {
  public:
   using Prepared = filtered::PreparedPolygon;
   using Counts = filtered::StageCounts;
 
-  virtual ~Contestant() = default;
+  virtual ~SystemUnderTest() = default;
 
   [[nodiscard]] virtual bool contact(const Ball& ball, const Triangle& triangle) const {
     return filtered::contact(ball, triangle);

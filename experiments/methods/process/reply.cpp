@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/judge/reply.h"
+#include "experiments/methods/process/reply.h"
 
+#include "experiments/cases/verdict.h"
 #include "experiments/harness/json/strict_json.h"
 #include "geometry/io/detail/legible.h"
 
-namespace touchstone::judge {
+namespace touchstone::methods {
 
 Reply read_reply(const std::string& line) {
   Reply reply{.id = {}, .answer = {}, .echo = io::legible(line)};
@@ -23,4 +24,4 @@ Reply read_reply(const std::string& line) {
   return reply;
 }
 
-}  // namespace touchstone::judge
+}  // namespace touchstone::methods

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "experiments/cases/method.h"
+
+namespace touchstone::cases {
+
+/// The keys of an answer, in the order of the contract.
+enum class Key { Plane, PlaneTangent, Foot, EdgesHit, Relation, Contact, Nearest, Point, Distance, OffPlane };
+inline constexpr std::array kKeys{Key::Plane,   Key::PlaneTangent, Key::Foot,  Key::EdgesHit, Key::Relation,
+                                  Key::Contact, Key::Nearest,      Key::Point, Key::Distance, Key::OffPlane};
+
+/// Returns the key as JSON has it: `plane`, ..., `off_plane`.
+[[nodiscard]] std::string_view word(Key key);
+/// Returns the key of that word, if there is one.
+[[nodiscard]] std::optional<Key> find_key(std::string_view word);
+
+/// Calls `visit` with the member of PartialAnswer that holds the key.
+template <class Visit>
+decltype(auto) visit_key(Key key, const Visit& visit) {
+  switch (key) {
+    case Key::Plane: return visit(&PartialAnswer::plane);
+    case Key::PlaneTangent: return visit(&PartialAnswer::plane_tangent);
+    case Key::Foot: return visit(&PartialAnswer::foot);
+    case Key::EdgesHit: return visit(&PartialAnswer::edges_hit);
+    case Key::Relation: return visit(&PartialAnswer::relation);
+    case Key::Contact: return visit(&PartialAnswer::contact);
+    case Key::Nearest: return visit(&PartialAnswer::nearest);
+    case Key::Point: return visit(&PartialAnswer::point);
+    case Key::Distance: return visit(&PartialAnswer::distance);
+    case Key::OffPlane: break;
+  }
+  return visit(&PartialAnswer::off_plane);
+}
+
+[[nodiscard]] bool has(const PartialAnswer& answer, Key key);
+/// Returns an answer with only these keys of `answer`.
+[[nodiscard]] PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys);
+
+}  // namespace touchstone::cases

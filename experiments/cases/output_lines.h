@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/cases/method.h"
+#include "experiments/cases/stated_answer.h"
+#include "geometry/shapes/rejection.h"
+
+namespace touchstone::cases {
+
+// Lines of JSON, with numbers in the shortest form that reads back as the same double (std::to_chars).
+
+/// Returns the verdict of a method: `id`, `method`, and the keys that it computed. With the radius of the ball, adds
+/// the keys of --explain: `stage`, if the method reports it, and `margin`, the number of doubles by which the radius
+/// exceeds the distance of the answer (null if the method does not compute a distance).
+[[nodiscard]] std::string verdict_line(const std::string& id, std::string_view method, const PartialAnswer& answer,
+                                       std::optional<double> explained_radius = std::nullopt);
+/// Returns the verdict of an engine: `id`, `method`, and what it stated.
+[[nodiscard]] std::string verdict_line(const std::string& id, std::string_view method, const StatedAnswer& answer);
+/// Returns the verdict on a rejected case: `id` (null if missing), `method`, `error` and `message`.
+[[nodiscard]] std::string verdict_line(const std::optional<std::string>& id, std::string_view method,
+                                       const Rejection& rejection);
+
+/// Returns a case in the form of the contract, without `expected` if there is none.
+[[nodiscard]] std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
+                                    const std::vector<std::string>& tags,
+                                    const std::optional<PartialAnswer>& expected = std::nullopt);
+
+}  // namespace touchstone::cases
