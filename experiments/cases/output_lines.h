@@ -25,7 +25,7 @@ namespace touchstone::cases {
 [[nodiscard]] std::string verdict_line(const std::optional<std::string>& id, std::string_view method,
                                        const Rejection& rejection);
 
-/// Returns a case in the form of the contract, without `expected` if there is none.
+/// Returns a case in the form of the contract; without an expectation, it has no `expected`.
 [[nodiscard]] std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
                                     const std::vector<std::string>& tags,
                                     const std::optional<PartialAnswer>& expected = std::nullopt);

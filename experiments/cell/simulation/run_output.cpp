@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "experiments/cases/verdict.h"
 #include "experiments/cases/output_lines.h"
+#include "experiments/cases/verdict.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/statistics/clopper_pearson.h"

@@ -12,7 +12,7 @@ namespace touchstone::methods {
 
 /// An engine that gets one case after the other, each with a time limit. It is started for the first case. If it is
 /// late, ends, or prints anything except one line that is a verdict on the case, it is ended with the processes that it
-/// has started, and restarted for the next case. For one thread at a time.
+/// has started, and restarted for the next case. Only one thread may use it.
 class SupervisedEngine {
  public:
   SupervisedEngine(std::string command, std::chrono::milliseconds time_limit);
@@ -20,7 +20,7 @@ class SupervisedEngine {
   SupervisedEngine& operator=(const SupervisedEngine&) = delete;
   ~SupervisedEngine() { stop(); }
 
-  /// What the engine gave for a case.
+  /// The reply of the engine to a case.
   struct Result {
     std::optional<cases::StatedAnswer> answer;
     std::string reason;        ///< why there is no answer

@@ -9,7 +9,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/key.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/workloads/meshes/face_polygon.h"
@@ -28,17 +30,16 @@ std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint
   const Polygon polygon = workloads::face_polygon(mesh.mesh, face);
   const exact::PreparedPolygon exact(polygon);
   const MeshBall drawn = draw_mesh_balls(polygon, exact, settings.seed, mesh.name, face).balls[ball];
-  const auto whole = cases::object_of(cases::PartialAnswer::of(exact::answer(drawn.ball, exact), ""));
-  constexpr std::array<const char*, kTests.size()> kKeys{"plane", "foot", "edges_hit", "contact"};
-  cases::Verdict expected = cases::Verdict::object();
+  const auto whole = cases::PartialAnswer::of(exact::answer(drawn.ball, exact), "");
+  std::vector<cases::Key> keys;
   for (std::size_t test = 0; test < kTests.size(); ++test)
-    if (failed.wrong[test]) expected[kKeys[test]] = whole[kKeys[test]];
+    if (failed.wrong[test]) keys.push_back(cases::key_of(kTests[test]));
   std::vector<std::string> tags{std::string("near-") + std::string(word(drawn.place))};
   for (const std::size_t method : failed.methods)
     tags.push_back("fails-" + std::string(settings.methods[method]->name()));
   const std::string id =
       fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, word(drawn.place), drawn.steps, settings.seed);
-  return cases::to_line(cases::case_of(id, drawn.ball, polygon, tags, expected));
+  return cases::case_line(id, drawn.ball, polygon, tags, cases::only(whole, keys));
 }
 
 struct MeshRow {

@@ -46,8 +46,8 @@ class Run {
     std::string text = table(settings_, result_.counts) + pace;
     if (options_.search > 0) text += "\n" + search_table(settings_, onsets_, worst_);
     if (settings_.truth->name() != "exact")
-      text += fmt::format("{} was compared with exact for {} balls: {} differences.\n", options_.oracle, result_.checked,
-                          result_.disagreements.count());
+      text += fmt::format("{} was compared with exact for {} balls: {} differences.\n", options_.oracle,
+                          result_.checked, result_.disagreements.count());
     return run_.finish({.done = result_.samples,
                         .missing = result_.missing,
                         .text = std::move(text),

@@ -18,8 +18,8 @@ struct Settings {
 
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.
 ///
-/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it contains;
-/// processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
+/// In the first process the tally is a function of the system under test, seed, from and the number of cases that it
+/// contains; processes, threads, pauses and stops do not change it. Returns the number of cases done, in all processes.
 std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& tested,
                            const harness::RunControl<Tally>& control, Tally& tally);
 

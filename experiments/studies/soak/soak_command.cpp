@@ -5,7 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "experiments/cases/verdict.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/study.h"
 #include "experiments/studies/soak/campaign.h"
@@ -71,8 +71,8 @@ int run_cases(harness::StudyRun& run, const Options& options) {
 int print_cases(const Options& options) {
   for (std::uint64_t index = options.from; index < options.from + options.samples; ++index) {
     const adversarial::Case drawn = adversarial::draw_case(options.seed, index);
-    fmt::print("{}", cases::to_line(cases::case_of(adversarial::name_of_case(options.seed, index), drawn.ball,
-                                                   drawn.polygon, {std::string(word(drawn.family))})));
+    fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), drawn.ball, drawn.polygon,
+                                      {std::string(word(drawn.family))}));
   }
   return 0;
 }

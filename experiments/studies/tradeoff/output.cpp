@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/cases/output_lines.h"
 #include "experiments/cases/stratum_group.h"
-#include "experiments/cases/verdict.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
@@ -226,7 +226,7 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
   const std::vector<std::string> tags{
       std::string(name(settings, method)), std::string(word(quantity)),
       std::isfinite(worst.ulps) ? fmt::format("{:.6g} ulps", worst.ulps) : "not finite"};
-  return cases::to_line(cases::case_of(id, ball, crossing->polygon, tags, cases::object_of(expected)));
+  return cases::case_line(id, ball, crossing->polygon, tags, expected);
 }
 
 }  // namespace

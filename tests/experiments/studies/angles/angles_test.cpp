@@ -75,7 +75,8 @@ TEST(Angles, AnotherRunsCheckpointIsRefused) {
       commands::angles_command,
       {"--methods", "fast,filtered", "--families", "l", "--samples", "1", "--resume", "--output", folder.string()});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("checkpoint.json: is of --methods fast, not of --methods fast,filtered"), std::string::npos)
+  EXPECT_NE(refused.err.find("checkpoint.json: is of --methods fast, not of --methods fast,filtered"),
+            std::string::npos)
       << refused.err;
 }
 

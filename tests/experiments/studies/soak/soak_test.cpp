@@ -12,6 +12,7 @@
 
 #include "experiments/cases/case.h"
 #include "experiments/cases/comparison.h"
+#include "experiments/cases/output_lines.h"
 #include "experiments/commands.h"
 #include "experiments/harness/run_control.h"
 #include "experiments/harness/write_file.h"
@@ -52,7 +53,7 @@ Tally whole(const Settings& settings, const SystemUnderTest& tested = {}) {
   return tally;
 }
 
-std::string line_of(const adversarial::Case& c) { return cases::to_line(cases::case_of("", c.ball, c.polygon, {})); }
+std::string line_of(const adversarial::Case& c) { return cases::case_line("", c.ball, c.polygon, {}); }
 
 TEST(SoakCases, AreLegalAndOfTheirFamily) {
   for (std::uint64_t index = 0; index < 20 * TOUCHSTONE_SAMPLES; ++index) {
