@@ -104,8 +104,11 @@ inline Vector3<ErrorBound> cross(const Vector3<ErrorBound>& a, const Vector3<Err
 }
 /// @}
 
+/// @{
 /// Fused or not: the model allows both, and the error of the unfused form is larger.
 inline ErrorBound multiply_add(const ErrorBound& a, const ErrorBound& b, const ErrorBound& c) { return a * b + c; }
+inline ErrorBound multiply_subtract(const ErrorBound& a, const ErrorBound& b, const ErrorBound& c) { return a * b - c; }
+/// @}
 
 /// The larger of two numbers, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {

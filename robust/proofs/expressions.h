@@ -9,11 +9,12 @@
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/edge_frame.h"
 #include "robust/filtered/detail/signs.h"
+#include "robust/filtered/detail/triangle_lanes.h"
 #include "robust/filtered/detail/vector3.h"
 
-/// The list of all claims that are proved: every expression of signs.h and edge_frame.h with its inputs, its constant
-/// and the maxima by which the constant is multiplied, and the operations of double_double.h. Records, error calculus
-/// and toy arithmetic all use this list.
+/// The list of all claims that are proved: every expression of signs.h, edge_frame.h and triangle_lanes.h with its
+/// inputs, its constant and the maxima by which the constant is multiplied, and the operations of double_double.h.
+/// Records, error calculus and toy arithmetic all use this list.
 namespace touchstone::filtered::proofs {
 
 /// The part of every constant that covers the rounding of the bound computed with it.
@@ -54,6 +55,8 @@ struct Inputs {
   Vector3<Number> first_edge, second_edge, normal;
   Vector3<Number> axis, from_origin;
   Number foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+  Vector3<Number> lane_axis, lane_from_origin;
+  Number lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
 };
 
 /// Calls make(Input) for each number, in the order of the members.
@@ -80,7 +83,15 @@ Inputs<Number> make_inputs(Make make) {
           number("start_x", Foot, 1),
           number("start_y", Foot, 1),
           number("direction_x", One, 1),
-          number("direction_y", One, 1)};
+          number("direction_y", One, 1),
+          vector("lane_axis", One, bounds::kLanePrepared),
+          vector("lane_from_origin", Centre, bounds::kLaneCentre),
+          number("lane_offset", Centre, bounds::kLanePrepared),
+          number("lane_x", Foot, bounds::kLaneCoordinate / 2 + bounds::kLaneStep),
+          number("lane_y", Foot, bounds::kLaneCoordinate / 2 + bounds::kLaneStep),
+          number("inward_x", One, bounds::kLanePrepared),
+          number("inward_y", One, bounds::kLanePrepared),
+          number("edge_offset", Foot, bounds::kLanePrepared / 2)};
 }
 
 /// A claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
@@ -171,6 +182,12 @@ void for_each_claim(Visit visit) {
   visit(Claim{"kEdgeFrame", "across", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
     return frame::across(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
   });
+  visit(Claim{"kLaneCoordinate", "", kLaneCoordinate, 1, {One, Centre}},
+        [](const auto& in) { return lane::coordinate(in.lane_axis, in.lane_from_origin, in.lane_offset); });
+  visit(Claim{"kLaneEdge", "depth", kLaneEdge, 1, {Foot, One}},
+        [](const auto& in) { return lane::depth(in.lane_x, in.lane_y, in.inward_x, in.inward_y, in.edge_offset); });
+  visit(Claim{"kLaneEdge", "along", kLaneEdge, 1, {Foot, One}},
+        [](const auto& in) { return lane::along(in.lane_x, in.lane_y, in.inward_x, in.inward_y, in.edge_offset); });
 }
 
 }  // namespace touchstone::filtered::proofs

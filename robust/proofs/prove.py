@@ -2,7 +2,7 @@
 """Usage: python3 prove.py RECORD GAPPA
 
 RECORD prints the constants of bounds.h and the operations of the expressions that they bound (record.cpp). Gappa must
-prove every claim, at the unit of doubles and at that of double-doubles. It must refuse a constant that inputs and
+prove every claim, at the units of doubles, double-doubles and floats. It must refuse a constant that inputs and
 rounding errors of the model exceed (adversary.py), which shows that the check can fail, and one within a sixteenth of
 the claimed one, which shows that this is not loose. For sums of products of double-doubles it must refuse a constant
 that is one u^2 smaller, u = 2^-53, and any rest of an error-free transformation that is left out; for quotients and
@@ -85,7 +85,7 @@ def judge(program, model, record):
     def proves(constant, at):
         return gappa.proves(program, gappa.script(record, at, constant), at)
 
-    for at in (unit, model["double_double_unit"]):
+    for at in (unit, model["double_double_unit"], model["float_unit"]):
         if not proves(claimed, at):
             faults.append(f"{name}: {float(claimed)} is not proved at unit {float(at):.3g}")
     reached = adversary.reached(record, unit)

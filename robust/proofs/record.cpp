@@ -143,8 +143,8 @@ void print(const Quotient& claim, const Expression& expression) {
 int main() {
   using namespace touchstone::filtered;
   std::cout << std::boolalpha << std::setprecision(17) << R"({"unit": )" << bounds::kUnit
-            << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "rounding_of_bound": )"
-            << proofs::kRoundingOfBound << "}\n";
+            << R"(, "double_double_unit": )" << bounds::kDoubleDoubleUnit << R"(, "float_unit": )" << bounds::kFloatUnit
+            << R"(, "rounding_of_bound": )" << proofs::kRoundingOfBound << "}\n";
   proofs::Printer printer;
   proofs::for_each_claim([&](const proofs::Claim& claim, const auto& expression) {
     printer.print(claim, expression(printer.recorded).node);

@@ -46,7 +46,7 @@ struct MeshRow {
   std::string_view mesh;
   const MeshCounts* counts;
   std::string_view method;
-  Place place;
+  BallRegion place;
   Test test;
   const Count* count;
 };

@@ -5,7 +5,8 @@
 ///
 /// Model: every operation returns its exact result times (1 + d), |d| <= unit, plus at most 2^-1021 in magnitude
 /// (underflow, flushed to zero or not). The model holds for doubles in every rounding direction with `kUnit`, for fused
-/// and unfused products alike, and for double-doubles in round to nearest with `kDoubleDoubleUnit`.
+/// and unfused products alike, and for double-doubles in round to nearest with `kDoubleDoubleUnit`. Floats have a model
+/// of their own, below.
 ///
 /// Input: m_w bounds the magnitudes of `to_center`'s computed components and of r, m_e those of `edge`, m_N those of
 /// the normal. Components of `to_center` and `edge` are known to unit m_w and unit m_e, those of the normal to kNormal
@@ -62,6 +63,23 @@ inline constexpr double kBoxRounding = 0x1p-47;
 /// Relative bounds of the effect of 14 operations, in any rounding direction.
 inline constexpr double kWide = 1 + 0x1p-48;
 inline constexpr double kNarrow = 1 - 0x1p-48;
+
+/// Triangles in lanes (triangle_groups.h), in floats. Every operation on them follows the model with kFloatUnit, except
+/// that underflow costs at most kFloatTiny. All lengths are in the group's units. S = r + 1 >= 1 bounds the components
+/// of the centre as seen from the origin, each known to kLaneCentre kFloatUnit S. Numbers that are stored in steps are
+/// at most 1 in magnitude, and known to kLanePrepared kFloatUnit. A multiplication by 1 / kSteps adds kLaneStep units.
+/// Then a centre's coordinate in a triangle's frame is known to kLaneCoordinate kFloatUnit S; `depth` and `along` of an
+/// edge are known to kLaneEdge kFloatUnit 2 S each, as the foot is at most 2 S from the middle of edge 0.
+inline constexpr double kFloatUnit = 0x1p-23;
+inline constexpr double kFloatTiny = 0x1p-125;
+inline constexpr double kLaneCentre = 1.0625;
+inline constexpr double kLanePrepared = 133;
+inline constexpr double kLaneStep = 2.25;
+inline constexpr double kLaneCoordinate = 547.25;
+inline constexpr double kLaneEdge = 891.3125;
+/// The computed distance of the centre from a triangle is known to kLaneDistance kFloatUnit S, if a foot counts as
+/// inside from a depth of kLaneEdge kFloatUnit 2 S. This includes the rounding of the squares that are compared.
+inline constexpr double kLaneDistance = 6250;
 
 /// The errors of `dot` and `cross` of double-doubles (numbers/double_double.h), in units of kDoubleDoubleUnit m_a m_b,
 /// where m_a and m_b bound the components of the vectors. They are the same as for the products and sums of vector3.h,

@@ -8,6 +8,7 @@
 #include "robust/filtered/detail/ball_triangle_view.h"
 #include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace touchstone::filtered {
 
@@ -20,6 +21,9 @@ struct KernelTable {
   Feature (*triangle_nearest)(BallTriangleView, Counts&);
   double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
   void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
+  void (*set_contact)(const Ball&, const TriangleSet::Parts&, std::span<bool>, Counts&);
+  bool (*set_any_contact)(const Ball&, const TriangleSet::Parts&, Counts&);
+  std::vector<std::size_t> (*set_triangles_hit)(const Ball&, const TriangleSet::Parts&, Counts&);
   bool (*contact)(const Ball&, const Parts&, Counts&);
   Relation (*relation)(const Ball&, const Parts&, Counts&);
   PlaneSide (*plane_side)(const Ball&, const Parts&, Counts&);
@@ -36,12 +40,17 @@ struct Kernels {
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
 };
 
+/// Returns the centre of a ball, followed by its radius.
+[[nodiscard]] __attribute__((always_inline)) inline const double* numbers_of(const Ball& ball) {
+  static_assert(sizeof(Ball) == 4 * sizeof(double), "a ball is four doubles in a row");
+  return reinterpret_cast<const double*>(&ball);
+}
+
 /// Returns a view of a ball and a triangle.
 [[nodiscard]] __attribute__((always_inline)) inline BallTriangleView view_of(const Ball& ball,
                                                                              const Triangle& triangle) {
   static_assert(sizeof(Triangle) == 9 * sizeof(double), "a triangle is nine doubles in a row");
-  static_assert(sizeof(Ball) == 4 * sizeof(double), "a ball is four");
-  return {reinterpret_cast<const double(*)[3]>(&triangle), reinterpret_cast<const double*>(&ball)};
+  return {reinterpret_cast<const double(*)[3]>(&triangle), numbers_of(ball)};
 }
 
 /// The kernels for any machine, and those for x86-64 with AVX2 and FMA.

@@ -5,6 +5,7 @@
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon_query.h"
 #include "robust/filtered/detail/triangle_closest.h"
+#include "robust/filtered/detail/triangle_groups_contact.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -39,6 +40,9 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_nearest = nearest_feature<Counts>,
     .triangle_distance = feature_distance<Counts>,
     .triangle_point = feature_point<Counts>,
+    .set_contact = set_contact<Counts>,
+    .set_any_contact = set_any_contact<Counts>,
+    .set_triangles_hit = set_triangles_hit<Counts>,
     .contact = ask<&PolygonQuery<Counts>::contact,
                    static_cast<bool (*)(const Ball&, const exact::PreparedPolygon&)>(exact::contact), bool, Counts>,
     .relation =

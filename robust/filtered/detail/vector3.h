@@ -17,6 +17,18 @@ Vector3(Number, Number, Number) -> Vector3<Number>;
 
 inline namespace TOUCHSTONE_TARGET {
 
+/// @{
+/// Returns a b + c, or a b - c. Numbers whose operations can be fused overload these functions.
+template <class A, class B, class C>
+constexpr auto multiply_add(const A& a, const B& b, const C& c) {
+  return a * b + c;
+}
+template <class A, class B, class C>
+constexpr auto multiply_subtract(const A& a, const B& b, const C& c) {
+  return a * b - c;
+}
+/// @}
+
 template <class A, class B>
 constexpr auto dot(const Vector3<A>& a, const Vector3<B>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

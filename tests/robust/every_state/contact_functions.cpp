@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <memory>
 
+#include "robust/filtered/triangle_set.h"
 #include "tests/robust/every_state/public_function.h"
 
 namespace touchstone::every_state_tests {
@@ -68,6 +70,49 @@ std::vector<PublicFunction> exact_functions() {
   };
 }
 
+/// A ball and a set of the input's triangle in three orders.
+filtered::TriangleSet set_of(const Triangle& t) {
+  return filtered::TriangleSet(std::array<Triangle, 3>{{t, {t.b, t.c, t.a}, {t.c, t.b, t.a}}});
+}
+template <class... Counts>
+std::array<bool, 3> touched(const Ball& ball, const filtered::TriangleSet& set, Counts&... counts) {
+  std::array<bool, 3> touches{};
+  filtered::contact(ball, set, touches, counts...);
+  return touches;
+}
+
+std::vector<PublicFunction> set_functions() {
+  using Counts = filtered::StageCounts;
+  return {
+      gives("filtered::TriangleSet::TriangleSet",
+            [](const Input& in) {
+              return [set = std::make_shared<filtered::TriangleSet>(set_of(in.triangle)), ball = in.ball] {
+                return touched(ball, *set);
+              };
+            }),
+      gives("filtered::contact", [](const Input& in) { return touched(in.ball, set_of(in.triangle)); }),
+      gives("filtered::contact",
+            [](const Input& in) {
+              Counts counts;
+              return touched(in.ball, set_of(in.triangle), counts);
+            }),
+      gives("filtered::any_contact",
+            [](const Input& in) { return filtered::any_contact(in.ball, set_of(in.triangle)); }),
+      gives("filtered::any_contact",
+            [](const Input& in) {
+              Counts counts;
+              return filtered::any_contact(in.ball, set_of(in.triangle), counts);
+            }),
+      gives("filtered::triangles_hit",
+            [](const Input& in) { return filtered::triangles_hit(in.ball, set_of(in.triangle)); }),
+      gives("filtered::triangles_hit",
+            [](const Input& in) {
+              Counts counts;
+              return filtered::triangles_hit(in.ball, set_of(in.triangle), counts);
+            }),
+  };
+}
+
 std::vector<PublicFunction> filtered_functions() {
   return {
       gives("filtered::PreparedPolygon::PreparedPolygon", preparation<Filtered>()),
@@ -122,8 +167,8 @@ std::vector<PublicFunction> filtered_functions() {
 }  // namespace
 
 std::vector<PublicFunction> contact_functions() {
-  std::vector<PublicFunction> all = exact_functions(), more = filtered_functions();
-  all.insert(all.end(), more.begin(), more.end());
+  std::vector<PublicFunction> all = exact_functions();
+  for (const auto& more : {filtered_functions(), set_functions()}) all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

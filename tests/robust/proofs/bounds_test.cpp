@@ -16,7 +16,7 @@
 namespace touchstone::filtered::proofs {
 namespace {
 
-const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit};
+const mpq_class kUnits[] = {bounds::kUnit, bounds::kDoubleDoubleUnit, bounds::kFloatUnit};
 /// As they are compiled for double-doubles.
 const SumsOfProducts kSumsOfProducts{bounds::kDot, bounds::kCross};
 

@@ -17,6 +17,8 @@ struct PermanentInputs {
   Permanent<0> radius;
   Vector3<Permanent<1>> first_edge, second_edge, normal, axis, from_origin;
   Permanent<1> foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+  Vector3<Permanent<1>> lane_axis, lane_from_origin;
+  Permanent<1> lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
 };
 
 }  // namespace touchstone::filtered::proofs

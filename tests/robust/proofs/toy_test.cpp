@@ -118,7 +118,9 @@ TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
                           {"kSide", 0.2},
                           {"kAbove", 0.11},
                           {"kCoordinate", 0.45},
-                          {"kEdgeFrame", 0.2}});
+                          {"kEdgeFrame", 0.2},
+                          {"kLaneCoordinate", 0.3},
+                          {"kLaneEdge", 0.2}});
 }
 
 }  // namespace

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "robust/filtered/detail/numbers/pack.h"
+
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+inline constexpr int kFloatLanes = 8;
+
+/// Eight floats that are processed together, in the vector registers of the target: one of AVX, two of SSE2, or plain
+/// floats. Operations, truth values of lanes and fused products are like those of Pack. Integers are loaded from
+/// addresses that are multiples of 16.
+#if defined(__AVX2__)
+
+struct FloatPack {
+  __m256 lanes;
+};
+TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) { return {_mm256_set1_ps(value)}; }
+TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
+  return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(eight))))};
+}
+TOUCHSTONE_INLINE FloatPack operator+(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_add_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_sub_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_mul_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_min_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_max_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.lanes)}; }
+/// Returns `value` where `condition` is true, and 0 elsewhere.
+TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
+  return {_mm256_blendv_ps(_mm256_setzero_ps(), value.lanes, condition.lanes)};
+}
+TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
+  return static_cast<unsigned>(_mm256_movemask_ps(a.lanes));
+}
+#if defined(__FMA__)
+TOUCHSTONE_INLINE FloatPack multiply_add(const FloatPack& a, const FloatPack& b, const FloatPack& c) {
+  return {_mm256_fmadd_ps(a.lanes, b.lanes, c.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack multiply_subtract(const FloatPack& a, const FloatPack& b, const FloatPack& c) {
+  return {_mm256_fmsub_ps(a.lanes, b.lanes, c.lanes)};
+}
+#endif
+
+#elif defined(__SSE2__)
+
+struct FloatPack {
+  __m128 low, high;
+};
+TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
+TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
+  const __m128i integers = _mm_load_si128(reinterpret_cast<const __m128i*>(eight));
+  // Each integer in the upper half of 32 bits, then shifted down with its sign.
+  const __m128i low = _mm_srai_epi32(_mm_unpacklo_epi16(integers, integers), 16);
+  const __m128i high = _mm_srai_epi32(_mm_unpackhi_epi16(integers, integers), 16);
+  return {_mm_cvtepi32_ps(low), _mm_cvtepi32_ps(high)};
+}
+TOUCHSTONE_INLINE FloatPack operator+(const FloatPack& a, const FloatPack& b) {
+  return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
+  return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
+  return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
+  return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
+  return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) {
+  return {_mm_andnot_ps(_mm_set1_ps(-0.0F), a.low), _mm_andnot_ps(_mm_set1_ps(-0.0F), a.high)};
+}
+TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
+  const auto half = [](const __m128& c, const __m128& v) {
+    return _mm_and_ps(_mm_castsi128_ps(_mm_srai_epi32(_mm_castps_si128(c), 31)), v);
+  };
+  return {half(condition.low, value.low), half(condition.high, value.high)};
+}
+TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
+  return static_cast<unsigned>(_mm_movemask_ps(a.low) | _mm_movemask_ps(a.high) << 4);
+}
+
+#else
+
+struct FloatPack {
+  float lanes[kFloatLanes];
+};
+template <class F>
+TOUCHSTONE_INLINE FloatPack each_float_lane(F f) {
+  return {{f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7)}};
+}
+TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) {
+  return each_float_lane([&](int) { return value; });
+}
+TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
+  return each_float_lane([&](int i) { return static_cast<float>(eight[i]); });
+}
+TOUCHSTONE_INLINE FloatPack operator+(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] + b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] - b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] * b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] > b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) {
+  return each_float_lane([&](int i) { return std::abs(a.lanes[i]); });
+}
+TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
+  return each_float_lane([&](int i) { return std::signbit(condition.lanes[i]) ? value.lanes[i] : 0; });
+}
+TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
+  unsigned bits = 0;
+  for (int i = 0; i < kFloatLanes; ++i) bits |= (std::signbit(a.lanes[i]) ? 1U : 0U) << i;
+  return bits;
+}
+
+#endif
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered
