@@ -16,6 +16,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
+#include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
@@ -63,15 +64,32 @@ std::string table_of(const OutcomeTable& table, const Settings& settings) {
   return text;
 }
 
-std::string csv_of(const OutcomeTable& table) {
-  std::string text = "method,family,wrong,unsure,cases,first_offset_exponent\n";
+struct OutcomeRow {
+  std::string_view method;
+  workloads::Family family;
+  Summary summary;
+};
+
+const harness::Table<OutcomeRow>& outcomes_csv() {
+  using harness::path;
+  static const harness::Table<OutcomeRow> table(
+      "outcomes.csv", "a method and a family",
+      {{"method", "the method", &OutcomeRow::method},
+       {"family", "the family of polygons", &OutcomeRow::family},
+       {"wrong", "cases with a wrong answer", path(&OutcomeRow::summary, &Summary::wrong)},
+       {"unsure", "cases that the method does not decide", path(&OutcomeRow::summary, &Summary::unsure)},
+       {"cases", "cases", path(&OutcomeRow::summary, &Summary::cases)},
+       {"first_offset_exponent", "k: the method is wrong from 2^k of the distance on",
+        path(&OutcomeRow::summary, &Summary::first)}});
+  return table;
+}
+
+std::vector<OutcomeRow> rows_of(const OutcomeTable& table) {
+  std::vector<OutcomeRow> rows;
   for (const auto& [method, families] : table)
-    for (const auto family : workloads::all_families()) {
-      const Summary summary = summary_of(families.at(std::string(word(family))));
-      text += fmt::format("{},{},{},{},{},{}\n", method, word(family), summary.wrong, summary.unsure, summary.cases,
-                          summary.first ? std::to_string(*summary.first) : "");
-    }
-  return text;
+    for (const auto family : workloads::all_families())
+      rows.push_back({method, family, summary_of(families.at(std::string(word(family))))});
+  return rows;
 }
 
 /// Returns the cases for which methods have become worse, each once, in the form that the judge reads.
@@ -165,7 +183,7 @@ int run(const Options& options) {
   if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
-    harness::write_file(folder / "outcomes.csv", csv_of(*table));
+    outcomes_csv().write(folder, rows_of(*table));
     harness::write_file(folder / "worse.jsonl", worse_text(settings, changed));
     harness::write_run_record(
         folder, {.command = options.line,
@@ -209,6 +227,7 @@ harness::Command regress_command() {
   command.output(options->output,
                  "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.force(options->force);
+  command.writes({outcomes_csv().description()});
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }
