@@ -79,7 +79,7 @@ const harness::Table<OutcomeRow>& outcomes_csv() {
        {"wrong", "cases with a wrong answer", path(&OutcomeRow::summary, &Summary::wrong)},
        {"unsure", "cases that the method does not decide", path(&OutcomeRow::summary, &Summary::unsure)},
        {"cases", "cases", path(&OutcomeRow::summary, &Summary::cases)},
-       {"first_offset_exponent", "k: the method is wrong from 2^k of the distance on",
+       {"first_offset_exponent", "the least k for which the method is wrong at 2^-k of the distance",
         path(&OutcomeRow::summary, &Summary::first)}});
   return table;
 }
