@@ -96,6 +96,7 @@ harness::Command thesis_command() {
   command.output(options->output, "Folder for all files");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  command.writes(tables());
   command.runs([options] { return harness::run_alone([&] { return run_thesis(*options); }); });
   return command;
 }
