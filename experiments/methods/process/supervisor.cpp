@@ -177,6 +177,7 @@ Supervisor::~Supervisor() {
 }
 
 void Supervisor::kill() {
+  killed_ = true;
   shutdown(control_, SHUT_WR);
   if (process_ > 0) ::kill(process_, SIGCONT);  // the command may have stopped it
 }
@@ -188,6 +189,8 @@ bool Supervisor::ended_within(std::chrono::milliseconds time) const {
 
 std::string Supervisor::wait() {
   if (process_ < 0) return {};
+  // The command may also stop it after `kill` has woken it.
+  while (killed_ && !ended_within(std::chrono::milliseconds(100))) ::kill(process_, SIGCONT);
   int status = 0, own = 0;
   const bool told = receive(control_, status);
   close(control_);

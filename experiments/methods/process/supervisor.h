@@ -37,6 +37,7 @@ class Supervisor {
 
  private:
   pid_t process_ = -1;
+  bool killed_ = false;
   int control_ = -1;  ///< shut down by this process; reports how the shell ended
 };
 

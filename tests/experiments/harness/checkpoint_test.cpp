@@ -25,7 +25,7 @@ std::uint64_t items_done(const State& state) { return state.done; }
 
 /// The settings of a run of this version, seed and these methods.
 ResultSettings settings(int version, const char* seed, const char* methods) {
-  return {version, {{"seed", seed}, {"method", methods}}};
+  return {version, {{"seed", seed}, {"methods", methods}}};
 }
 
 class CheckpointFile : public testing::Test {
