@@ -54,26 +54,27 @@ std::vector<Probe> probes_of(const Scene& scene, const Oracle& oracle) {
   const bool few = oracle.spares_exact();
   std::vector<Probe> probes;
   std::vector<bool> foot_seen(kNearnesses.size());
-  for (std::size_t i = 0; i < meant.stands.size(); ++i) {
-    const Stand& stand = meant.stands[i];
-    const Eigen::Vector3d& asked_center = scene.asked.stands[i].center;
+  for (std::size_t i = 0; i < meant.placements.size(); ++i) {
+    const BallPlacement& placement = meant.placements[i];
+    const Eigen::Vector3d& asked_center = scene.asked.placements[i].center;
     const auto add = [&](double radius, Nearness nearness, std::vector<Test> tests, const Answer& truth, bool measured,
                          bool bounded) {
       probes.push_back(
           {{asked_center, radius}, cases::PartialAnswer::of(truth, ""), nearness, std::move(tests), measured, bounded});
     };
-    if (stand.site == Stand::Site::Foot) {
-      const auto place = static_cast<std::size_t>(stand.nearness);
+    if (placement.site == BallPlacement::Site::Foot) {
+      const auto place = static_cast<std::size_t>(placement.nearness);
       if (few && foot_seen[place]) continue;
-      const bool first = !foot_seen[place] && stand.nearness == Nearness::OneDouble;
+      const bool first = !foot_seen[place] && placement.nearness == Nearness::OneDouble;
       foot_seen[place] = true;
-      add(stand.radius, stand.nearness, {Test::Foot}, oracle.answer({stand.center, stand.radius}), false, first);
+      add(placement.radius, placement.nearness, {Test::Foot}, oracle.answer({placement.center, placement.radius}),
+          false, first);
       continue;
     }
-    const double distance = oracle.answer({stand.center, 0}).distance;
+    const double distance = oracle.answer({placement.center, 0}).distance;
     if (!(distance > 0 && distance <= std::numeric_limits<double>::max())) continue;
     for (const auto& [radius, nearness] : radii_about(distance, few)) {
-      const Answer truth = oracle.answer({stand.center, radius});
+      const Answer truth = oracle.answer({placement.center, radius});
       const bool measured = nearness == Nearness::Ample && radius > distance;
       add(radius, nearness, tests_of(nearness, truth), truth, measured, radius == distance);
     }

@@ -45,10 +45,10 @@ struct Probe {
   bool bounded;   ///< whether bounds on rounding errors are observed, at the boundary
 };
 
-/// Returns the balls of a scene: for each stand, radii at, close to and amply off the exact distance, or one ball for a
-/// foot. For OneDouble and Close balls, asks the test that their radius or foot is near to (the plane if the face is
-/// nearest, otherwise the edges) and the final answer; for Ample balls, all tests that do not depend on the foot alone.
-/// A stand at distance 0 has no balls. If `oracle` spares `exact`, takes one radius of each nearness.
+/// Returns the balls of a scene: for each placement, radii at, close to and amply off the exact distance, or one ball
+/// for a foot. For OneDouble and Close balls, asks the test that their radius or foot is near to (the plane if the face
+/// is nearest, otherwise the edges) and the final answer; for Ample balls, all tests that do not depend on the foot
+/// alone. A placement at distance 0 has no balls. If `oracle` spares `exact`, takes one radius of each nearness.
 ///
 /// For an intended motion, the truth and the radii are those before it.
 [[nodiscard]] std::vector<Probe> probes_of(const Scene& scene, const Oracle& oracle);

@@ -44,7 +44,7 @@ std::optional<Draft> place(Random& random, const Flat& flat, const Frame& frame)
   for (const FlatPoint p : flat.points) loop.push_back(frame.at(p.x, p.y, 0));
   auto polygon = legal_polygon(loop);
   if (!polygon) return std::nullopt;
-  return Draft{{*std::move(polygon), draw_stands(random, flat, frame)}, flat.critical};
+  return Draft{{*std::move(polygon), draw_placements(random, flat, frame)}, flat.critical};
 }
 
 /// Every vertex and centre moved.
@@ -54,8 +54,8 @@ std::optional<Placed> moved(const Placed& placed, const Move& move) {
   for (std::size_t i = 0; i < placed.polygon.vertex_count(); ++i) loop.push_back(move(placed.polygon.vertex(i)));
   auto polygon = legal_polygon(loop);
   if (!polygon) return std::nullopt;
-  Placed there{*std::move(polygon), placed.stands};
-  for (Stand& stand : there.stands) stand.center = move(stand.center);
+  Placed there{*std::move(polygon), placed.placements};
+  for (BallPlacement& placement : there.placements) placement.center = move(placement.center);
   return there;
 }
 
@@ -139,9 +139,9 @@ std::optional<Draft> scaled(const Draft& draft, int exponent) {
   };
   auto placed = moved(draft.placed, scale);
   if (!placed) return std::nullopt;
-  for (Stand& stand : placed->stands) {
-    stand.radius = std::ldexp(stand.radius, shift);
-    if (!stand.center.allFinite() || !std::isfinite(stand.radius)) return std::nullopt;
+  for (BallPlacement& placement : placed->placements) {
+    placement.radius = std::ldexp(placement.radius, shift);
+    if (!placement.center.allFinite() || !std::isfinite(placement.radius)) return std::nullopt;
   }
   return Draft{*std::move(placed), draft.critical};
 }
@@ -249,7 +249,7 @@ std::optional<Placed> after_motion(Axis axis, std::uint64_t steps, const Placed&
   }
   std::vector<Vector3d> points;
   for (std::size_t i = 0; i < before.polygon.vertex_count(); ++i) points.push_back(before.polygon.vertex(i));
-  for (const Stand& stand : before.stands) points.push_back(stand.center);
+  for (const BallPlacement& placement : before.placements) points.push_back(placement.center);
   const auto after = rotated_in_steps(points, matrix, steps);
   std::size_t next = 0;  // `moved` goes through them in the same order
   return moved(before, [&](const Vector3d&) { return after[next++]; });

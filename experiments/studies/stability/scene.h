@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/studies/stability/axis.h"
+#include "experiments/studies/stability/ball_placements.h"
 #include "experiments/studies/stability/environment.h"
-#include "experiments/studies/stability/stands.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::stability {
@@ -16,15 +16,16 @@ namespace touchstone::stability {
 /// A polygon, and the places of the centres of its balls.
 struct Placed {
   Polygon polygon;
-  std::vector<Stand> stands;
+  std::vector<BallPlacement> placements;
 };
 
 /// A polygon under stress.
 struct Scene {
-  std::string id;                     ///< names axis, level, seed and sample: everything needed to draw it again
-  Placed asked;                       ///< the input of methods
-  std::optional<Placed> meant;        ///< for ChainMotion and PoseMotion: the polygon before the motion, stand by stand
-  FloatingPointMode mode;             ///< the mode in which methods prepare and answer
+  std::string id;  ///< names axis, level, seed and sample: everything needed to draw it again
+  Placed asked;    ///< the input of methods
+  std::optional<Placed>
+      meant;               ///< for ChainMotion and PoseMotion: the polygon before the motion, placement by placement
+  FloatingPointMode mode;  ///< the mode in which methods prepare and answer
   std::vector<std::size_t> critical;  ///< the vertices under stress
 };
 

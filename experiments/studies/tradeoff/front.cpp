@@ -11,11 +11,11 @@ namespace {
 using cases::QueryKind;
 
 /// Beyond the noise.
-bool faster(const Standing& a, const Standing& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
+bool faster(const ParetoEntry& a, const ParetoEntry& b) { return a.nanoseconds.upper < b.nanoseconds.lower; }
 
-Front front_of(const Standing& s, const std::vector<Standing>& standings) {
+Front front_of(const ParetoEntry& s, const std::vector<ParetoEntry>& entries) {
   Front front = Front::On;
-  for (const Standing& other : standings) {
+  for (const ParetoEntry& other : entries) {
     if (&other == &s || other.error > s.error || faster(s, other)) continue;
     if (faster(other, s)) return Front::Off;
     front = Front::WithinNoise;
@@ -39,34 +39,34 @@ std::optional<Nanoseconds> nanoseconds(std::size_t method, QueryKind kind, std::
   return Nanoseconds{sum.lower / lists, sum.median / lists, sum.upper / lists};
 }
 
-std::optional<Standing> standing(Measure measure, const MethodErrors& errors, std::uint64_t polygons) {
+std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, std::uint64_t polygons) {
   if (measure == Measure::NotRight) {
     const Tally tally = errors.near_threshold();
     if (tally.trials == 0) return std::nullopt;
     const auto trials = static_cast<double>(tally.trials);
     const double share = static_cast<double>(tally.not_right()) / trials;
     const auto limits = statistics::bounded_mean(share, polygons);
-    return Standing{.method = 0,
-                    .nanoseconds = {},
-                    .error = share,
-                    .lower = limits.lower,
-                    .upper = limits.upper,
-                    .finite_error = share,
-                    .not_finite = static_cast<double>(tally.overflowed) / trials,
-                    .samples = polygons};
+    return ParetoEntry{.method = 0,
+                       .nanoseconds = {},
+                       .error = share,
+                       .lower = limits.lower,
+                       .upper = limits.upper,
+                       .finite_error = share,
+                       .not_finite = static_cast<double>(tally.overflowed) / trials,
+                       .samples = polygons};
   }
   const UlpErrors& ulps =
       errors.ulps[static_cast<std::size_t>(measure == Measure::Distance ? Quantity::Distance : Quantity::Point)];
   const std::uint64_t known = ulps.known.count(), infinite = ulps.known.infinite();
   if (known == infinite || 2 * known < ulps.asked) return std::nullopt;
-  return Standing{.method = 0,
-                  .nanoseconds = {},
-                  .error = ulps.known.quantile(0.99),
-                  .lower = ulps.quantile_of_finite(0.5),
-                  .upper = ulps.quantile_of_finite(1),
-                  .finite_error = ulps.quantile_of_finite(0.99),
-                  .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
-                  .samples = std::min(known, polygons)};
+  return ParetoEntry{.method = 0,
+                     .nanoseconds = {},
+                     .error = ulps.known.quantile(0.99),
+                     .lower = ulps.quantile_of_finite(0.5),
+                     .upper = ulps.quantile_of_finite(1),
+                     .finite_error = ulps.quantile_of_finite(0.99),
+                     .not_finite = static_cast<double>(infinite) / static_cast<double>(known),
+                     .samples = std::min(known, polygons)};
 }
 
 }  // namespace
@@ -89,8 +89,8 @@ std::string_view word(Front front) {
   return "off";
 }
 
-void mark_front(std::vector<Standing>& standings) {
-  for (Standing& s : standings) s.front = front_of(s, standings);
+void mark_front(std::vector<ParetoEntry>& entries) {
+  for (ParetoEntry& s : entries) s.front = front_of(s, entries);
 }
 
 std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, workloads::Placement placement,
@@ -105,15 +105,15 @@ std::vector<std::size_t> strata_of(std::optional<workloads::Family> family, work
   return strata;
 }
 
-std::vector<Standing> standings(Measure measure, std::optional<workloads::Family> family,
-                                workloads::Placement placement, const Errors& errors,
-                                const std::vector<Timing>& timings) {
+std::vector<ParetoEntry> pareto_entries(Measure measure, std::optional<workloads::Family> family,
+                                        workloads::Placement placement, const Errors& errors,
+                                        const std::vector<Timing>& timings) {
   const QueryKind kind = measure == Measure::NotRight ? QueryKind::Contact : QueryKind::Answer;
   const auto strata = strata_of(family, placement, true);
   const std::size_t methods = errors.at.front().size();
-  std::vector<Standing> list;
+  std::vector<ParetoEntry> list;
   for (std::size_t m = 0; m < methods; ++m) {
-    auto found = standing(measure, errors.sum(strata, m), errors.polygons(strata, m));
+    auto found = entry(measure, errors.sum(strata, m), errors.polygons(strata, m));
     const auto time = nanoseconds(m, kind, family, placement, timings);
     if (!found || !time) continue;
     found->method = m;

@@ -37,7 +37,7 @@ enum class Front {
 [[nodiscard]] std::string_view word(Front front);
 
 /// A method compared with the others.
-struct Standing {
+struct ParetoEntry {
   std::size_t method;  ///< its index in the settings
   Nanoseconds nanoseconds;
   double error;         ///< by the measure
@@ -52,14 +52,14 @@ struct Standing {
 /// Marks the Pareto front. Compares errors as observed: all methods have the same questions. (1) Every method on the
 /// front of the medians is marked On or WithinNoise, and every method marked On is on that front. (2) Every method
 /// marked Off has a better one that is not Off.
-void mark_front(std::vector<Standing>& standings);
+void mark_front(std::vector<ParetoEntry>& entries);
 
 /// Returns the methods by one measure in one place, or in all places of a placement together (no family: the means of
 /// the families' quartiles, which assumes that noise affects all of them alike). Omits methods that were not timed, or
 /// that answer less than half of the questions.
-[[nodiscard]] std::vector<Standing> standings(Measure measure, std::optional<workloads::Family> family,
-                                              workloads::Placement placement, const Errors& errors,
-                                              const std::vector<Timing>& timings);
+[[nodiscard]] std::vector<ParetoEntry> pareto_entries(Measure measure, std::optional<workloads::Family> family,
+                                                      workloads::Placement placement, const Errors& errors,
+                                                      const std::vector<Timing>& timings);
 
 /// Returns the strata of a placement, of one family or of all, whose threshold is crossed by the radius (or by the
 /// centre).

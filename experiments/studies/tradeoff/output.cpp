@@ -176,7 +176,7 @@ struct FrontRow {
   Measure measure;
   Where where;
   std::string_view method;
-  Standing standing;
+  ParetoEntry entry;
 };
 
 const harness::Table<FrontRow>& front_table() {
@@ -187,25 +187,23 @@ const harness::Table<FrontRow>& front_table() {
       harness::all_columns<FrontRow>(
           {{{"measure", "the measure of error", &FrontRow::measure}},
            where_columns<FrontRow>(),
-           {{"nanoseconds", "a question, median", [](const FrontRow& row) { return row.standing.nanoseconds.median; },
+           {{"nanoseconds", "a question, median", [](const FrontRow& row) { return row.entry.nanoseconds.median; },
              kTime},
-            {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.standing.nanoseconds.lower; },
-             kTime},
-            {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.standing.nanoseconds.upper; },
-             kTime},
+            {"lower_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.lower; }, kTime},
+            {"upper_quartile_ns", "a question", [](const FrontRow& row) { return row.entry.nanoseconds.upper; }, kTime},
             {"error", "the share of answers, or the 99 % quantile of units in the last place",
-             harness::path(&FrontRow::standing, &Standing::error), kError},
+             harness::path(&FrontRow::entry, &ParetoEntry::error), kError},
             {"lower", "the lower limit of a share; the median of units",
-             harness::path(&FrontRow::standing, &Standing::lower), kError},
+             harness::path(&FrontRow::entry, &ParetoEntry::lower), kError},
             {"upper", "the upper limit of a share; the worst of units",
-             harness::path(&FrontRow::standing, &Standing::upper), kError},
-            {"finite_error", "the error of finite answers", harness::path(&FrontRow::standing, &Standing::finite_error),
+             harness::path(&FrontRow::entry, &ParetoEntry::upper), kError},
+            {"finite_error", "the error of finite answers", harness::path(&FrontRow::entry, &ParetoEntry::finite_error),
              kError},
             {"not_finite", "the share of answers that are not finite, or wrong for that reason",
-             harness::path(&FrontRow::standing, &Standing::not_finite), kError},
-            {"samples", "polygons behind the error", harness::path(&FrontRow::standing, &Standing::samples)},
+             harness::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
+            {"samples", "polygons behind the error", harness::path(&FrontRow::entry, &ParetoEntry::samples)},
             {"front", "on: nothing is better; within-noise; off: another method is better",
-             harness::path(&FrontRow::standing, &Standing::front)}}}));
+             harness::path(&FrontRow::entry, &ParetoEntry::front)}}}));
   return table;
 }
 
@@ -299,8 +297,8 @@ void write_front(const std::filesystem::path& folder, const Settings& settings, 
   std::vector<FrontRow> rows;
   for (const Measure measure : kMeasures)
     for_each_place(settings, [&](auto family, std::string_view family_name, Placement placement) {
-      for (const Standing& standing : standings(measure, family, placement, errors, timings))
-        rows.push_back({measure, {family_name, placement}, name(settings, standing.method), standing});
+      for (const ParetoEntry& entry : pareto_entries(measure, family, placement, errors, timings))
+        rows.push_back({measure, {family_name, placement}, name(settings, entry.method), entry});
     });
   front_table().write(folder, rows);
 }

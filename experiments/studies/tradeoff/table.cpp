@@ -118,10 +118,10 @@ std::string fronts(const Settings& settings, const Errors& errors, const std::ve
                    Placement placement) {
   std::string text;
   for (const Measure measure : kMeasures) {
-    const auto list = standings(measure, std::nullopt, placement, errors, timings);
+    const auto list = pareto_entries(measure, std::nullopt, placement, errors, timings);
     const auto names = [&](Front front) {
       std::string joined;
-      for (const Standing& s : list)
+      for (const ParetoEntry& s : list)
         if (s.front == front) joined.append(joined.empty() ? "" : ", ").append(settings.methods[s.method]->name());
       return joined.empty() ? std::string("-") : joined;
     };

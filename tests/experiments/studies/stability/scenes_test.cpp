@@ -49,7 +49,8 @@ void for_each_scene(Axis axis, const Check& check) {
 
 void expect_legal(const Placed& placed) {
   EXPECT_FALSE(exact::validate(placed.polygon));
-  for (const Stand& stand : placed.stands) EXPECT_FALSE(find_fault(Ball{stand.center, stand.radius}));
+  for (const BallPlacement& placement : placed.placements)
+    EXPECT_FALSE(find_fault(Ball{placement.center, placement.radius}));
 }
 
 TEST(StabilityScenes, AreLegalAtEveryLevel) {
@@ -59,7 +60,7 @@ TEST(StabilityScenes, AreLegalAtEveryLevel) {
       EXPECT_EQ(scene.meant.has_value(), against_motion(axis));
       if (!scene.meant) return;
       expect_legal(*scene.meant);
-      EXPECT_EQ(scene.meant->stands.size(), scene.asked.stands.size());
+      EXPECT_EQ(scene.meant->placements.size(), scene.asked.placements.size());
     });
 }
 
@@ -72,8 +73,8 @@ TEST(StabilityScenes, AreAFunctionOfTheirNumbers) {
     EXPECT_EQ(scene->id, again->id);
     EXPECT_FALSE(scene->asked.polygon == other_seed->asked.polygon) << word(axis);
     EXPECT_FALSE(scene->asked.polygon == other_index->asked.polygon) << word(axis);
-    for (std::size_t i = 0; i < scene->asked.stands.size(); ++i)
-      EXPECT_EQ(scene->asked.stands[i].center, again->asked.stands[i].center) << word(axis);
+    for (std::size_t i = 0; i < scene->asked.placements.size(); ++i)
+      EXPECT_EQ(scene->asked.placements[i].center, again->asked.placements[i].center) << word(axis);
   }
 }
 

@@ -23,16 +23,17 @@ inline constexpr std::array kNearnesses{Nearness::OneDouble, Nearness::Close, Ne
 
 /// The place of a ball's centre: above the face, off an edge or off a vertex, for radii around the distance; or with
 /// its foot at an edge, for tests of the foot alone.
-struct Stand {
+struct BallPlacement {
   enum class Site { Face, Edge, Vertex, Foot } site;
   Eigen::Vector3d center;
   Nearness nearness = Nearness::Ample;  ///< for Foot
   double radius = 0;                    ///< for Foot: ample
 };
 
-/// Draws one stand of each site (for Foot: two or more of each nearness), half of them at the critical vertices, if
-/// any. Ignores the effect of the stress on sizes: a stand that is ample in the plane of the outline may be near its
-/// boundary in space, as part of the stress.
-[[nodiscard]] std::vector<Stand> draw_stands(Random& random, const Flat& flat, const workloads::Frame& frame);
+/// Draws one placement of each site (for Foot: two or more of each nearness), half of them at the critical vertices, if
+/// any. Ignores the effect of the stress on sizes: a placement that is ample in the plane of the outline may be near
+/// its boundary in space, as part of the stress.
+[[nodiscard]] std::vector<BallPlacement> draw_placements(Random& random, const Flat& flat,
+                                                         const workloads::Frame& frame);
 
 }  // namespace touchstone::stability

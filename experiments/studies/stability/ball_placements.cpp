@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/stability/stands.h"
+#include "experiments/studies/stability/ball_placements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace touchstone::stability {
 namespace {
 
-using Site = Stand::Site;
+using Site = BallPlacement::Site;
 
 /// Draws in the plane of an outline, and heights above it.
 class Draw {
@@ -18,7 +18,7 @@ class Draw {
   Draw(Random& random, const Flat& flat, const workloads::Frame& frame)
       : random_(random), flat_(flat), frame_(frame), turn_(twice_area(flat) < 0 ? -1 : 1) {}
 
-  Stand face() {
+  BallPlacement face() {
     FlatPoint best = flat_.points[0];
     double best_clearance = -1;
     for (int i = 0; i < kTries && best_clearance < flat_.size / 32; ++i) {
@@ -31,12 +31,12 @@ class Draw {
     return {Site::Face, frame_.at(best.x, best.y, signed_height())};
   }
 
-  Stand edge() {
+  BallPlacement edge() {
     const std::size_t i = edge_index();
     return {Site::Edge, away(along(i), outward(i))};
   }
 
-  Stand vertex() {
+  BallPlacement vertex() {
     const std::size_t i = critical_or_any();
     const FlatPoint here = flat_.points[i];
     const FlatPoint a = unit(flat_.points[flat_.previous(i)], here), b = unit(flat_.points[flat_.next(i)], here);
@@ -47,7 +47,7 @@ class Draw {
   }
 
   /// The foot at, inside and outside of an edge.
-  void feet(std::vector<Stand>& stands) {
+  void feet(std::vector<BallPlacement>& placements) {
     const std::size_t i = edge_index();
     const FlatPoint on = along(i), out = outward(i);
     const double height = signed_height(), radius = 2 * std::abs(height) * frame_.unit;
@@ -56,14 +56,14 @@ class Draw {
     for (const int doubles : {0, 1, -1}) {
       Eigen::Vector3d moved = center;
       moved[axis] = workloads::move_by_doubles(moved[axis], doubles);
-      stands.push_back({Site::Foot, moved, Nearness::OneDouble, radius});
+      placements.push_back({Site::Foot, moved, Nearness::OneDouble, radius});
     }
     for (const auto& [nearness, share] : {std::pair{Nearness::Close, 0x1p-31}, {Nearness::Ample, 0x1p-5}})
       for (const int sign : {1, -1}) {
         const double step = sign * share * flat_.size;
         const FlatPoint foot{on.x + step * out.x, on.y + step * out.y};
         if (nearness == Nearness::Ample && clearance(flat_, foot) < 0.9 * std::abs(step)) continue;
-        stands.push_back({Site::Foot, frame_.at(foot.x, foot.y, height), nearness, radius});
+        placements.push_back({Site::Foot, frame_.at(foot.x, foot.y, height), nearness, radius});
       }
   }
 
@@ -132,14 +132,14 @@ std::string_view word(Nearness nearness) {
   return "ample";
 }
 
-std::vector<Stand> draw_stands(Random& random, const Flat& flat, const workloads::Frame& frame) {
+std::vector<BallPlacement> draw_placements(Random& random, const Flat& flat, const workloads::Frame& frame) {
   Draw draw(random, flat, frame);
-  std::vector<Stand> stands;
-  stands.push_back(draw.face());
-  stands.push_back(draw.edge());
-  stands.push_back(draw.vertex());
-  draw.feet(stands);
-  return stands;
+  std::vector<BallPlacement> placements;
+  placements.push_back(draw.face());
+  placements.push_back(draw.edge());
+  placements.push_back(draw.vertex());
+  draw.feet(placements);
+  return placements;
 }
 
 }  // namespace touchstone::stability
