@@ -74,7 +74,9 @@ function(keep_foreign_symbols_local target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   set_target_properties(${target} PROPERTIES TOUCHSTONE_FOREIGN_SYMBOLS_LOCAL ON)
   set(scratch ${CMAKE_CURRENT_BINARY_DIR}/${target}_members)
-  file(GENERATE OUTPUT ${scratch}/objects CONTENT "$<JOIN:$<TARGET_OBJECTS:${target}>,\n>\n")
+  # CMake counts precompiled headers among the objects.
+  set(objects "$<FILTER:$<TARGET_OBJECTS:${target}>,EXCLUDE,[.][gp]ch$>")
+  file(GENERATE OUTPUT ${scratch}/objects CONTENT "$<JOIN:${objects},\n>\n")
   add_custom_command(TARGET ${target} POST_BUILD VERBATIM
     COMMAND ${CMAKE_COMMAND} -DARCHIVE=$<TARGET_FILE:${target}> -DOBJECTS=${scratch}/objects -DSCRATCH=${scratch}
             -DLD=${TOUCHSTONE_LD} -DNM=${TOUCHSTONE_NM} -DOBJCOPY=${TOUCHSTONE_OBJCOPY} -DAR=${CMAKE_AR}

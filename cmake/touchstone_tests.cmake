@@ -18,6 +18,9 @@ function(touchstone_tests name)
   list(TRANSFORM tests_ROOMS PREPEND touchstone_)
   target_link_libraries(${name}_tests PRIVATE ${tests_ROOMS} touchstone_robust touchstone_options GTest::gtest_main
                         rapidcheck)
+  precompile_headers(${name}_tests <algorithm> <cmath> <filesystem> <functional> <optional> <string> <vector> <Eigen/Core>
+                     <Eigen/Geometry> <gtest/gtest.h> <rapidcheck/gtest.h>
+                     LIBRARIES touchstone_options Eigen3::Eigen GTest::gtest_main rapidcheck)
   set_target_properties(${name}_tests PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
                        PROPERTIES ENVIRONMENT "${properties_environment}" LABELS "${name};${tests_LABELS}")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Boost.Math, which computes Clopper and Pearson's limits, has none for the mean of a bounded variable.
 #include "experiments/statistics/bounded_mean.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes Nef polyhedra: they take 40 s and 1.5 GB to compile.
+// The only file that includes Nef polyhedra: they take 25 s and over 1 GB to compile.
 #include "experiments/cell/model/exact_boolean.h"
 
 #include <CGAL/Aff_transformation_3.h>
