@@ -19,18 +19,18 @@ py::str text(std::string_view word) { return {word.data(), word.size()}; }
 /// Returns the nearest feature as in a verdict: {'kind': 'edge', 'index': 3}; the face has no index.
 py::dict nearest_of(const Answer& answer) {
   py::dict feature;
-  feature["kind"] = text(word(answer.nearest.kind));
+  feature["kind"] = text(to_string(answer.nearest.kind));
   if (answer.nearest.kind != Feature::Kind::Face) feature["index"] = answer.nearest.index;
   return feature;
 }
 
 py::dict verdict_of(const Answer& answer) {
   py::dict keys;
-  keys["plane"] = text(word(answer.plane));
+  keys["plane"] = text(to_string(answer.plane));
   keys["plane_tangent"] = answer.plane_tangent;
-  keys["foot"] = text(word(answer.foot));
+  keys["foot"] = text(to_string(answer.foot));
   keys["edges_hit"] = py::cast(answer.edges_hit);
-  keys["relation"] = text(word(answer.relation));
+  keys["relation"] = text(to_string(answer.relation));
   keys["contact"] = answer.contact();
   keys["nearest"] = nearest_of(answer);
   py::list point;
@@ -54,11 +54,11 @@ void add_answer(py::module_& module) {
   py::class_<Answer> type(module, "Answer",
                           "The full answer about a ball and a polygon, in the words of the contract.");
   refuse_pickling(type, "Answer");
-  type.def_property_readonly("plane", [](const Answer& a) { return text(word(a.plane)); })
+  type.def_property_readonly("plane", [](const Answer& a) { return text(to_string(a.plane)); })
       .def_readonly("plane_tangent", &Answer::plane_tangent)
-      .def_property_readonly("foot", [](const Answer& a) { return text(word(a.foot)); })
+      .def_property_readonly("foot", [](const Answer& a) { return text(to_string(a.foot)); })
       .def_readonly("edges_hit", &Answer::edges_hit)
-      .def_property_readonly("relation", [](const Answer& a) { return text(word(a.relation)); })
+      .def_property_readonly("relation", [](const Answer& a) { return text(to_string(a.relation)); })
       .def_property_readonly("contact", &Answer::contact)
       .def_property_readonly("nearest", nearest_of)
       .def_readonly("point", &Answer::point)
@@ -104,7 +104,7 @@ void add_rejected(py::module_& module) {
       if (pointer) std::rethrow_exception(std::move(pointer));
     } catch (const Rejected& rejected) {
       py::object error = type(rejected.what());
-      error.attr("code") = text(word(rejected.rejection().code));
+      error.attr("code") = text(to_string(rejected.rejection().code));
       PyErr_SetObject(type.ptr(), error.ptr());
     }
   });

@@ -131,7 +131,7 @@ class QueryFunctions {
 
   template <class Enumerator>
   static pybind11::str text_of(Enumerator value) {
-    const std::string_view text = word(value);
+    const std::string_view text = to_string(value);
     return {text.data(), text.size()};
   }
 

@@ -81,8 +81,8 @@ class Reader {
 
   static bool is_code(const json& value) {
     if (!value.is_string()) return false;
-    for (int code = 0; !word(RejectionCode(code)).empty(); ++code)
-      if (word(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
+    for (int code = 0; !to_string(RejectionCode(code)).empty(); ++code)
+      if (to_string(RejectionCode(code)) == value.get_ref<const std::string&>()) return true;
     return false;
   }
 

@@ -81,7 +81,7 @@ std::vector<std::string> differences(const StatedAnswer& expected, const Partial
   return differences(expected, stated(answer));
 }
 
-std::string_view word(Test test) {
+std::string_view to_string(Test test) {
   switch (test) {
     case Test::Plane: return "plane";
     case Test::Foot: return "foot";

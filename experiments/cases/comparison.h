@@ -31,7 +31,7 @@ enum class Test { Plane, Foot, Edges, Contact, Relation };
 /// The tests that every study counts.
 inline constexpr std::array kTests{Test::Plane, Test::Foot, Test::Edges, Test::Contact};
 
-[[nodiscard]] std::string_view word(Test test);
+[[nodiscard]] std::string_view to_string(Test test);
 /// Returns the key that the test compares.
 [[nodiscard]] Key key_of(Test test);
 /// Returns the query that yields the key of the test.

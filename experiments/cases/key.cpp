@@ -5,7 +5,7 @@
 
 namespace touchstone::cases {
 
-std::string_view word(Key key) {
+std::string_view to_string(Key key) {
   switch (key) {
     case Key::Plane: return "plane";
     case Key::PlaneTangent: return "plane_tangent";
@@ -22,7 +22,7 @@ std::string_view word(Key key) {
 }
 
 std::optional<Key> find_key(std::string_view text) {
-  const auto found = std::ranges::find(kKeys, text, [](Key key) { return word(key); });
+  const auto found = std::ranges::find(kKeys, text, [](Key key) { return to_string(key); });
   if (found == kKeys.end()) return std::nullopt;
   return *found;
 }

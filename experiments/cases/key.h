@@ -16,7 +16,7 @@ inline constexpr std::array kKeys{Key::Plane,   Key::PlaneTangent, Key::Foot,  K
                                   Key::Contact, Key::Nearest,      Key::Point, Key::Distance, Key::OffPlane};
 
 /// Returns the key as JSON has it: `plane`, ..., `off_plane`.
-[[nodiscard]] std::string_view word(Key key);
+[[nodiscard]] std::string_view to_string(Key key);
 /// Returns the key of that word, if there is one.
 [[nodiscard]] std::optional<Key> find_key(std::string_view word);
 

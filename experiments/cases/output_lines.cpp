@@ -40,7 +40,7 @@ std::string verdict_line(const std::string& id, std::string_view method, const S
     if (const auto found = answer.texts.find(std::string(name)); found != answer.texts.end())
       line.append(",\"").append(name).append("\":").append(found->second);
   };
-  for (const Key key : kKeys) add(word(key));
+  for (const Key key : kKeys) add(to_string(key));
   add("error");
   add("message");
   return line + "}\n";
@@ -48,7 +48,7 @@ std::string verdict_line(const std::string& id, std::string_view method, const S
 
 std::string verdict_line(const std::optional<std::string>& id, std::string_view method, const Rejection& rejection) {
   Verdict verdict = begin(id ? Verdict(*id) : Verdict(nullptr), method);
-  verdict["error"] = word(rejection.code);
+  verdict["error"] = to_string(rejection.code);
   verdict["message"] = (id ? "case " + *id + ": " : "") + rejection.message;
   return to_line(verdict);
 }

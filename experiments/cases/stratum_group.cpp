@@ -10,7 +10,7 @@ std::vector<StratumGroup> stratum_groups(const std::vector<workloads::Family>& f
   for (std::size_t s = 0; s < all_strata().size(); ++s) {
     const auto& [family, placement, threshold] = all_strata()[s];
     if (std::ranges::find(families, family) == families.end()) continue;
-    single.push_back({std::string(word(family)), placement, threshold, {s}});
+    single.push_back({std::string(to_string(family)), placement, threshold, {s}});
     auto group = std::ranges::find_if(pooled, [&, placement = placement, threshold = threshold](const auto& other) {
       return other.placement == placement && other.threshold == threshold;
     });

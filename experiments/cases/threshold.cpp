@@ -130,7 +130,7 @@ std::optional<std::vector<Ball>> draw_foot_crossing(const workloads::PlacedOutli
 
 }  // namespace
 
-std::string_view word(Threshold threshold) {
+std::string_view to_string(Threshold threshold) {
   switch (threshold) {
     case Threshold::Face: return "face";
     case Threshold::Edge: return "edge";
@@ -201,8 +201,9 @@ std::optional<FootCrossing> find_foot_crossing(const Ball& ball, int axis, std::
 
 std::string id(const SamplePlace& place) {
   const auto& [family, placement, threshold] = all_strata()[place.stratum];
-  return fmt::format("near-edge-{}-{}-{}-n{}-h{}-o{}-s{}-i{}", word(family), word(placement), word(threshold),
-                     place.shape.vertices, place.shape.holes, place.shape.origin_distance, place.seed, place.n);
+  return fmt::format("near-edge-{}-{}-{}-n{}-h{}-o{}-s{}-i{}", to_string(family), to_string(placement),
+                     to_string(threshold), place.shape.vertices, place.shape.holes, place.shape.origin_distance,
+                     place.seed, place.n);
 }
 
 // The foot does not depend on r. The other answers compare r with distances that do not depend on r: the ball

@@ -25,7 +25,7 @@ enum class Threshold {
   FootVertex,  ///< the same, the foot passing a vertex
 };
 
-[[nodiscard]] std::string_view word(Threshold threshold);
+[[nodiscard]] std::string_view to_string(Threshold threshold);
 /// Returns whether the radius is moved (otherwise the centre).
 [[nodiscard]] bool moves_radius(Threshold threshold);
 

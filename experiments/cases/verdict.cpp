@@ -39,16 +39,16 @@ json plain(const json& value, bool doubles) {
   return copy;
 }
 
-Verdict value_of(PlaneSide value) { return word(value); }
-Verdict value_of(PointLocation value) { return word(value); }
-Verdict value_of(Relation value) { return word(value); }
+Verdict value_of(PlaneSide value) { return to_string(value); }
+Verdict value_of(PointLocation value) { return to_string(value); }
+Verdict value_of(Relation value) { return to_string(value); }
 Verdict value_of(bool value) { return value; }
 Verdict value_of(const std::vector<std::size_t>& value) { return value; }
 Verdict value_of(double value) { return number(value); }
 Verdict value_of(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
 Verdict value_of(const Feature& nearest) {
   Verdict object = Verdict::object();
-  object["kind"] = word(nearest.kind);
+  object["kind"] = to_string(nearest.kind);
   if (nearest.kind != Feature::Kind::Face) object["index"] = nearest.index;
   return object;
 }
@@ -59,7 +59,7 @@ template <class Enumerator>
 void read_word(const json& value, std::initializer_list<Enumerator> all, std::optional<Enumerator>& read) {
   if (!value.is_string()) return;
   for (const Enumerator one : all)
-    if (word(one) == value.get_ref<const std::string&>()) read = one;
+    if (to_string(one) == value.get_ref<const std::string&>()) read = one;
 }
 
 void read(const json& value, std::optional<PlaneSide>& side) {
@@ -173,7 +173,7 @@ Verdict object_of(const PartialAnswer& answer) {
   Verdict object = Verdict::object();
   for (const Key key : kKeys)
     visit_key(key, [&](auto member) {
-      if (answer.*member) object[std::string(word(key))] = value_of(*(answer.*member));
+      if (answer.*member) object[std::string(to_string(key))] = value_of(*(answer.*member));
     });
   return object;
 }
@@ -186,7 +186,7 @@ StatedAnswer stated(const PartialAnswer& answer) {
 }
 
 StatedAnswer stated(const Rejection& rejection) {
-  return {.values = {}, .texts = {{"error", text(word(rejection.code))}, {"message", text(rejection.message)}}};
+  return {.values = {}, .texts = {{"error", text(to_string(rejection.code))}, {"message", text(rejection.message)}}};
 }
 
 StatedAnswer expectation_in(const json& expected) {
@@ -202,8 +202,8 @@ StatedAnswer expectation_in(const json& expected) {
 StatedAnswer answer_in(const json& reply) {
   json known = json::object();
   for (const Key key : kKeys)
-    if (const auto found = reply.find(word(key)); found != reply.end())
-      known[std::string(word(key))] = plain(*found, holds_doubles(key));
+    if (const auto found = reply.find(to_string(key)); found != reply.end())
+      known[std::string(to_string(key))] = plain(*found, holds_doubles(key));
   for (const char* key : {"error", "message"})
     if (const auto found = reply.find(key); found != reply.end()) known[key] = plain(*found, false);
   return expectation_in(known);

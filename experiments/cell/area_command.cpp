@@ -52,7 +52,7 @@ harness::Table<Tried> tried_table(const std::string& file, const std::string& ro
            {"radius", "from the robot's axis, in the cell's unit", &Tried::radius},
            {"height", "in the cell's unit", &Tried::height},
            {"outcome", "completed, or the cause of the failure",
-            [](const Tried& tried) { return tried.cause ? word(*tried.cause) : std::string_view("completed"); }},
+            [](const Tried& tried) { return tried.cause ? to_string(*tried.cause) : std::string_view("completed"); }},
            {"reason", "what failed", &Tried::reason}}};
 }
 
@@ -82,7 +82,7 @@ std::string table_of(const std::vector<Tried>& tried) {
   for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
   std::string text = fmt::format("{} completed", counts[0]);
   for (const Cause cause : {Cause::OutOfReach, Cause::BeyondLimits, Cause::NoContact, Cause::InTheWay})
-    text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], word(cause));
+    text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], to_string(cause));
   return text;
 }
 

@@ -83,7 +83,8 @@ std::string gripper_cases(const std::string& cell_file) {
   for (std::size_t i = 0; i < standing.size(); ++i) add(workcell.obstacles().owners[i], i, standing[i]);
   for (const cell::Place place : {cell::Place::Storage, cell::Place::Machine}) {
     const auto material = polygons_of(workcell.at(place).faces);
-    for (std::size_t i = 0; i < material.size(); ++i) add(fmt::format("material-in-{}", word(place)), i, material[i]);
+    for (std::size_t i = 0; i < material.size(); ++i)
+      add(fmt::format("material-in-{}", to_string(place)), i, material[i]);
   }
   return text;
 }

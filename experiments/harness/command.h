@@ -65,15 +65,15 @@ class Command {
   /// A choice of one of these words.
   Option choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                 const std::string& about);
-  /// A choice of one of these enumerators, by word(enumerator).
+  /// A choice of one of these enumerators, by to_string(enumerator).
   template <class Enumerator>
   requires std::is_enum_v<Enumerator> Option choice(const std::string& name, Enumerator& value,
                                                     const std::vector<Enumerator>& all, const std::string& about) {
     std::vector<std::string> words;
-    for (const Enumerator one : all) words.emplace_back(word(one));
+    for (const Enumerator one : all) words.emplace_back(to_string(one));
     return word_option(
-        name, [&value] { return std::string(word(value)); }, [&value, all](std::size_t index) { value = all[index]; },
-        words, about);
+        name, [&value] { return std::string(to_string(value)); },
+        [&value, all](std::size_t index) { value = all[index]; }, words, about);
   }
   /// Values separated by commas.
   Option names(const std::string& name, std::vector<std::string>& values, const std::string& about);

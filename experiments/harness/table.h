@@ -23,12 +23,12 @@ namespace touchstone::harness {
 [[nodiscard]] std::string number_field(double number, const char* format);
 /// @}
 
-/// Returns any value as a field: texts and numbers as above, an enumerator by its word(), a missing value as an empty
-/// field.
+/// Returns any value as a field: texts and numbers as above, an enumerator by its to_string(), a missing value as an
+/// empty field.
 template <class T>
 [[nodiscard]] std::string field(const T& value, const char* format = "{}") {
   if constexpr (std::is_enum_v<T>)
-    return text_field(word(value));
+    return text_field(to_string(value));
   else if constexpr (std::signed_integral<T>)
     return number_field(std::int64_t{value}, format);
   else if constexpr (std::unsigned_integral<T>)

@@ -40,8 +40,8 @@ void VerdictReporter::report_rejection(const cases::Line& line) {
   for (const auto* method : order_.methods) give(method->name());
   if (!order_.engine.empty()) give(order_.engine);
   if (expected) return;
-  complain(fmt::format("{}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "", word(rejection.code),
-                       reason));
+  complain(fmt::format("{}{}: rejected: {}: {}", line.place, given.id ? ": " + name(line) : "",
+                       to_string(rejection.code), reason));
   worsen(InputRejected);
 }
 

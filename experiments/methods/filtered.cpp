@@ -21,7 +21,7 @@ class PreparedFiltered final : public PreparedMethod {
       case QueryKind::EdgesHit: answer.edges_hit = filtered::edges_hit(ball, polygon_, counts); break;
       case QueryKind::Answer: answer = PartialAnswer::of(filtered::answer(ball, polygon_, counts), ""); break;
     }
-    answer.stage = word(counts.last());
+    answer.stage = to_string(counts.last());
     return answer;
   }
 

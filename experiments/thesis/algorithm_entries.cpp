@@ -57,9 +57,10 @@ void add_flowchart(const Study& study, EntryList& entries) {
   const std::uint64_t samples = ends.samples();
   std::vector<Number> numbers;
   for (const End end : kEnds) {
+    numbers.push_back(share(fmt::format("balls that end at \"{}\", by the thesis's method", to_string(end)),
+                            ends.at(end), samples, true));
     numbers.push_back(
-        share(fmt::format("balls that end at \"{}\", by the thesis's method", word(end)), ends.at(end), samples, true));
-    numbers.push_back(share(fmt::format("the same, exactly: \"{}\"", word(end)), ends.exactly_at(end), samples, true));
+        share(fmt::format("the same, exactly: \"{}\"", to_string(end)), ends.exactly_at(end), samples, true));
   }
   for (std::size_t m = 0; m < kMethods.size(); ++m) {
     const Ends its = gripper_ends(study, m);

@@ -126,7 +126,7 @@ ordered_json drawn_parts(const std::vector<cell::ModelPart>& parts) {
       }
     }
     all.push_back({{"name", part.name},
-                   {"moves_with", word(part.carrier)},
+                   {"moves_with", to_string(part.carrier)},
                    {"link", part.link},
                    {"vertices", vertices},
                    {"triangles", triangles},

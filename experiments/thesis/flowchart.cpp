@@ -41,7 +41,7 @@ bool in_box(const Ball& ball, const stability::Box& box) {
 
 }  // namespace
 
-std::string_view word(End end) {
+std::string_view to_string(End end) {
   constexpr std::array<std::string_view, kEnds.size()> words{"in front", "behind", "inside: collision",
                                                              "edge: collision", "no collision"};
   return words[static_cast<std::size_t>(end)];

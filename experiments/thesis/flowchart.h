@@ -20,7 +20,7 @@ enum class End {
   Neither,  ///< no collision
 };
 inline constexpr std::array kEnds{End::InFront, End::Behind, End::Inside, End::Edge, End::Neither};
-[[nodiscard]] std::string_view word(End end);
+[[nodiscard]] std::string_view to_string(End end);
 [[nodiscard]] constexpr bool is_hit(End end) { return end == End::Inside || end == End::Edge; }
 
 /// Numbers of balls by the end of a method and the end of the exact tests.

@@ -62,7 +62,7 @@ bool overlap(const Corners& a, const Corners& b) {
 
 }  // namespace
 
-std::string_view word(Outcome outcome) {
+std::string_view to_string(Outcome outcome) {
   constexpr std::array<std::string_view, 8> words{"from the side", "from above",  "on the robot", "on the machine",
                                                   "out of reach",  "joint limit", "in the way",   "no contact"};
   return words[static_cast<std::size_t>(outcome)];

@@ -25,7 +25,7 @@ enum class Outcome {
   InTheWay,  ///< the sphere touches an obstacle on a move that should be free
   Nothing,   ///< the sphere misses what it should touch, steps skip the contact, or no lift clears the material
 };
-[[nodiscard]] std::string_view word(Outcome outcome);
+[[nodiscard]] std::string_view to_string(Outcome outcome);
 [[nodiscard]] constexpr bool completes(Outcome outcome) {
   return outcome == Outcome::FromSide || outcome == Outcome::FromAbove;
 }

@@ -301,7 +301,7 @@ Ball draw_ball(const PlacedOutline& placed, const Workload& workload, std::uint6
     if (at_threshold(workload.ball)) ball->radius = std::max(0.0, move_by_doubles(ball->radius, workload.doubles));
     return *ball;
   }
-  throw std::invalid_argument("no " + std::string(word(workload.ball)) + " ball was found");
+  throw std::invalid_argument("no " + std::string(to_string(workload.ball)) + " ball was found");
 }
 
 }  // namespace touchstone::workloads

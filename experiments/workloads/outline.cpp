@@ -289,7 +289,7 @@ Outline draw_outline(const Workload& workload, std::uint64_t seed, std::uint64_t
                                part_of_sample(seed, index, Part::Holes, attempt));
     if (outline) return *std::move(outline);
   }
-  throw std::invalid_argument("no " + std::string(word(workload.family)) + " outline of " +
+  throw std::invalid_argument("no " + std::string(to_string(workload.family)) + " outline of " +
                               std::to_string(workload.vertices) + " vertices and " + std::to_string(workload.holes) +
                               " holes on the lattice");
 }

@@ -28,8 +28,8 @@ std::string shortest(double x) {
 
 std::string id(const Workload& workload, std::uint64_t seed, std::uint64_t index) {
   std::string text;
-  text.append(word(workload.family)).append("-").append(word(workload.placement)).append("-");
-  text.append(word(workload.ball));
+  text.append(to_string(workload.family)).append("-").append(to_string(workload.placement)).append("-");
+  text.append(to_string(workload.ball));
   text += "-n" + std::to_string(workload.vertices) + "-h" + std::to_string(workload.holes) + "-k" +
           std::to_string(workload.doubles);
   const Workload usual;
@@ -39,8 +39,8 @@ std::string id(const Workload& workload, std::uint64_t seed, std::uint64_t index
 }
 
 std::vector<std::string> tags(const Workload& workload) {
-  std::vector<std::string> words{std::string(word(workload.family)), std::string(word(workload.placement)),
-                                 std::string(word(workload.ball))};
+  std::vector<std::string> words{std::string(to_string(workload.family)), std::string(to_string(workload.placement)),
+                                 std::string(to_string(workload.ball))};
   if (workload.ball == BallPlace::LatticeTangent && workload.doubles == 0) words.emplace_back("tangent");
   return words;
 }
@@ -54,7 +54,7 @@ Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index)
   return {id(workload, seed, index), ball, std::move(placed.polygon), tags(workload)};
 }
 
-std::string_view word(Family family) {
+std::string_view to_string(Family family) {
   switch (family) {
     case Family::Triangle: return "triangle";
     case Family::Convex: return "convex";
@@ -70,11 +70,11 @@ std::string_view word(Family family) {
   return "";
 }
 
-std::string_view word(Placement placement) {
+std::string_view to_string(Placement placement) {
   return placement == Placement::LatticeFrame ? "lattice-frame" : "rotated";
 }
 
-std::string_view word(BallPlace place) {
+std::string_view to_string(BallPlace place) {
   switch (place) {
     case BallPlace::Anywhere: return "anywhere";
     case BallPlace::NearFace: return "near-face";
@@ -96,20 +96,21 @@ const std::vector<Family>& all_families() {
 
 std::vector<Family> find_families(const std::vector<std::string>& names) {
   std::string known;
-  for (const Family family : all_families()) known.append(word(family)).append(", ");
+  for (const Family family : all_families()) known.append(to_string(family)).append(", ");
   for (const std::string& name : names)
-    if (name != "all" && std::ranges::none_of(all_families(), [&](Family family) { return word(family) == name; }))
+    if (name != "all" && std::ranges::none_of(all_families(), [&](Family family) { return to_string(family) == name; }))
       throw std::invalid_argument("--families: there is no family \"" + name + "\"; there are " + known + "or all");
   std::vector<Family> found;
   for (const Family family : all_families())
-    if (std::ranges::any_of(names, [&](const std::string& name) { return name == "all" || name == word(family); }))
+    if (std::ranges::any_of(names, [&](const std::string& name) { return name == "all" || name == to_string(family); }))
       found.push_back(family);
   return found;
 }
 
 std::string selected_names(const std::vector<std::string>& names) {
   std::string selected;
-  for (const Family family : find_families(names)) selected.append(selected.empty() ? "" : ",").append(word(family));
+  for (const Family family : find_families(names))
+    selected.append(selected.empty() ? "" : ",").append(to_string(family));
   return selected;
 }
 

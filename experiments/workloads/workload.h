@@ -58,9 +58,9 @@ struct Sample {
 /// Throws std::invalid_argument if the family cannot provide what the workload asks for.
 [[nodiscard]] Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index);
 
-[[nodiscard]] std::string_view word(Family family);
-[[nodiscard]] std::string_view word(Placement placement);
-[[nodiscard]] std::string_view word(BallPlace place);
+[[nodiscard]] std::string_view to_string(Family family);
+[[nodiscard]] std::string_view to_string(Placement placement);
+[[nodiscard]] std::string_view to_string(BallPlace place);
 [[nodiscard]] const std::vector<Family>& all_families();
 /// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
 /// std::invalid_argument, which names the first unknown one.

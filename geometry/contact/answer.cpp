@@ -3,7 +3,7 @@
 
 namespace touchstone {
 
-std::string_view word(PlaneSide side) {
+std::string_view to_string(PlaneSide side) {
   switch (side) {
     case PlaneSide::InFront: return "in_front";
     case PlaneSide::Behind: return "behind";
@@ -12,7 +12,7 @@ std::string_view word(PlaneSide side) {
   return {};
 }
 
-std::string_view word(PointLocation place) {
+std::string_view to_string(PointLocation place) {
   switch (place) {
     case PointLocation::Inside: return "inside";
     case PointLocation::Boundary: return "boundary";
@@ -21,7 +21,7 @@ std::string_view word(PointLocation place) {
   return {};
 }
 
-std::string_view word(Relation relation) {
+std::string_view to_string(Relation relation) {
   switch (relation) {
     case Relation::Separate: return "separate";
     case Relation::Touching: return "touching";
@@ -30,7 +30,7 @@ std::string_view word(Relation relation) {
   return {};
 }
 
-std::string_view word(Feature::Kind kind) {
+std::string_view to_string(Feature::Kind kind) {
   switch (kind) {
     case Feature::Kind::Face: return "face";
     case Feature::Kind::Edge: return "edge";

@@ -61,10 +61,10 @@ struct Answer {
 
 /// @{
 /// Returns the word of the contract, such as `in_front`, `boundary`, `touching`, `edge`.
-[[nodiscard]] std::string_view word(PlaneSide side);
-[[nodiscard]] std::string_view word(PointLocation place);
-[[nodiscard]] std::string_view word(Relation relation);
-[[nodiscard]] std::string_view word(Feature::Kind kind);
+[[nodiscard]] std::string_view to_string(PlaneSide side);
+[[nodiscard]] std::string_view to_string(PointLocation place);
+[[nodiscard]] std::string_view to_string(Relation relation);
+[[nodiscard]] std::string_view to_string(Feature::Kind kind);
 /// @}
 
 }  // namespace touchstone

@@ -3,7 +3,7 @@
 
 namespace touchstone {
 
-std::string_view word(RejectionCode code) {
+std::string_view to_string(RejectionCode code) {
   switch (code) {
     case RejectionCode::MalformedCase: return "malformed-case";
     case RejectionCode::NotFinite: return "not-finite";

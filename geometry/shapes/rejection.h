@@ -22,7 +22,7 @@ enum class RejectionCode {
 };
 
 /// Returns the code as written in verdicts, such as `zero-normal`.
-[[nodiscard]] std::string_view word(RejectionCode code);
+[[nodiscard]] std::string_view to_string(RejectionCode code);
 
 /// A code, and a message that names the loop and the vertex or edge.
 struct Rejection {

@@ -3,7 +3,7 @@
 
 namespace touchstone::filtered {
 
-std::string_view word(Stage stage) {
+std::string_view to_string(Stage stage) {
   switch (stage) {
     case Stage::Double: return "double";
     case Stage::Permanent: return "permanent";

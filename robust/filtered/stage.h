@@ -18,7 +18,7 @@ enum class Stage {
 inline constexpr std::size_t kStages = 5;  ///< the number of stages
 
 /// Returns the word that `--explain` prints: `double`, `permanent`, `double-double`, `fixed-integer` or `unlimited`.
-[[nodiscard]] std::string_view word(Stage stage);
+[[nodiscard]] std::string_view to_string(Stage stage);
 
 /// The number of decisions taken by each stage. `Double` counts whole queries that needed no later stage; the other
 /// stages count single signs and roundings.

@@ -5,7 +5,7 @@
 
 namespace touchstone::scene {
 
-std::string_view word(CullOutcome outcome) {
+std::string_view to_string(CullOutcome outcome) {
   constexpr std::array<std::string_view, kCullOutcomes> words{"box", "known", "slab", "foot", "edges", "touched"};
   return words[static_cast<std::size_t>(outcome)];
 }

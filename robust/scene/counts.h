@@ -28,7 +28,7 @@ enum class CullOutcome {
 inline constexpr std::size_t kCullOutcomes = 6;  ///< the number of outcomes
 
 /// Returns `box`, `known`, `slab`, `foot`, `edges` or `touched`.
-[[nodiscard]] std::string_view word(CullOutcome outcome);
+[[nodiscard]] std::string_view to_string(CullOutcome outcome);
 
 /// The outcomes of all faces in one query, or in several queries together.
 ///

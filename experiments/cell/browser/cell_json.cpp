@@ -38,7 +38,7 @@ Json part_json(const ModelPart& part) {
   for (const auto& edge : drawing.outline)
     for (const std::uint32_t end : edge) outline.push_back(end);
   return {{"name", part.name},
-          {"carrier", word(part.carrier)},
+          {"carrier", to_string(part.carrier)},
           {"link", part.link},
           {"points", std::move(points)},
           {"triangles", std::move(triangles)},
@@ -131,10 +131,10 @@ std::string run_json(const Recording& recording) {
   for (const Move& move : process.moves) {
     Json contact;
     if (move.contact)
-      contact = {{"low", move.contact->low}, {"high", move.contact->high}, {"kind", word(move.contact->kind)}};
-    moves.push_back({{"phase", word(move.phase)},
+      contact = {{"low", move.contact->low}, {"high", move.contact->high}, {"kind", to_string(move.contact->kind)}};
+    moves.push_back({{"phase", to_string(move.phase)},
                      {"joint", arm.chain.joints()[move.joint].name},
-                     {"until", word(move.until)},
+                     {"until", to_string(move.until)},
                      {"degrees", move.degrees},
                      {"exact", move.exact},
                      {"contact", std::move(contact)}});
@@ -146,7 +146,7 @@ std::string run_json(const Recording& recording) {
     const Look& look = recording.looks[i];
     Json links = Json::array();
     for (const Pose& pose : look.links) links.push_back(json_of(pose));
-    const auto place = [](const std::optional<Place>& p) { return p ? Json(word(*p)) : Json(); };
+    const auto place = [](const std::optional<Place>& p) { return p ? Json(to_string(*p)) : Json(); };
     stops.push_back({{"move", stop.move},
                      {"commanded", stop.commanded},
                      {"links", std::move(links)},

@@ -41,7 +41,7 @@ std::optional<FirstContact> contact_of(const Arc& arc, double radius, const Poly
 
 }  // namespace
 
-std::string_view word(FirstContact::Kind kind) {
+std::string_view to_string(FirstContact::Kind kind) {
   constexpr std::array<std::string_view, 3> words{"at-start", "transversal", "grazing"};
   return words[static_cast<std::size_t>(kind)];
 }

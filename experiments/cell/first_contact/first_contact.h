@@ -24,7 +24,7 @@ struct FirstContact {
   Feature feature;   ///< the nearest one of that face, at that angle
 };
 
-[[nodiscard]] std::string_view word(FirstContact::Kind kind);
+[[nodiscard]] std::string_view to_string(FirstContact::Kind kind);
 
 /// Returns where a ball whose centre moves along the arc first touches one of the faces, or nothing if it touches none
 /// on the whole move, its end included. For a contact at the start, `feature` is the nearest one there.

@@ -7,7 +7,9 @@
 
 namespace touchstone::kinematics {
 
-std::string_view word(Coupling coupling) { return coupling == Coupling::KeepsElevation ? "keeps-elevation" : "serial"; }
+std::string_view to_string(Coupling coupling) {
+  return coupling == Coupling::KeepsElevation ? "keeps-elevation" : "serial";
+}
 
 Chain aristo(Coupling coupling) {
   struct Row {

@@ -24,7 +24,7 @@ enum class Coupling {
 };
 inline constexpr std::array kCouplings{Coupling::KeepsElevation, Coupling::Serial};
 /// `keeps-elevation`, `serial`.
-[[nodiscard]] std::string_view word(Coupling coupling);
+[[nodiscard]] std::string_view to_string(Coupling coupling);
 
 /// The joints, in order. Positive commands turn the base counter-clockwise as seen from above, lean the upper arm
 /// forward and down, raise the forearm, and raise the hand.

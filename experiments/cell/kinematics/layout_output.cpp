@@ -30,7 +30,7 @@ std::string family_text(const std::vector<Member>& members) {
       "coupling,lean_deg,elevation_deg,storage_radius_1_mm,storage_radius_2_mm,storage_height_1_mm,storage_height_2_mm,"
       "machine_radius_mm,machine_height_mm,gap_mm,clearance_mm,captions_come_out,otherwise\n";
   for (const Member& m : members) {
-    const std::string home = fmt::format("{},{:.6f},{:.6f}", word(m.coupling), m.home.lean, m.home.elevation);
+    const std::string home = fmt::format("{},{:.6f},{:.6f}", to_string(m.coupling), m.home.lean, m.home.elevation);
     std::string values(7, ',');
     if (m.layout) {
       const Layout& l = *m.layout;
@@ -45,7 +45,7 @@ std::string family_text(const std::vector<Member>& members) {
 
 std::string choice_text(const LayoutStudy& study) {
   std::string text = "name,value,unit,label,lowest,highest\n";
-  text += fmt::format("coupling,{},,C,,\n", word(study.chosen.coupling));
+  text += fmt::format("coupling,{},,C,,\n", to_string(study.chosen.coupling));
   text += "way to the material,from the side where the shoulder can stay; else from above; else from the side,,C,,\n";
   const Chain chain = aristo(study.chosen.coupling);
   for (const Joint& joint : chain.joints())
@@ -64,9 +64,9 @@ std::string moves_text(const LayoutStudy& study) {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const Move& m = moves[i];
       text += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", number + 1, i + 1, quoted(captions.at(i)),
-                          kJoints[m.joint], word(m.until), m.degrees, m.exact, m.margin);
+                          kJoints[m.joint], to_string(m.until), m.degrees, m.exact, m.margin);
       text += m.contact ? fmt::format(",{:.17g},{:.17g},{},{}\n", m.contact->low, m.contact->high,
-                                      word(m.contact->kind), word(m.contact->feature.kind))
+                                      to_string(m.contact->kind), to_string(m.contact->feature.kind))
                         : ",,,,\n";
     }
   }
@@ -154,7 +154,7 @@ std::string layout_table(const LayoutStudy& study) {
       text += fmt::format("  {:<28} {:<9}{:+4}   ", captions.at(i), kJoints[m.joint], m.degrees);
       text += m.until == Until::Facing
                   ? "exactly: it faces the station\n"
-                  : fmt::format("{} at {:.6f}, {:.3f} from the next degree\n", word(m.until), m.exact, m.margin);
+                  : fmt::format("{} at {:.6f}, {:.3f} from the next degree\n", to_string(m.until), m.exact, m.margin);
     }
   }
   text += fmt::format(

@@ -161,7 +161,7 @@ class Performance {
 
 }  // namespace
 
-std::string_view word(Until until) {
+std::string_view to_string(Until until) {
   constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
   return words[static_cast<std::size_t>(until)];
 }

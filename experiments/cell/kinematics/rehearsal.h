@@ -17,7 +17,7 @@ enum class Until {
   Contact,  ///< by steps of 1 degree until the sphere touches the material that it approaches
   Cleared,  ///< by steps of 1 degree until the sphere has risen by the clearance
 };
-[[nodiscard]] std::string_view word(Until until);
+[[nodiscard]] std::string_view to_string(Until until);
 
 /// One completed move of one joint.
 struct Move {

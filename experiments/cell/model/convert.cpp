@@ -112,8 +112,8 @@ Polygon polygon_of(const std::string& name, std::size_t face, const LinkPart& pa
   } catch (const Rejected& rejected) {
     rejection = rejected.rejection();
   }
-  throw BadConversion(
-      fmt::format("{}: part {}: face {}: {}: {}", name, part.name, face, word(rejection->code), rejection->message));
+  throw BadConversion(fmt::format("{}: part {}: face {}: {}: {}", name, part.name, face, to_string(rejection->code),
+                                  rejection->message));
 }
 
 bool has_holes(const LinkPart& part) {
@@ -147,8 +147,8 @@ LinkPart merged(const std::string& name, const LinkPart& part) {
   mesh::MergedMesh merged = mesh::merge_faces(mesh);
   if (!merged.rejected.empty()) {
     const auto& [face, rejection] = merged.rejected.front();
-    throw BadConversion(
-        fmt::format("{}: part {}: face {}: {}: {}", name, part.name, face, word(rejection.code), rejection.message));
+    throw BadConversion(fmt::format("{}: part {}: face {}: {}: {}", name, part.name, face, to_string(rejection.code),
+                                    rejection.message));
   }
   SolidFaces faces;
   for (mesh::MergedFace& face : merged.faces) faces.faces.push_back({std::move(face.polygon), face.off_plane});

@@ -22,7 +22,7 @@ std::vector<Named> solids_of(const Cell& cell) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) add(Carrier::Link, i, robot.links[i].name, robot.links[i].parts);
   add(Carrier::Gripper, robot.links.size() - 1, "gripper", cell.gripper.parts);
   const auto add_station = [&](Carrier carrier, const Station& station) {
-    const std::string owner(word(carrier));
+    const std::string owner(to_string(carrier));
     add(carrier, 0, owner, station.parts);
     if (station.stand) result.push_back({carrier, 0, owner + "/stand", stand_of(station)});
   };
@@ -34,7 +34,7 @@ std::vector<Named> solids_of(const Cell& cell) {
 
 }  // namespace
 
-std::string_view word(Carrier carrier) {
+std::string_view to_string(Carrier carrier) {
   switch (carrier) {
     case Carrier::Link: return "link";
     case Carrier::Gripper: return "gripper";

@@ -16,7 +16,7 @@ namespace touchstone::cell {
 enum class Carrier { Link, Gripper, Storage, Machine, Material };
 
 /// `link`, `gripper`, ...
-[[nodiscard]] std::string_view word(Carrier carrier);
+[[nodiscard]] std::string_view to_string(Carrier carrier);
 
 struct ModelPart {
   Carrier carrier;

@@ -19,7 +19,7 @@ namespace touchstone::cell {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, std::size_t face, const Rejection& rejection) {
-  throw BadSolid(fmt::format("{}: face {}: {}: {}", name, face, word(rejection.code), rejection.message));
+  throw BadSolid(fmt::format("{}: face {}: {}: {}", name, face, to_string(rejection.code), rejection.message));
 }
 
 /// With the largest move of its vertices onto its plane.

@@ -179,7 +179,7 @@ class Performance {
   }
 
   [[nodiscard]] std::string what(Moved joint, double degrees) const {
-    return fmt::format("{} {} {:+g}", word(phase_), arm_->chain.joints()[joint].name, degrees);
+    return fmt::format("{} {} {:+g}", to_string(phase_), arm_->chain.joints()[joint].name, degrees);
   }
 
   [[nodiscard]] kinematics::Arc arc(Moved joint, double degrees) const {
@@ -205,7 +205,7 @@ class Performance {
     if (!material) return;
     if (const auto contact = kinematics::first_contact(way, radius, workcell_->at(*material).faces))
       throw Failed(Cause::InTheWay, fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
-                                                what(joint, degrees), contact->high, word(*material)));
+                                                what(joint, degrees), contact->high, to_string(*material)));
   }
 
   /// Looks at the arm as it is. True if the sphere touches the target.
@@ -246,7 +246,7 @@ class Performance {
         kinematics::first_contact(arc(joint, degrees(most)), arm_->sphere.radius, workcell_->at(*target_).faces);
     if (!contact)
       throw Failed(Cause::NoContact, fmt::format("{}: the sphere does not touch the material in the {}",
-                                                 what(joint, degrees(most)), word(*target_)));
+                                                 what(joint, degrees(most)), to_string(*target_)));
     const long sign = most < 0 ? -1 : 1, steps = sign * static_cast<long>(std::ceil(contact->high / step_));
     require_free_arc(joint, degrees(steps), obstacle());
     const long from = turned_[joint];
@@ -376,18 +376,18 @@ void run(Performance& performance) {
 
 }  // namespace
 
-std::string_view word(Phase phase) {
+std::string_view to_string(Phase phase) {
   constexpr std::array<std::string_view, kPhases> words{"to-storage", "to-machine",      "withdraw",
                                                         "to-piece",   "back-to-storage", "to-home"};
   return words[static_cast<std::size_t>(phase)];
 }
 
-std::string_view word(Until until) {
+std::string_view to_string(Until until) {
   constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
   return words[static_cast<std::size_t>(until)];
 }
 
-std::string_view word(Cause cause) {
+std::string_view to_string(Cause cause) {
   constexpr std::array<std::string_view, 4> words{"out-of-reach", "beyond-limits", "no-contact", "in-the-way"};
   return words[static_cast<std::size_t>(cause)];
 }

@@ -25,7 +25,7 @@ enum class Phase {
 };
 inline constexpr std::size_t kPhases = 6;
 /// `to-storage`, `to-machine`, ...
-[[nodiscard]] std::string_view word(Phase phase);
+[[nodiscard]] std::string_view to_string(Phase phase);
 
 /// The rule for how far a joint moves.
 enum class Until {
@@ -34,7 +34,7 @@ enum class Until {
   Contact,  ///< until the sphere touches its target
   Cleared,  ///< until the sphere has risen by the clearance
 };
-[[nodiscard]] std::string_view word(Until until);
+[[nodiscard]] std::string_view to_string(Until until);
 
 /// One completed move of one joint.
 struct Move {
@@ -71,7 +71,7 @@ enum class Cause {
   InTheWay,      ///< sphere or arm touch something else
 };
 /// `out-of-reach`, `beyond-limits`, ...
-[[nodiscard]] std::string_view word(Cause cause);
+[[nodiscard]] std::string_view to_string(Cause cause);
 
 struct Process {
   std::vector<Move> moves;

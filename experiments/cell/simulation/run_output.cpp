@@ -28,7 +28,7 @@ std::string_view holder(const Process& process, std::size_t stop) {
   std::optional<Place> place;
   for (const Custody& custody : process.custody)
     if (custody.stop == 0 || custody.stop < stop) place = custody.place;
-  return place ? word(*place) : "gripper";
+  return place ? to_string(*place) : "gripper";
 }
 
 /// The move that a stop belongs to; none of the first one, and of the last ones of a run that failed within a move.
@@ -80,7 +80,7 @@ harness::Table<StopRow> trajectory_csv(const std::vector<std::string>& joints) {
   std::vector<harness::Column<StopRow>> columns{
       {"stop", "its number", &StopRow::number},
       {"phase", "the part of the process",
-       [](const StopRow& row) { return row.move ? word(row.move->phase) : std::string_view("home"); }},
+       [](const StopRow& row) { return row.move ? to_string(row.move->phase) : std::string_view("home"); }},
       {"joint", "the joint that moves", &StopRow::joint}};
   for (std::size_t i = 0; i < joints.size(); ++i)
     columns.emplace_back(joints[i] + "_deg", "the angle of this joint",
@@ -148,11 +148,11 @@ std::string trajectory_json(const Workcell& workcell, const Process& process) {
     const Stop& stop = process.stops[i];
     const Move* move = move_of(process, i);
     const Eigen::Vector3d& at = stop.sphere.center;
-    stops.push_back({{"phase", move ? word(move->phase) : "home"},
+    stops.push_back({{"phase", move ? to_string(move->phase) : "home"},
                      {"joint", move ? Json(joint_name(workcell, move->joint)) : Json()},
                      {"angles", stop.commanded},
                      {"sphere", {at.x(), at.y(), at.z()}},
-                     {"target", stop.target ? Json(word(*stop.target)) : Json()},
+                     {"target", stop.target ? Json(to_string(*stop.target)) : Json()},
                      {"touched", stop.touched ? Json(*stop.touched) : Json()},
                      {"material", holder(process, i)}});
   }
@@ -182,9 +182,9 @@ std::string disagreements_text(const Contest& contest, std::size_t most) {
 std::string summary(const Workcell& workcell, const Process& process, const Contest& contest) {
   std::string text;
   for (const Move& m : process.moves) {
-    text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", word(m.phase), joint_name(workcell, m.joint),
-                        m.degrees, word(m.until), m.exact);
-    if (m.contact) text += fmt::format(", face {}, {}", m.contact->face, word(m.contact->kind));
+    text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
+                        m.degrees, to_string(m.until), m.exact);
+    if (m.contact) text += fmt::format(", face {}, {}", m.contact->face, to_string(m.contact->kind));
     text += "\n";
   }
   double overhang = 0;
@@ -200,7 +200,7 @@ std::string summary(const Workcell& workcell, const Process& process, const Cont
       process.stops.size(), balls, overhang, unit, process.balls);
   for (const Custody& custody : process.custody)
     if (custody.shift > 0)
-      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", word(*custody.place),
+      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*custody.place),
                           custody.shift, unit);
   text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", contest.pairs, contest.met);
   text += fmt::format("{:<20} {:>9} {:>11} {:>13} {:>7}\n", "method", "asked", "wrong hits", "wrong misses", "unsure");

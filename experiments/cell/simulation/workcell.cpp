@@ -59,7 +59,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
 
 }  // namespace
 
-std::string_view word(Place place) { return place == Place::Storage ? "storage" : "machine"; }
+std::string_view to_string(Place place) { return place == Place::Storage ? "storage" : "machine"; }
 
 Pose pose_of(const Station& station) {
   const double c = workloads::cosine(station.azimuth()), s = workloads::sine(station.azimuth());
@@ -109,7 +109,7 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
   }
   obstacles_.owners.insert(obstacles_.owners.end(), owners_of_polygons.begin(), owners_of_polygons.end());
   for (const Place place : {Place::Storage, Place::Machine})
-    material_.push_back(scene_.add(fmt::format("the material in the {}", word(place)), at(place).faces));
+    material_.push_back(scene_.add(fmt::format("the material in the {}", to_string(place)), at(place).faces));
 }
 
 std::string Workcell::hindrance(const kinematics::Angles& commanded, Material material, std::uint64_t& balls) const {

@@ -21,7 +21,7 @@ namespace touchstone::cell {
 /// The places of a piece of material: its slot of the storage and that of the machine. At the empty place the sphere is
 /// lowered onto an invisible copy of the material, the virtual material.
 enum class Place { Storage, Machine };
-[[nodiscard]] std::string_view word(Place place);
+[[nodiscard]] std::string_view to_string(Place place);
 
 /// One of the two places, in the cell.
 struct Workplace {

@@ -34,7 +34,7 @@ Polygon polygon_in(const std::string& line) {
 void check_rejection(const cases::Case& read, const std::string& line, std::vector<std::string>& faults) {
   const auto& rejection = std::get<Rejection>(read.content);
   const auto& [code, message] = rejection;
-  const auto found = std::string(word(code));
+  const auto found = std::string(to_string(code));
   if (!read.expected || !read.expected->rejects())
     return faults.push_back(fmt::format("rejected: {}: {}", found, message));
   if (!cases::differences(*read.expected, cases::stated(rejection)).empty())
@@ -42,13 +42,13 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
   if (code < RejectionCode::ZeroNormal) return;  // single comparisons decide these
   if (const auto again = find_rational_fault(polygon_in(line)); again != code)
     faults.push_back(fmt::format("error: exact finds \"{}\", the rationals {}", found,
-                                 again ? "\"" + std::string(word(*again)) + "\"" : "nothing"));
+                                 again ? "\"" + std::string(to_string(*again)) + "\"" : "nothing"));
 }
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
   if (const auto fault = find_rational_fault(polygon))
-    faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", word(*fault)));
+    faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
   for (const std::string& difference : cases::differences(*read.expected, exact_answer(ball, polygon)))
     faults.push_back(difference + ", by exact");

@@ -75,7 +75,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
   }
   if (const auto* rejection = std::get_if<Rejection>(&line.read->content)) {
     fmt::print(stderr, "touchstone: {}{}: rejected: {}: {}\n", io::all_legible(line.place),
-               line.read->id ? ": case " + io::legible(*line.read->id) : "", word(rejection->code),
+               line.read->id ? ": case " + io::legible(*line.read->id) : "", to_string(rejection->code),
                io::all_legible(rejection->message));
     return std::nullopt;
   }
@@ -89,7 +89,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
       labels.tags.emplace_back("shrunk");
       std::string from = labels.origin.empty() ? id : labels.origin;
       std::vector<std::string> keys;
-      for (const cases::Key wrong : failure.keys()) keys.emplace_back(word(wrong));
+      for (const cases::Key wrong : failure.keys()) keys.emplace_back(to_string(wrong));
       labels.origin = fmt::format("touchstone corpus shrink --method {}{}: {}; from: {}", method.name(),
                                   key ? " --key " + *key : "", harness::joined(keys), from);
     }

@@ -10,8 +10,9 @@ constexpr std::uint64_t kSeed = 1;
 constexpr std::size_t kLongestLine = 2'400;
 
 std::string command_of(const workloads::Workload& w, std::uint64_t index) {
-  std::string command = fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}",
-                                    word(w.family), word(w.placement), word(w.ball), w.vertices, w.holes);
+  std::string command =
+      fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}", to_string(w.family),
+                  to_string(w.placement), to_string(w.ball), w.vertices, w.holes);
   if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
   if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
   return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
@@ -36,7 +37,7 @@ Stream soak_stream(adversarial::Family family, std::size_t count) {
             return CorpusCase{adversarial::name_of_case(kSeed, index),
                               drawn.ball,
                               std::move(drawn.polygon),
-                              {std::string(word(family))},
+                              {std::string(to_string(family))},
                               fmt::format("touchstone soak --seed {} --from {} --samples 1 --print", kSeed, index)};
           },
           .count = count};

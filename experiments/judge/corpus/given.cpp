@@ -18,7 +18,7 @@ namespace {
 std::string completed(const std::string& text, const std::string& name) {
   const cases::Case read = cases::read_case(text);
   if (const auto* rejection = std::get_if<Rejection>(&read.content)) {
-    const auto code = std::string(word(rejection->code));
+    const auto code = std::string(to_string(rejection->code));
     if (!read.expected || !read.expected->rejects())
       throw std::runtime_error(fmt::format("rejected: {}: {}", code, rejection->message));
     if (!cases::differences(*read.expected, cases::stated(*rejection)).empty())

@@ -140,7 +140,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   std::vector<std::string> differences;
   const auto& [stands, texts] = answer;
   const auto compare = [&differences, &texts = texts](Key key, bool is_right, const std::string& given) {
-    const std::string name(word(key));
+    const std::string name(to_string(key));
     const auto text = texts.find(name);
     if (text == texts.end())
       differences.push_back(name + ": is missing");
@@ -149,7 +149,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
   };
   const cases::Verdict found = cases::object_of(decisive);
   for (const Key key : cases::kKeys)
-    if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(word(key))]));
+    if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(to_string(key))]));
 
   const auto about = [](const mpq_class& x) { return fmt::format("about {}", x.get_d()); };
   const mpq_class off_plane = rational(prepared.off_plane()), squared = rational(nearest->distance_squared);

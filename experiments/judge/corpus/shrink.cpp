@@ -72,12 +72,12 @@ bool is_usable(const Ball& ball, const Polygon& polygon) {
 /// and numbers, and for a key that the answer lacks.
 std::string words_of(const PartialAnswer& answer, Key key) {
   switch (key) {
-    case Key::Plane: return answer.plane ? std::string(word(*answer.plane)) : "";
+    case Key::Plane: return answer.plane ? std::string(to_string(*answer.plane)) : "";
     case Key::PlaneTangent: return answer.plane_tangent ? (*answer.plane_tangent ? "yes" : "no") : "";
-    case Key::Foot: return answer.foot ? std::string(word(*answer.foot)) : "";
-    case Key::Relation: return answer.relation ? std::string(word(*answer.relation)) : "";
+    case Key::Foot: return answer.foot ? std::string(to_string(*answer.foot)) : "";
+    case Key::Relation: return answer.relation ? std::string(to_string(*answer.relation)) : "";
     case Key::Contact: return answer.contact ? (*answer.contact ? "yes" : "no") : "";
-    case Key::Nearest: return answer.nearest ? std::string(word(answer.nearest->kind)) : "";
+    case Key::Nearest: return answer.nearest ? std::string(to_string(answer.nearest->kind)) : "";
     case Key::EdgesHit:
     case Key::Point:
     case Key::Distance:
@@ -287,11 +287,11 @@ SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Po
   const PartialAnswer truth = exact_answer(ball, polygon);
   const auto [wrong, given] = wrong_answer(method, ball, polygon, truth);
   if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
-  if (key && std::ranges::find(wrong, *key, [](Key each) { return word(each); }) == wrong.end())
+  if (key && std::ranges::find(wrong, *key, [](Key each) { return to_string(each); }) == wrong.end())
     throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
   nothing_decisive_ = !key && !any_decisive(wrong);
   for (const Key each : wrong) {
-    if (key ? word(each) != *key : !is_decisive(each) && !nothing_decisive_) continue;
+    if (key ? to_string(each) != *key : !is_decisive(each) && !nothing_decisive_) continue;
     keys_.push_back(each);
     true_words_.push_back(words_of(truth, each));
     given_words_.push_back(words_of(given, each));

@@ -56,7 +56,7 @@ void check_keys(const Json& object, const std::string& where, const std::vector<
 
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
-  for (const auto family : workloads::all_families()) names.emplace_back(word(family));
+  for (const auto family : workloads::all_families()) names.emplace_back(to_string(family));
   return names;
 }
 
@@ -133,7 +133,7 @@ std::string baseline_text(const Baseline& baseline) {
   Json json{{"version", kVersion}, {"seed", baseline.settings.seed}, {"samples", baseline.settings.samples}};
   for (const auto& [method, families] : baseline.table)
     for (const auto& family : workloads::all_families()) {
-      const auto name = std::string(word(family));
+      const auto name = std::string(to_string(family));
       json["methods"][method][name] = digits_of(families.at(name), Outcome::Wrong);
       if (is_unsure(families)) json["unsure"][method][name] = digits_of(families.at(name), Outcome::Unsure);
     }
@@ -160,7 +160,7 @@ std::vector<Change> changes(const OutcomeTable& baseline, const OutcomeTable& no
     const auto before = baseline.find(method);
     if (before == baseline.end()) continue;
     for (const auto& each : workloads::all_families()) {
-      const auto family = std::string(word(each));
+      const auto family = std::string(to_string(each));
       const Outcomes &was = before->second.at(family), &is = families.at(family);
       Change change{method, family, {}, {}};
       for (std::size_t n = 0; n < is.size(); ++n)

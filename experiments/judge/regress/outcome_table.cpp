@@ -38,7 +38,7 @@ std::optional<int> exponent_of(std::size_t n) {
 
 workloads::Sample draw_case(const Settings& settings, workloads::Family family, std::size_t n) {
   workloads::Sample sample = draw(settings, family, n / kRadii);
-  sample.id = fmt::format("regress-{}-{}-{}", word(family), settings.seed, n);
+  sample.id = fmt::format("regress-{}-{}-{}", to_string(family), settings.seed, n);
   sample.ball.radius *= factor(n % kRadii);
   return sample;
 }
@@ -79,7 +79,7 @@ std::optional<OutcomeTable> find_outcomes(const Settings& settings, const std::v
             outcomes[m][family * settings.cases() + block * kRadii + i] = compared ? Outcome::Wrong : Outcome::Unsure;
             if (exact::contact(ball, sample.polygon) != truth[i])
               throw std::logic_error(fmt::format("filtered differs from exact: {} family {} case {}", settings.seed,
-                                                 word(families[family]), block * kRadii + i));
+                                                 to_string(families[family]), block * kRadii + i));
           }
         }
       });
@@ -89,7 +89,7 @@ std::optional<OutcomeTable> find_outcomes(const Settings& settings, const std::v
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (std::size_t f = 0; f < families.size(); ++f) {
       const auto begin = outcomes[m].begin() + static_cast<std::ptrdiff_t>(f * settings.cases());
-      table[std::string(methods[m]->name())][std::string(word(families[f]))] =
+      table[std::string(methods[m]->name())][std::string(to_string(families[f]))] =
           Outcomes(begin, begin + static_cast<std::ptrdiff_t>(settings.cases()));
     }
   return table;

@@ -49,13 +49,13 @@ std::string table_of(const OutcomeTable& table, const Settings& settings) {
       "Wrong answers in % of {} cases a family, and the largest relative offset of the radius at which one was found\n"
       "(-: none, at 95 % confidence at most {:.2g} % of such cases)\n{:<24}",
       settings.cases(), 300.0 / static_cast<double>(settings.cases()), "method");
-  for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", word(family));
+  for (const auto family : workloads::all_families()) text += fmt::format("{:>14}", to_string(family));
   text += "\n";
   for (const auto& [method, families] : table) {
     text += fmt::format("{:<24}", method);
     std::size_t unsure = 0;
     for (const auto family : workloads::all_families()) {
-      const Summary summary = summary_of(families.at(std::string(word(family))));
+      const Summary summary = summary_of(families.at(std::string(to_string(family))));
       text += fmt::format("{:>14}", cell(summary));
       unsure += summary.unsure;
     }
@@ -88,7 +88,7 @@ std::vector<OutcomeRow> rows_of(const OutcomeTable& table) {
   std::vector<OutcomeRow> rows;
   for (const auto& [method, families] : table)
     for (const auto family : workloads::all_families())
-      rows.push_back({method, family, summary_of(families.at(std::string(word(family))))});
+      rows.push_back({method, family, summary_of(families.at(std::string(to_string(family))))});
   return rows;
 }
 
@@ -98,7 +98,7 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
   for (const auto family : workloads::all_families()) {
     std::map<std::size_t, std::vector<std::string>> cases;
     for (const Change& change : changes)
-      if (change.family == word(family))
+      if (change.family == to_string(family))
         for (const std::size_t n : change.worse) cases[n].push_back("fails:" + change.method);
     for (const auto& [n, tags] : cases) {
       const auto sample = draw_case(settings, family, n);

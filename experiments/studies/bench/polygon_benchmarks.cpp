@@ -112,7 +112,7 @@ constexpr auto kContact = [](const Ball& ball, const auto& polygon) { return con
 timing::Benchmark contacts(Outline outline, const Size& size, const Settings& settings) {
   const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
   timing::Benchmark benchmark =
-      compare(std::string(word(outline)), polygons, size.vertices, settings, kContact, size.goal);
+      compare(std::string(to_string(outline)), polygons, size.vertices, settings, kContact, size.goal);
   benchmark.note = fmt::format("{} of {} vertices",
                                polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
                                polygons.front().vertex_count());

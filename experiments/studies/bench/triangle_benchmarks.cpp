@@ -110,9 +110,9 @@ timing::Benchmark draw(workloads::TriangleFamily family, const Settings& setting
 std::vector<Family> triangle_families() {
   std::vector<Family> families;
   for (const workloads::TriangleFamily family : workloads::all_triangle_families())
-    families.push_back({std::string(word(family)), std::string(summary(family)), {[family](const Settings& settings) {
-                          return draw(family, settings);
-                        }}});
+    families.push_back({std::string(to_string(family)),
+                        std::string(summary(family)),
+                        {[family](const Settings& settings) { return draw(family, settings); }}});
   return families;
 }
 

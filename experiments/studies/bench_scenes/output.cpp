@@ -47,7 +47,7 @@ class Goals {
 std::string title(const SceneResult& result) { return fmt::format("{}, {} triangles", result.kind, result.triangles); }
 
 std::string title(const Growth& growth) {
-  return fmt::format("{}, {}, {}, {} to {} triangles", growth.kind, word(growth.place), word(growth.question),
+  return fmt::format("{}, {}, {}, {} to {} triangles", growth.kind, to_string(growth.place), to_string(growth.question),
                      growth.from, growth.to);
 }
 
@@ -59,10 +59,14 @@ Json build_json(const SceneResult& result, const Build& build) {
 }
 
 Json growth_json(const Growth& growth) {
-  return {{"scene", growth.kind},        {"library", growth.library},
-          {"balls", word(growth.place)}, {"question", word(growth.question)},
-          {"from", growth.from},         {"to", growth.to},
-          {"times", growth.times},       {"log_times", growth.log_times}};
+  return {{"scene", growth.kind},
+          {"library", growth.library},
+          {"balls", to_string(growth.place)},
+          {"question", to_string(growth.question)},
+          {"from", growth.from},
+          {"to", growth.to},
+          {"times", growth.times},
+          {"log_times", growth.log_times}};
 }
 
 struct QueryRow {
@@ -210,8 +214,8 @@ Json json(const std::vector<SceneResult>& results) {
     for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
     for (const SceneBenchmark& benchmark : result.benchmarks) {
       Json one = json(std::vector<timing::Result>{benchmark.result}).front();
-      one["balls"] = word(benchmark.place);
-      one["question"] = word(benchmark.question);
+      one["balls"] = to_string(benchmark.place);
+      one["question"] = to_string(benchmark.question);
       scene["contests"].push_back(std::move(one));
     }
     scenes.push_back(std::move(scene));

@@ -139,7 +139,7 @@ std::vector<Triangle> Machine::replicated(std::size_t triangles) const {
   return all;
 }
 
-std::string_view word(BallPlace place) {
+std::string_view to_string(BallPlace place) {
   switch (place) {
     case BallPlace::Near: return "near";
     case BallPlace::Anywhere: return "anywhere";

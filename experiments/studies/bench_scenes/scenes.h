@@ -42,7 +42,7 @@ enum class BallPlace {
              ///< contact
 };
 
-[[nodiscard]] std::string_view word(BallPlace place);
+[[nodiscard]] std::string_view to_string(BallPlace place);
 
 /// Draws `count` balls, a function of the arguments. Balls for `Touching` are drawn as for `Near`; the caller, who
 /// knows the distances, sets the radii.

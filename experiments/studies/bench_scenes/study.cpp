@@ -146,7 +146,7 @@ std::size_t brute_force_count(std::size_t triangles, std::size_t checked) {
 }
 
 std::string name_of(BallPlace place, SceneQuestion question) {
-  return fmt::format("{}, {}", word(place), word(question));
+  return fmt::format("{}, {}", to_string(place), to_string(question));
 }
 
 /// The goals for the exact library apply to a million triangles; there is no goal for balls that just touch.
@@ -222,7 +222,7 @@ const timing::Measured* find(const timing::Result& result, const std::string& li
 
 }  // namespace
 
-std::string_view word(SceneQuestion question) {
+std::string_view to_string(SceneQuestion question) {
   switch (question) {
     case SceneQuestion::Any: return "any";
     case SceneQuestion::All: return "all";

@@ -17,7 +17,7 @@ namespace touchstone::bench_scenes {
 
 enum class SceneQuestion { Any, All, Nearest };
 
-[[nodiscard]] std::string_view word(SceneQuestion question);
+[[nodiscard]] std::string_view to_string(SceneQuestion question);
 
 /// A scene of one size.
 struct NamedScene {

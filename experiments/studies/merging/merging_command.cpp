@@ -48,7 +48,7 @@ void tell_left_out(const std::string& file, const ReadMesh& mesh) {
 void tell_rejected(const std::string& file, const ReadMesh& mesh, const std::vector<mesh::RejectedFace>& rejected) {
   for (std::size_t i = 0; i < std::min(rejected.size(), kShown); ++i) {
     const auto& [face, rejection] = rejected[i];
-    const std::string reason = fmt::format("face {}: {}: {}", face, word(rejection.code), rejection.message);
+    const std::string reason = fmt::format("face {}: {}: {}", face, to_string(rejection.code), rejection.message);
     fmt::print(stderr, "touchstone: left out: {}\n", io::sentence(file, mesh.places[face], reason));
   }
   if (rejected.size() > kShown)

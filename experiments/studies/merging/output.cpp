@@ -59,7 +59,7 @@ std::string costs_table(const std::vector<MeshResult>& results) {
     for (const Kind kind : kKinds) {
       const Measured& m = result.measured[static_cast<std::size_t>(kind)];
       text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10.0f}{:>10.0f}{:>11.0f}{:>10.0f}{:>12.2f}\n",
-                          kind == Kind::Faces ? io::legible(result.name) : "", word(kind), m.triangles, m.polygons,
+                          kind == Kind::Faces ? io::legible(result.name) : "", to_string(kind), m.triangles, m.polygons,
                           m.nanoseconds[0], m.nanoseconds[1], m.nanoseconds[2], static_cast<double>(m.memory) / 1024,
                           1e3 * m.seconds);
     }
@@ -67,8 +67,8 @@ std::string costs_table(const std::vector<MeshResult>& results) {
     const auto query = [&](std::size_t i) {
       return mean_ratio(results, kind, [i](const Measured& m) { return m.nanoseconds[i]; });
     };
-    text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10}{:>10}{:>11}{:>10}{:>12}\n", "mean ratio to faces", word(kind), "",
-                        "", query(0), query(1), query(2),
+    text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10}{:>10}{:>11}{:>10}{:>12}\n", "mean ratio to faces",
+                        to_string(kind), "", "", query(0), query(1), query(2),
                         mean_ratio(results, kind, [](const Measured& m) { return static_cast<double>(m.memory); }),
                         mean_ratio(results, kind, [](const Measured& m) { return m.seconds; }));
   }
@@ -87,7 +87,7 @@ std::string differences_lines(const std::vector<MeshResult>& results) {
   std::string text = "\nAnswers that differ from those of the faces (95 % limits):\n";
   for (std::size_t i = 0; i < kQuestions.size(); ++i) {
     const auto limits = statistics::clopper_pearson(sum.differ[i], sum.asked[i]);
-    text += fmt::format("  {:<8} {} of {}, at most {:.2g} %\n", word(kQuestions[i]), sum.differ[i], sum.asked[i],
+    text += fmt::format("  {:<8} {} of {}, at most {:.2g} %\n", to_string(kQuestions[i]), sum.differ[i], sum.asked[i],
                         100 * limits.upper);
   }
   return text + fmt::format("  the largest difference of nearest distances: {:.3g}\n", sum.distance);
@@ -133,7 +133,7 @@ const harness::Table<MeshResult>& counts_table() {
         {"crease", "edges between faces that are not coplanar", edges(&Edges::crease)},
         {"off_plane", "the largest move of a vertex onto its polygon's plane", count(&Counts::off_plane)}};
     for (std::size_t i = 0; i < kQuestions.size(); ++i) {
-      const std::string question(word(kQuestions[i]));
+      const std::string question(to_string(kQuestions[i]));
       columns.emplace_back(question + "_asked", "balls compared with the faces",
                            [i](const Row& row) { return row.differences.asked[i]; });
       columns.emplace_back(question + "_differ", "answers that differ",

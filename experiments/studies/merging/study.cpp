@@ -159,7 +159,7 @@ Differences differences(const std::vector<Contender>& contenders, const std::vec
 
 }  // namespace
 
-std::string_view word(Kind kind) {
+std::string_view to_string(Kind kind) {
   switch (kind) {
     case Kind::Faces: return "faces";
     case Kind::Merged: return "merged";
@@ -168,7 +168,7 @@ std::string_view word(Kind kind) {
   return "";
 }
 
-std::string_view word(Question question) {
+std::string_view to_string(Question question) {
   switch (question) {
     case Question::Any: return "any";
     case Question::All: return "all";

@@ -37,8 +37,8 @@ inline constexpr std::array kKinds{Kind::Faces, Kind::Merged, Kind::Mixed};
 enum class Question { Any, All, Nearest };
 inline constexpr std::array kQuestions{Question::Any, Question::All, Question::Nearest};
 
-[[nodiscard]] std::string_view word(Kind kind);
-[[nodiscard]] std::string_view word(Question question);
+[[nodiscard]] std::string_view to_string(Kind kind);
+[[nodiscard]] std::string_view to_string(Question question);
 
 /// The result of merging a mesh: a function of the mesh and the tolerance.
 struct Counts {

@@ -138,7 +138,7 @@ Ball moved(Ball ball, BallRegion place, int axis, int steps) {
 
 }  // namespace
 
-std::string_view word(BallRegion place) {
+std::string_view to_string(BallRegion place) {
   switch (place) {
     case BallRegion::Face: return "face";
     case BallRegion::Edge: return "edge";

@@ -22,7 +22,7 @@ enum class BallRegion {
 };
 inline constexpr std::array kPlaces{BallRegion::Face, BallRegion::Edge, BallRegion::Vertex, BallRegion::Foot};
 
-[[nodiscard]] std::string_view word(BallRegion place);
+[[nodiscard]] std::string_view to_string(BallRegion place);
 
 /// The distances by which balls are moved, in doubles.
 inline constexpr std::array kSteps{-2, -1, 0, 1, 2};

@@ -34,11 +34,11 @@ std::string case_line(const Settings& settings, const NamedMesh& mesh, std::uint
   std::vector<cases::Key> keys;
   for (std::size_t test = 0; test < kTests.size(); ++test)
     if (failed.wrong[test]) keys.push_back(cases::key_of(kTests[test]));
-  std::vector<std::string> tags{std::string("near-") + std::string(word(drawn.place))};
+  std::vector<std::string> tags{std::string("near-") + std::string(to_string(drawn.place))};
   for (const std::size_t method : failed.methods)
     tags.push_back("fails-" + std::string(settings.methods[method]->name()));
   const std::string id =
-      fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, word(drawn.place), drawn.steps, settings.seed);
+      fmt::format("{}:{}:{}{:+}:seed-{}", mesh.name, face, to_string(drawn.place), drawn.steps, settings.seed);
   return cases::case_line(id, drawn.ball, polygon, tags, cases::only(whole, keys));
 }
 

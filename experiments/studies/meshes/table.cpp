@@ -141,7 +141,7 @@ std::string by_method(const Settings& settings, const Result& result) {
   const MeshCounts sum = sum_of(result);
   std::string text = fmt::format("\nWrong answers to each test, in {} queries\n\n", sum.queries);
   text += fmt::format("{:<16}", "method");
-  for (const Test test : kTests) text += fmt::format("{:>15}", word(test));
+  for (const Test test : kTests) text += fmt::format("{:>15}", to_string(test));
   text += fmt::format("{:>9}{:>9}{:>24}\n", "missed", "false", "faces (95 % limits)");
   for (std::size_t method = 0; method < sum.methods.size(); ++method) {
     const MethodCounts& counts = sum.methods[method];
@@ -163,12 +163,12 @@ std::string left_out(const std::vector<NamedMesh>& meshes, const Result& result)
   text += fmt::format("\n{} of {} faces are bad: the contract rejects them, no method was asked{}\n", sum.rejected,
                       sum.faces, by_code.empty() ? "" : ":");
   for (const auto& [code, faces] : by_code)
-    text += fmt::format("  {:<18} {:>6}  first {} face {}: {}\n", word(code), faces.size(),
+    text += fmt::format("  {:<18} {:>6}  first {} face {}: {}\n", to_string(code), faces.size(),
                         io::legible(meshes[faces[0]->mesh].name), faces[0]->face, faces[0]->rejection.message);
   for (std::size_t place = 0; place < kPlaces.size(); ++place)
     if (sum.missing[place] > 0)
       text += fmt::format("{} faces have no ball near \"{}\": none drawn had it nearest\n", sum.missing[place],
-                          word(kPlaces[place]));
+                          to_string(kPlaces[place]));
   return text;
 }
 

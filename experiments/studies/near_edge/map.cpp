@@ -168,7 +168,7 @@ struct Sheet {
 
 char letter(Test test, const cases::PartialAnswer& truth) {
   if (test == Test::Contact) return *truth.contact ? 'c' : 'n';
-  return word(*truth.foot).front();
+  return to_string(*truth.foot).front();
 }
 
 char letter(const std::optional<Outcome>& verdict) {
@@ -227,7 +227,7 @@ class Cartographer {
 
 }  // namespace
 
-std::string_view word(Spot spot) {
+std::string_view to_string(Spot spot) {
   switch (spot) {
     case Spot::Face: return "face";
     case Spot::Edge: return "edge";

@@ -25,7 +25,7 @@ enum class Spot {
   ReflexVertex,  ///< a corner with a larger one
 };
 
-[[nodiscard]] std::string_view word(Spot spot);
+[[nodiscard]] std::string_view to_string(Spot spot);
 
 /// A map of a plane around a spot of an L, with one pixel per double: the centre moves double by double in the two
 /// coordinates that are not dropped, both of one binade, so that pixels are square.

@@ -177,7 +177,8 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
   for (const Map& map : maps) {
     std::vector<PixelRow> rows;
     for (std::size_t pixel = 0; pixel < map.truth.size(); ++pixel) rows.push_back({&map, pixel});
-    const auto file = fmt::format("map-{}-{}-{:.0f}.csv", word(map.spot), word(map.test), map.origin_distance);
+    const auto file =
+        fmt::format("map-{}-{}-{:.0f}.csv", to_string(map.spot), to_string(map.test), map.origin_distance);
     map_table(file, methods).write(folder, rows);
   }
 }
@@ -185,15 +186,16 @@ void write_maps(const std::filesystem::path& folder, const Settings& settings, c
 std::string table(const Settings& settings, const Counts& counts) {
   std::string text;
   for (const cases::Threshold threshold : cases::all_thresholds()) {
-    text += fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", word(threshold), movement(threshold),
-                        "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
+    text +=
+        fmt::format("\n{}: {}\n  {:<16} {:<8} {:>18}  {:>8}  {:<22} {}\n", to_string(threshold), movement(threshold),
+                    "method", "test", "failed of samples", "rate", "95 % limits", "band of offsets");
     for (std::size_t m = 0; m < settings.methods.size(); ++m)
       for (const Test test : kTests) {
         const Summary summary = counts.summary(strata_of(threshold), test, m);
         const auto& [failures, trials] = summary.samples;
         if (trials == 0) continue;
         const auto limits = statistics::clopper_pearson(failures, trials);
-        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), word(test),
+        text += fmt::format("  {:<16} {:<8} {:>18}  {:>7}%  {:<22} {}\n", settings.methods[m]->name(), to_string(test),
                             fmt::format("{} of {}", failures, trials),
                             statistics::percent_to_places(statistics::share_of(failures, trials), 3),
                             fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 3),

@@ -16,7 +16,7 @@ namespace touchstone::near_edge {
 namespace {
 
 std::string_view test_word(cases::Threshold threshold) {
-  return word(cases::moves_radius(threshold) ? Test::Contact : Test::Foot);
+  return to_string(cases::moves_radius(threshold) ? Test::Contact : Test::Foot);
 }
 
 /// Regions that differ in their family alone.
@@ -46,7 +46,7 @@ std::vector<RegionGroup> single_groups(const Settings& settings) {
   const auto regions = search_regions(settings.families);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const cases::Stratum& stratum = cases::all_strata()[regions[r].stratum];
-    groups.push_back({std::string(word(stratum.family)), stratum.threshold, regions[r].origin_distance, {r}});
+    groups.push_back({std::string(to_string(stratum.family)), stratum.threshold, regions[r].origin_distance, {r}});
   }
   return groups;
 }
@@ -187,8 +187,8 @@ std::string search_table(const Settings& settings, const Onsets& onsets, const W
       for (const std::size_t r : group.regions)
         climbed = std::max(climbed, worst.all[r * settings.methods.size() + m].share);
       text +=
-          fmt::format("{:<12} {:>9.0f}  {:<16} {:>8}  {:<34} {:>12} {:>12}\n", word(group.threshold), group.distance,
-                      settings.methods[m]->name(), onset.samples, from,
+          fmt::format("{:<12} {:>9.0f}  {:<16} {:>8}  {:<34} {:>12} {:>12}\n", to_string(group.threshold),
+                      group.distance, settings.methods[m]->name(), onset.samples, from,
                       power_of_two(onset.furthest.empty() ? 0 : onset.furthest.front().share), power_of_two(climbed));
     }
   return text +

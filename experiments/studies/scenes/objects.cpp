@@ -27,7 +27,7 @@ Object object_of(workloads::NamedFile file) {
       if (object.faces_rejected++ >= kMostSentences) continue;
       const auto& [code, message] = rejected.rejection();
       object.rejected.push_back(io::sentence(file.file, file.content.places[face],
-                                             fmt::format("face {}: {}: {}", face, word(code), message)));
+                                             fmt::format("face {}: {}: {}", face, to_string(code), message)));
     }
   }
   object.numbers.insert(object.numbers.end(), polygons.begin(), polygons.end());

@@ -27,7 +27,7 @@ struct Row {
 
 std::vector<Row> rows_of(const FaceCounts& counts) {
   const auto faces = [&](CullOutcome outcome, const char* explained) {
-    return Row{std::string(word(outcome)), explained, counts.faces(outcome), counts.faces()};
+    return Row{std::string(to_string(outcome)), explained, counts.faces(outcome), counts.faces()};
   };
   std::vector<Row> rows{{"faces", "faces asked about", counts.faces(), counts.faces()},
                         faces(CullOutcome::Box, "rejected by a box of the hierarchy, never reached"),
@@ -39,8 +39,9 @@ std::vector<Row> rows_of(const FaceCounts& counts) {
                         {"tested", "faces tested: slab, foot, edges or touched", counts.tested(), counts.faces()}};
   for (std::size_t i = 0; i < filtered::kStages; ++i) {
     const auto stage = static_cast<Stage>(i);
-    rows.push_back({std::string(word(stage)), fmt::format("settled by {}, later stages never entered", word(stage)),
-                    counts.tested(stage), counts.tested()});
+    rows.push_back({std::string(to_string(stage)),
+                    fmt::format("settled by {}, later stages never entered", to_string(stage)), counts.tested(stage),
+                    counts.tested()});
   }
   rows.push_back({"edges", "edges of the faces asked about", counts.edges(), counts.edges()});
   rows.push_back(

@@ -49,7 +49,7 @@ class Comparison {
     try {
       questions(counts);
     } catch (const std::exception& error) {
-      differs(std::string(word(way)) + ": " + error.what(), case_.ball, case_.polygon);
+      differs(std::string(to_string(way)) + ": " + error.what(), case_.ball, case_.polygon);
     }
     Outcomes& outcomes = tally_.at(case_.family, way);
     ++outcomes.cases;
@@ -116,7 +116,7 @@ class Comparison {
 
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
     differences_.push_back({index_, cases::case_line(adversarial::name_of_case(seed_, index_), ball, polygon,
-                                                     {std::string(word(case_.family)), question},
+                                                     {std::string(to_string(case_.family)), question},
                                                      cases::PartialAnswer::of(exact::answer(ball, polygon), ""))});
   }
 

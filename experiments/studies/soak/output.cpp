@@ -22,10 +22,10 @@ std::vector<Row> rows_of(const Tally& tally) {
     Outcomes all;
     for (const adversarial::Family family : adversarial::all_families()) {
       const Outcomes& outcomes = tally.at(family, way);
-      if (outcomes.cases > 0) rows.push_back({word(family), word(way), outcomes});
+      if (outcomes.cases > 0) rows.push_back({to_string(family), to_string(way), outcomes});
       all += outcomes;
     }
-    if (all.cases > 0) rows.push_back({"all", word(way), all});
+    if (all.cases > 0) rows.push_back({"all", to_string(way), all});
   }
   return rows;
 }
@@ -35,7 +35,7 @@ harness::Table<Row> counts_table() {
                                             {"way", "how the question was asked", &Row::way},
                                             {"cases", "cases", harness::path(&Row::outcomes, &Outcomes::cases)}};
   for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
-    columns.emplace_back(std::string(word(static_cast<filtered::Stage>(stage))),
+    columns.emplace_back(std::string(to_string(static_cast<filtered::Stage>(stage))),
                          "cases of which this was the slowest stage",
                          [stage](const Row& row) { return row.outcomes.by_stage[stage]; });
   columns.emplace_back("differences", "cases that differed from exact",
@@ -46,7 +46,7 @@ harness::Table<Row> counts_table() {
 std::string stage_headings() {
   std::string text;
   for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
-    text += fmt::format(" {:>13}", word(static_cast<filtered::Stage>(stage)));
+    text += fmt::format(" {:>13}", to_string(static_cast<filtered::Stage>(stage)));
   return text;
 }
 

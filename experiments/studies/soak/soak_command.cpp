@@ -72,7 +72,7 @@ int print_cases(const Options& options) {
   for (std::uint64_t index = options.from; index < options.from + options.samples; ++index) {
     const adversarial::Case drawn = adversarial::draw_case(options.seed, index);
     fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), drawn.ball, drawn.polygon,
-                                      {std::string(word(drawn.family))}));
+                                      {std::string(to_string(drawn.family))}));
   }
   return 0;
 }

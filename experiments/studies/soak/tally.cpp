@@ -5,7 +5,7 @@
 
 namespace touchstone::soak {
 
-std::string_view word(Way way) {
+std::string_view to_string(Way way) {
   switch (way) {
     case Way::Triangle: return "triangle";
     case Way::Prepared: return "prepared";

@@ -20,7 +20,7 @@ enum class Way {
   Answer,    ///< every key of the contract
 };
 
-[[nodiscard]] std::string_view word(Way way);
+[[nodiscard]] std::string_view to_string(Way way);
 inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer};
 
 /// The results of the cases of one family asked in one way.

@@ -66,7 +66,7 @@ std::vector<Level> make_levels(Axis axis) {
 
 }  // namespace
 
-std::string_view word(Axis axis) {
+std::string_view to_string(Axis axis) {
   switch (axis) {
     case Axis::Aspect: return "aspect";
     case Axis::Parallel: return "parallel";

@@ -38,7 +38,7 @@ struct Level {
   std::uint64_t one_in;  ///< one of this many samples is drawn at this level, because more would take too long
 };
 
-[[nodiscard]] std::string_view word(Axis axis);
+[[nodiscard]] std::string_view to_string(Axis axis);
 /// Returns one line for the legend.
 [[nodiscard]] std::string_view meaning(Axis axis);
 [[nodiscard]] const std::vector<Axis>& all_axes();

@@ -123,7 +123,7 @@ class Draw {
 
 }  // namespace
 
-std::string_view word(Nearness nearness) {
+std::string_view to_string(Nearness nearness) {
   switch (nearness) {
     case Nearness::OneDouble: return "one-double";
     case Nearness::Close: return "close";

@@ -19,7 +19,7 @@ namespace touchstone::stability {
 enum class Nearness { OneDouble, Close, Ample };
 inline constexpr std::array kNearnesses{Nearness::OneDouble, Nearness::Close, Nearness::Ample};
 
-[[nodiscard]] std::string_view word(Nearness nearness);
+[[nodiscard]] std::string_view to_string(Nearness nearness);
 
 /// The place of a ball's centre: above the face, off an edge or off a vertex, for radii around the distance; or with
 /// its foot at an edge, for tests of the foot alone.

@@ -148,7 +148,7 @@ Rational& component(RationalVector& v, int axis) { return axis == 0 ? v.x : axis
 
 }  // namespace
 
-std::string_view word(BoundStage stage) {
+std::string_view to_string(BoundStage stage) {
   switch (stage) {
     case BoundStage::Maxima: return "maxima";
     case BoundStage::Permanent: return "permanent";

@@ -22,7 +22,7 @@ enum class BoundStage {
   FastPlanarity  ///< the bound within which `fast` takes a loop for planar: stated there, not proved
 };
 
-[[nodiscard]] std::string_view word(BoundStage stage);
+[[nodiscard]] std::string_view to_string(BoundStage stage);
 
 /// A quantity with a bound.
 struct BoundedQuantity {

@@ -22,7 +22,7 @@ template <class Row>
 std::vector<harness::Column<Row>> level_columns() {
   const auto level = [](const Row& row) { return row.axis ? &levels(*row.axis)[row.level] : nullptr; };
   return {{"axis", "the property that gets worse, or `all`",
-           [](const Row& row) { return row.axis ? word(*row.axis) : std::string_view("all"); }},
+           [](const Row& row) { return row.axis ? to_string(*row.axis) : std::string_view("all"); }},
           {"level", "how bad it is, as tables name it",
            [level](const Row& row) { return level(row) ? std::optional(level(row)->name) : std::nullopt; }},
           {"value", "the same as a number",

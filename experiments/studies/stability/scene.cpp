@@ -273,7 +273,7 @@ std::optional<Scene> draw_scene(Axis axis, std::size_t level, std::uint64_t seed
     Random random(seed, index, stream + attempt);
     auto draft = draw(axis, levels(axis)[level], index, attempt, random);
     if (!draft) continue;
-    Scene scene{fmt::format("stability-{}-{}-s{}-i{}", word(axis), levels(axis)[level].name, seed, index),
+    Scene scene{fmt::format("stability-{}-{}-s{}-i{}", to_string(axis), levels(axis)[level].name, seed, index),
                 std::move(draft->placed), std::nullopt, mode_of(axis, level), std::move(draft->critical)};
     if (moves(axis)) {
       auto after = after_motion(axis, static_cast<std::uint64_t>(levels(axis)[level].value), scene.asked, random);

@@ -24,8 +24,8 @@ struct Options : harness::StudyOptions {
 Axis find_axis(const std::string& name) {
   std::string known;
   for (const Axis axis : all_axes()) {
-    if (word(axis) == name) return axis;
-    known.append(known.empty() ? "" : ", ").append(word(axis));
+    if (to_string(axis) == name) return axis;
+    known.append(known.empty() ? "" : ", ").append(to_string(axis));
   }
   throw harness::UsageError("--axes", "there is no axis \"" + name + "\"; there are " + known + ", or all");
 }
@@ -43,7 +43,7 @@ std::vector<Axis> select_axes(const std::vector<std::string>& names) {
 /// Returns the names of the selected axes, joined by commas.
 std::string selected_axes(const std::vector<std::string>& names) {
   std::vector<std::string> words;
-  for (const Axis axis : select_axes(names)) words.emplace_back(word(axis));
+  for (const Axis axis : select_axes(names)) words.emplace_back(to_string(axis));
   return harness::joined(words);
 }
 

@@ -169,7 +169,7 @@ class Study {
     if (wrong.empty()) return;
     const std::string_view name = settings_.methods[method]->name();
     worst.line = cases::case_line(fmt::format("{}-{}", scene.id, name), probe.ball, scene.asked.polygon,
-                                  {std::string(name), std::string(word(probe.nearness)),
+                                  {std::string(name), std::string(to_string(probe.nearness)),
                                    worst.rank > 0 ? "wrong final answer" : "right final answer"},
                                   only(probe.truth, wrong));
     if (held != block.worst.end())
@@ -208,7 +208,7 @@ class Study {
 
 }  // namespace
 
-std::string_view word(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
+std::string_view to_string(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
 
 std::uint64_t block_count(const Settings& settings) { return settings.samples * settings.axes.size(); }
 

@@ -29,7 +29,7 @@ struct TestResult {
 };
 
 enum class Quantity { Distance, Point };
-[[nodiscard]] std::string_view word(Quantity quantity);
+[[nodiscard]] std::string_view to_string(Quantity quantity);
 
 /// The error of a number. For `distance`: the difference from the correctly rounded value, relative to it and in its
 /// ulps. For `point`: the largest difference in a coordinate, relative to the largest coordinate of the correctly

@@ -56,7 +56,7 @@ std::string by_axis_and_method(const Settings& settings, const Shown& shown, con
     std::string text;
     for (std::size_t a = 0; a < settings.axes.size(); ++a)
       if (shown(settings.axes[a]))
-        text += row(std::string(word(settings.axes[a])), begin, end, [&](std::size_t m) { return cell(a, m); });
+        text += row(std::string(to_string(settings.axes[a])), begin, end, [&](std::size_t m) { return cell(a, m); });
     return text;
   });
 }
@@ -88,7 +88,7 @@ std::string limits_of_none(const Settings& settings, const Summary& summary) {
       most = std::max(most, tally.samples);
     }
     if (most == 0) continue;  // no method has that test
-    axes[{most, fewest}].append(" ").append(word(settings.axes[axis]));
+    axes[{most, fewest}].append(" ").append(to_string(settings.axes[axis]));
   }
   const auto upper = [](std::uint64_t samples) { return 100 * statistics::clopper_pearson(0, samples).upper; };
   std::string text = "\nPolygons at a level, and the upper limit (95 %) of the share that fails if none of them did:\n";
@@ -134,7 +134,7 @@ std::string mode_rates(const Settings& settings, const Summary& summary, std::si
     std::string text;
     for (const Nearness nearness : kNearnesses)
       for (std::size_t level = 0; level < modes.size(); ++level)
-        text += row(fmt::format("{:<7} {}", modes[level].name, word(nearness)), begin, end,
+        text += row(fmt::format("{:<7} {}", modes[level].name, to_string(nearness)), begin, end,
                     [&](std::size_t m) -> std::string {
                       const Tally* tally = summary.at(axis, nearness, Test::Contact, m, level);
                       if (tally == nullptr) return "";
@@ -191,8 +191,8 @@ std::string bounds_table(const Summary& summary) {
       "stage", "sign", "observations", "exceeded", "limit, polygons", "median", "99 %", "max");
   for (const auto& [quantity, bound] : summary.all_bounds) {
     const BoundedQuantity& about = bounded_quantities()[quantity];
-    text += fmt::format("  {:<15}{:<9}{:>13}{:>10}{:>16}{:>10.2g}{:>10.2g}{:>10.2g}\n", word(about.stage), about.name,
-                        bound.tightness.count(), bound.exceeded,
+    text += fmt::format("  {:<15}{:<9}{:>13}{:>10}{:>16}{:>10.2g}{:>10.2g}{:>10.2g}\n", to_string(about.stage),
+                        about.name, bound.tightness.count(), bound.exceeded,
                         fmt::format("{:.2g} %", 100 * statistics::clopper_pearson(bound.failed, bound.polygons).upper),
                         bound.tightness.quantile(0.5), bound.tightness.quantile(0.99), bound.tightness.largest());
   }
@@ -290,7 +290,7 @@ std::string legend(const Settings& settings) {
       "-motion includes the error of the chain itself, which filtered, exact on those doubles, shows alone.\n"
       "Axes:\n";
   for (const Axis axis : settings.axes) {
-    text += fmt::format("  {:<18} {}: {} to {}", word(axis), meaning(axis), levels(axis).front().name,
+    text += fmt::format("  {:<18} {}: {} to {}", to_string(axis), meaning(axis), levels(axis).front().name,
                         levels(axis).back().name);
     std::uint64_t rarest = 1;
     for (const Level& level : levels(axis)) rarest = std::max(rarest, level.one_in);
@@ -304,7 +304,7 @@ std::string legend(const Settings& settings) {
 std::string table(const Settings& settings, const Summary& summary, const Known& known) {
   std::string text = "Where each method first fails: the final answer (contact or not), by nearness of the ball\n";
   for (const Nearness nearness : kNearnesses)
-    text += fmt::format("\n{}: radius {}\n", word(nearness), distance_words(nearness)) +
+    text += fmt::format("\n{}: radius {}\n", to_string(nearness), distance_words(nearness)) +
             first_failures(settings, summary, nearness);
   if (!summary.failures.empty()) text += limits_of_none(settings, summary);
   text += all_mode_rates(settings, summary);

@@ -116,7 +116,7 @@ double UlpErrors::quantile_of_finite(double share) const {
   return known.quantile((std::ceil(share * finite) - 0.5) / all);  // half a number short: rounding passes none
 }
 
-std::string_view word(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
+std::string_view to_string(Quantity quantity) { return quantity == Quantity::Distance ? "distance" : "point"; }
 
 Tally MethodErrors::near_threshold() const {
   Tally sum;

@@ -45,7 +45,7 @@ struct Tally {
 /// The numbers whose errors are measured in units in the last place.
 enum class Quantity { Distance, Point };
 inline constexpr std::array kQuantities{Quantity::Distance, Quantity::Point};
-[[nodiscard]] std::string_view word(Quantity quantity);
+[[nodiscard]] std::string_view to_string(Quantity quantity);
 
 /// Errors of one quantity, in units in the last place, for radii at their threshold.
 struct UlpErrors {

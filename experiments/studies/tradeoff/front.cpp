@@ -71,7 +71,7 @@ std::optional<ParetoEntry> entry(Measure measure, const MethodErrors& errors, st
 
 }  // namespace
 
-std::string_view word(Measure measure) {
+std::string_view to_string(Measure measure) {
   switch (measure) {
     case Measure::NotRight: return "not-right";
     case Measure::Distance: return "distance";
@@ -80,7 +80,7 @@ std::string_view word(Measure measure) {
   return "point";
 }
 
-std::string_view word(Front front) {
+std::string_view to_string(Front front) {
   switch (front) {
     case Front::On: return "on";
     case Front::WithinNoise: return "within-noise";

@@ -20,7 +20,7 @@ enum class Measure {
   Point,     ///< the same, of the closest point
 };
 inline constexpr std::array kMeasures{Measure::NotRight, Measure::Distance, Measure::Point};
-[[nodiscard]] std::string_view word(Measure measure);
+[[nodiscard]] std::string_view to_string(Measure measure);
 
 /// Nanoseconds per question about a ball near a threshold (contact, or the whole answer): quartiles of the repetitions.
 struct Nanoseconds {
@@ -34,7 +34,7 @@ enum class Front {
   WithinNoise,  ///< no method is better, but one at least as accurate is neither faster nor slower beyond noise
   Off,          ///< another method is better
 };
-[[nodiscard]] std::string_view word(Front front);
+[[nodiscard]] std::string_view to_string(Front front);
 
 /// A method compared with the others.
 struct ParetoEntry {

@@ -30,7 +30,7 @@ constexpr std::array kPlacements{Placement::LatticeFrame, Placement::Rotated};
 template <class Line>
 void for_each_place(const Settings& settings, const Line& line) {
   for (const auto family : settings.families)
-    for (const Placement placement : kPlacements) line(std::optional(family), word(family), placement);
+    for (const Placement placement : kPlacements) line(std::optional(family), to_string(family), placement);
   for (const Placement placement : kPlacements) line(std::nullopt, "all", placement);
 }
 
@@ -160,7 +160,7 @@ const harness::Table<TimingRow>& timings_table() {
       {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->place.family; }},
        {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->place.placement; }},
        {"balls", "where the balls are", harness::path(&TimingRow::timing, &Timing::balls)},
-       {"question", "contact, or the whole answer", [](const TimingRow& row) { return word(row.timing->kind); }},
+       {"question", "contact, or the whole answer", [](const TimingRow& row) { return to_string(row.timing->kind); }},
        {"method", "the method", harness::path(&TimingRow::measured, &timing::Measured::name)},
        {"asked", "questions", harness::path(&TimingRow::measured, &timing::Measured::queries)},
        {"repetitions", "turns of the method", [](const TimingRow& row) { return row.measured->nanoseconds.size(); }},
@@ -219,10 +219,11 @@ std::string worst_case(const Settings& settings, std::size_t method, Quantity qu
   else
     expected.point = truth.point;
   const auto& [family, placement, threshold] = all_strata()[worst.stratum];
-  const std::string id = fmt::format("worst-{}-{}-{}-{}-{}-s{}-n{}", word(quantity), name(settings, method),
-                                     word(family), word(placement), word(threshold), settings.seed, worst.n);
+  const std::string id =
+      fmt::format("worst-{}-{}-{}-{}-{}-s{}-n{}", to_string(quantity), name(settings, method), to_string(family),
+                  to_string(placement), to_string(threshold), settings.seed, worst.n);
   const std::vector<std::string> tags{
-      std::string(name(settings, method)), std::string(word(quantity)),
+      std::string(name(settings, method)), std::string(to_string(quantity)),
       std::isfinite(worst.ulps) ? fmt::format("{:.6g} ulps", worst.ulps) : "not finite"};
   return cases::case_line(id, ball, crossing->polygon, tags, expected);
 }

@@ -177,7 +177,7 @@ std::string legend(const std::vector<Timing>& timings) {
 std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings) {
   std::string text;
   for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated})
-    text += fmt::format("\n{}: {}\n{}\n{}{}", word(placement),
+    text += fmt::format("\n{}: {}\n{}\n{}{}", to_string(placement),
                         placement == Placement::LatticeFrame ? "exactly planar polygons on an integer lattice"
                                                              : "rotated polygons, vertices rounded to doubles",
                         times_and_shares(settings, errors, timings, placement), units(settings, errors, placement),

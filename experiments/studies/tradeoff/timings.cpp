@@ -58,9 +58,9 @@ timing::Candidate candidate(const cases::Method& method, const Prepared& prepare
 
 }  // namespace
 
-std::string_view word(Balls balls) { return balls == Balls::Near ? "near" : "anywhere"; }
+std::string_view to_string(Balls balls) { return balls == Balls::Near ? "near" : "anywhere"; }
 
-std::string_view word(QueryKind kind) { return kind == QueryKind::Contact ? "contact" : "answer"; }
+std::string_view to_string(QueryKind kind) { return kind == QueryKind::Contact ? "contact" : "answer"; }
 
 Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count) {
   workloads::Workload workload;
@@ -101,7 +101,7 @@ std::vector<Timing> measure_timings(const TimingSettings& settings, const std::a
         for (std::size_t m = 0; m < prepared.size(); ++m)
           benchmark.candidates.push_back(candidate(*settings.methods[m], prepared[m], queries.of(balls), kind));
         timing::Result result = timing::measure(
-            std::string(word(place.family)), benchmark, settings.repetitions, stop, [](std::uint64_t) {},
+            std::string(to_string(place.family)), benchmark, settings.repetitions, stop, [](std::uint64_t) {},
             kSecondsOfList);
         if (stop) return timings;
         timings.push_back({place, balls, kind, std::move(result.candidates)});

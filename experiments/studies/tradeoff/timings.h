@@ -19,11 +19,11 @@ enum class Balls {
   Anywhere,  ///< workloads::BallPlace::Anywhere
 };
 inline constexpr std::array kBalls{Balls::Near, Balls::Anywhere};
-[[nodiscard]] std::string_view word(Balls balls);
+[[nodiscard]] std::string_view to_string(Balls balls);
 
 inline constexpr std::array kTimedKinds{cases::QueryKind::Contact, cases::QueryKind::Answer};
 /// Requires one of these two.
-[[nodiscard]] std::string_view word(cases::QueryKind question);
+[[nodiscard]] std::string_view to_string(cases::QueryKind question);
 
 /// A family of polygons in a placement, for which timings and fronts are computed.
 struct Place {

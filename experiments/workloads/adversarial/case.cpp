@@ -159,7 +159,7 @@ std::optional<Case> try_outline(Random& random) {
 
 }  // namespace
 
-std::string_view word(Family family) {
+std::string_view to_string(Family family) {
   switch (family) {
     case Family::General: return "general";
     case Family::Lattice: return "lattice";

@@ -30,7 +30,7 @@ enum class Family {
   Outline,    ///< polygons of all families of workloads: lattice or rotated, with holes, off their planes, scaled
 };
 
-[[nodiscard]] std::string_view word(Family family);
+[[nodiscard]] std::string_view to_string(Family family);
 [[nodiscard]] const std::vector<Family>& all_families();
 
 /// A ball and a polygon that `exact::validate` accepts.

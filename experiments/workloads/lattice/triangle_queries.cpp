@@ -100,7 +100,7 @@ TriangleQuery with_vertices_in_any_order(TriangleQuery query, Random& random) {
 
 }  // namespace
 
-std::string_view word(TriangleFamily family) {
+std::string_view to_string(TriangleFamily family) {
   switch (family) {
     case TriangleFamily::Random: return "random-triangles";
     case TriangleFamily::HalfNear: return "half-near";

@@ -25,7 +25,7 @@ enum class TriangleFamily {
   Extreme,  ///< Random, times 2^-1000, 2^-500, 2^480 or 2^1000, or each point and the radius times its own one of these
 };
 
-[[nodiscard]] std::string_view word(TriangleFamily family);
+[[nodiscard]] std::string_view to_string(TriangleFamily family);
 [[nodiscard]] std::string_view summary(TriangleFamily family);
 [[nodiscard]] const std::vector<TriangleFamily>& all_triangle_families();
 

@@ -17,7 +17,7 @@ std::string with_polygon(const std::string& polygon) {
 std::string code(const std::string& line) {
   const cases::Case read = cases::read_case(line);
   const auto* rejection = std::get_if<Rejection>(&read.content);
-  return rejection ? std::string(word(rejection->code)) : "accepted";
+  return rejection ? std::string(to_string(rejection->code)) : "accepted";
 }
 
 std::string message(const std::string& line) { return std::get<Rejection>(cases::read_case(line).content).message; }

@@ -111,10 +111,10 @@ TEST(Verdict, StatementsAreReadAsTheAnswersThatTheyState) {
   EXPECT_EQ(read.texts, cases::stated(answer).texts);
   EXPECT_EQ(read.texts.size(), cases::kKeys.size());
   for (const cases::Key key : cases::kKeys) {
-    EXPECT_TRUE(has(read.values, key)) << word(key);
-    EXPECT_TRUE(same_value(key, read.values, answer)) << word(key);
-    EXPECT_FALSE(same_value(key, only(answer, {}), answer)) << word(key);
-    EXPECT_EQ(cases::find_key(word(key)), key);
+    EXPECT_TRUE(has(read.values, key)) << to_string(key);
+    EXPECT_TRUE(same_value(key, read.values, answer)) << to_string(key);
+    EXPECT_FALSE(same_value(key, only(answer, {}), answer)) << to_string(key);
+    EXPECT_EQ(cases::find_key(to_string(key)), key);
   }
 }
 

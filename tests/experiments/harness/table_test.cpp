@@ -12,7 +12,7 @@ namespace touchstone::harness {
 namespace {
 
 enum class Colour { Red, Green };
-std::string_view word(Colour colour) { return colour == Colour::Red ? "red" : "green"; }
+std::string_view to_string(Colour colour) { return colour == Colour::Red ? "red" : "green"; }
 
 struct Part {
   double size;

@@ -123,7 +123,7 @@ TEST(Judge, TakesEveryCodeOfARejectionForOne) {
   for (const auto code : {RejectionCode::MalformedCase, RejectionCode::NotFinite, RejectionCode::NegativeRadius,
                           RejectionCode::TooFewVertices, RejectionCode::RepeatedVertex, RejectionCode::ZeroNormal,
                           RejectionCode::LoopMeetsItself, RejectionCode::LoopsMeet, RejectionCode::HoleOutside}) {
-    const std::string expected = R"(,"expected":{"error":")" + std::string(word(code)) + R"("})";
+    const std::string expected = R"(,"expected":{"error":")" + std::string(to_string(code)) + R"("})";
     EXPECT_EQ(run(with(kCollinear, expected)).status, code == RejectionCode::ZeroNormal ? AllMet : ExpectationNotMet);
   }
 }

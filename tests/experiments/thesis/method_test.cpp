@@ -59,7 +59,7 @@ TEST(Flowchart, HasFalseHitsInTheGapAndNoneWithSignedAngles) {
   EXPECT_LT(flowchart.culled, as_it_is.false_hits());
   EXPECT_EQ(flowchart.methods[number_of("thesis-signed")].false_hits(), 0U);
   EXPECT_EQ(fast.elsewhere(), 0U);
-  for (const End end : kEnds) EXPECT_GT(fast.at(end), 0U) << word(end);
+  for (const End end : kEnds) EXPECT_GT(fast.at(end), 0U) << to_string(end);
 }
 
 // The thesis's normal is turned round against the contract's; with Newell's it is not. Neither counts as an error.

@@ -174,7 +174,7 @@ TEST(Outline, FamiliesButTriangleAndConvexAreNotConvex) {
       workload.family = family;
       workload.vertices = 3 + i;
       const bool convex = family == Family::Triangle || family == Family::Convex;
-      EXPECT_EQ(is_convex(draw_outline(workload, kSeed, i).outer), convex) << word(family) << " " << i;
+      EXPECT_EQ(is_convex(draw_outline(workload, kSeed, i).outer), convex) << to_string(family) << " " << i;
     }
 }
 
@@ -186,7 +186,7 @@ TEST(Outline, StaysWithinTheLattice) {
       workload.vertices = 5 * i;
       workload.koch_dimension = 1.01 + 0.01 * static_cast<double>(i);
       for (const LatticePoint& p : draw_outline(workload, kSeed, i).outer)
-        EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), kLatticeRadius) << word(family) << " " << i;
+        EXPECT_LE(std::max(std::abs(p.x), std::abs(p.y)), kLatticeRadius) << to_string(family) << " " << i;
     }
 }
 
@@ -200,7 +200,7 @@ TEST(Outline, HasTheVerticesAskedForAsNearlyAsTheFamilyAllows) {
   for (std::uint64_t i = 0; i < 20; ++i)
     for (const std::size_t n : {8u, 24u, 64u, 192u}) {
       for (const Family family : {Family::Convex, Family::Star, Family::RandomSimple, Family::Spiral, Family::Comb})
-        EXPECT_EQ(count(family, n, i), n) << word(family);
+        EXPECT_EQ(count(family, n, i), n) << to_string(family);
       EXPECT_EQ(count(Family::Triangle, n, i), 3u);
       EXPECT_EQ(count(Family::U, n, i), 8u);
       EXPECT_EQ(count(Family::L, n, i), 6u);
@@ -340,7 +340,7 @@ TEST(Sample, LatticeTangentBallsTouch) {
   for (const auto& place : {std::pair(Face, PointLocation::Inside), std::pair(Edge, PointLocation::Boundary),
                             std::pair(Edge, PointLocation::Outside), std::pair(Vertex, PointLocation::Boundary),
                             std::pair(Vertex, PointLocation::Outside)})
-    EXPECT_GT(seen[place], 0) << word(place.first) << " " << word(place.second);
+    EXPECT_GT(seen[place], 0) << to_string(place.first) << " " << to_string(place.second);
 }
 
 // The foot lies inside, outside and, on exactly planar outlines, on the boundary; the ball reaches the polygon anyway.
@@ -418,7 +418,7 @@ TEST(Sample, HasTheGoldenBits) {
   for (const Workload& workload : all_workloads())
     for (std::uint64_t i = 0; i < 100; ++i) hashes[workload.family].add(sample(with_holes(workload, i % 2), kSeed, i));
   for (const auto& [family, hash] : hashes)
-    EXPECT_EQ(hash.value(), golden.at(family)) << word(family) << std::hex << " 0x" << hash.value();
+    EXPECT_EQ(hash.value(), golden.at(family)) << to_string(family) << std::hex << " 0x" << hash.value();
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using workloads::LatticePoint;
 /// `code: message`, or `accepted`.
 std::string verdict(const Loop& outer, const std::vector<Loop>& holes = {}) {
   const auto rejection = exact::validate(Polygon(outer, holes));
-  return rejection ? std::string(word(rejection->code)) + ": " + rejection->message : "accepted";
+  return rejection ? std::string(to_string(rejection->code)) + ": " + rejection->message : "accepted";
 }
 
 bool refused_for_itself(const Loop& loop) {
@@ -240,7 +240,7 @@ RC_GTEST_PROP(ValidateAgainstEveryPair, GivesTheCodeOfTheDefinitionAndNamesEdges
     const auto rejection = exact::validate(polygon_of(drawn.in_space()));
     RC_ASSERT(rejection.has_value() == expected.has_value());
     if (!rejection) continue;
-    RC_ASSERT(word(rejection->code) == word(*expected));
+    RC_ASSERT(to_string(rejection->code) == to_string(*expected));
     if (*expected == RejectionCode::LoopMeetsItself || *expected == RejectionCode::LoopsMeet)
       RC_ASSERT(names_a_meeting(rejection->message, drawn.loops));
   }

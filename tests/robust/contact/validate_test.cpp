@@ -10,7 +10,7 @@ namespace {
 
 std::string verdict(const Loop& outer, const std::vector<Loop>& holes = {}) {
   const auto rejection = validate(Polygon(outer, holes));
-  return rejection ? std::string(word(rejection->code)) + ": " + rejection->message : "accepted";
+  return rejection ? std::string(to_string(rejection->code)) + ": " + rejection->message : "accepted";
 }
 
 const Loop kSquare{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
@@ -45,13 +45,13 @@ TEST(Validate, FindsACrossingOfEdgesThatBecomeNeighboursLate) {
 TEST(Validate, AcceptsLargePolygonsAndFindsOneCrossingInThem) {
   for (const auto family : {workloads::Family::Star, workloads::Family::Comb, workloads::Family::Spiral}) {
     const Polygon polygon = workloads::sample({.family = family, .vertices = 20'000}, 1, 0).polygon;
-    EXPECT_FALSE(validate(polygon)) << word(family);
+    EXPECT_FALSE(validate(polygon)) << to_string(family);
     Loop loop;
     for (std::size_t i = 0; i < polygon.vertex_count(); ++i) loop.push_back(polygon.vertex(i));
     std::swap(loop[10'000], loop[10'003]);
     const auto rejection = validate(Polygon(loop));
-    ASSERT_TRUE(rejection) << word(family);
-    EXPECT_EQ(rejection->code, RejectionCode::LoopMeetsItself) << word(family);
+    ASSERT_TRUE(rejection) << to_string(family);
+    EXPECT_EQ(rejection->code, RejectionCode::LoopMeetsItself) << to_string(family);
   }
 }
 

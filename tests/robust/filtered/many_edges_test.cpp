@@ -52,7 +52,7 @@ TEST(FilteredManyEdges, AreAnsweredAsByExact) {
         for (std::uint64_t i = 0; i < 20 + TOUCHSTONE_SAMPLES / 5; ++i) {
           Random random(2026, 1000 * index + i, 99);
           const Ball ball = draw_ball(random, polygon);
-          const std::string what = std::string(word(family)) + " of " + std::to_string(vertices) +
+          const std::string what = std::string(to_string(family)) + " of " + std::to_string(vertices) +
                                    " vertices, sample " + std::to_string(index) + ", ball " + std::to_string(i);
           EXPECT_EQ(filtered::foot(ball, prepared), exact::foot(ball, truth)) << what;
           EXPECT_EQ(filtered::relation(ball, prepared), exact::relation(ball, truth)) << what;

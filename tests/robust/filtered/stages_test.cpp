@@ -13,7 +13,7 @@
 
 namespace touchstone::filtered {
 
-void PrintTo(Stage stage, std::ostream* out) { *out << word(stage); }
+void PrintTo(Stage stage, std::ostream* out) { *out << to_string(stage); }
 
 }  // namespace touchstone::filtered
 
@@ -107,7 +107,7 @@ TEST(Stages, DoublesCountOneQuestion) {
   ASSERT_FALSE(filtered::contact({{100, 100, 100}, 1}, filtered::PreparedPolygon(right_triangle()), counts));
   EXPECT_EQ(counts.decided_by(Stage::Double), 2U);
   for (const Stage stage : {Stage::Permanent, Stage::DoubleDouble, Stage::FixedInteger, Stage::BigInteger})
-    EXPECT_EQ(counts.decided_by(stage), 0U) << word(stage);
+    EXPECT_EQ(counts.decided_by(stage), 0U) << to_string(stage);
 }
 
 /// The two doubles on the sides of the distance from this centre, within a double and a half of it: no double that was
@@ -343,11 +343,11 @@ TEST(Stages, OfWholeAnswersAndClosestPoints) {
 
 // A word for each, in order.
 TEST(Stages, HaveTheWordsOfExplain) {
-  EXPECT_EQ(word(Stage::Double), "double");
-  EXPECT_EQ(word(Stage::Permanent), "permanent");
-  EXPECT_EQ(word(Stage::DoubleDouble), "double-double");
-  EXPECT_EQ(word(Stage::FixedInteger), "fixed-integer");
-  EXPECT_EQ(word(Stage::BigInteger), "unlimited");
+  EXPECT_EQ(to_string(Stage::Double), "double");
+  EXPECT_EQ(to_string(Stage::Permanent), "permanent");
+  EXPECT_EQ(to_string(Stage::DoubleDouble), "double-double");
+  EXPECT_EQ(to_string(Stage::FixedInteger), "fixed-integer");
+  EXPECT_EQ(to_string(Stage::BigInteger), "unlimited");
 }
 
 TEST(Stages, TheSlowestIsTheLast) {

@@ -96,11 +96,11 @@ class Examiner {
       found_foot = foot({questions.center, 0});
       for (const Radius& radius : questions.radii) found.push_back(relation({questions.center, radius.value}));
     }
-    if (found_foot != questions.foot) complain(questions, mode, who) << "foot " << word(found_foot);
+    if (found_foot != questions.foot) complain(questions, mode, who) << "foot " << to_string(found_foot);
     for (std::size_t i = 0; i < found.size(); ++i)
       if (found[i] != questions.radii[i].relation)
         complain(questions, mode, who) << "radius " << std::hexfloat << questions.radii[i].value << ' '
-                                       << word(found[i]);
+                                       << to_string(found[i]);
   }
 
   /// Names the first few; all are counted.

@@ -27,7 +27,7 @@ struct Settled {
   std::uint64_t edges_looked_at;
   friend bool operator==(const Settled&, const Settled&) = default;
   friend std::ostream& operator<<(std::ostream& out, const Settled& s) {
-    return out << word(s.outcome) << ", " << s.edges_looked_at << " edges looked at";
+    return out << to_string(s.outcome) << ", " << s.edges_looked_at << " edges looked at";
   }
 };
 
@@ -242,7 +242,7 @@ TEST(FaceCounts, GiveReasonsThatHold) {
       scene.add("the face", one);
       for (std::size_t i = 0; i < balls.size(); ++i) {
         const CullOutcome outcome = settled(scene, balls[i]).outcome;
-        const std::string what = name(kind) + ", ball " + std::to_string(i) + ": " + std::string(word(outcome));
+        const std::string what = name(kind) + ", ball " + std::to_string(i) + ": " + std::string(to_string(outcome));
         expect_true(outcome, balls[i], face, what);
         if (!one.triangles.empty() && (outcome == CullOutcome::Foot || outcome == CullOutcome::Edges)) {
           EXPECT_EQ(outcome == CullOutcome::Foot, parted_by_a_line(balls[i], one.triangles.front())) << what;

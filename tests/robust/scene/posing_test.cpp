@@ -159,7 +159,7 @@ TEST(Posing, RejectsTrianglesThatRoundingBreaks) {
     try {
       (void)posed(pose, triangle);
     } catch (const Rejected& rejected) {
-      return std::string(word(rejected.rejection().code));
+      return std::string(to_string(rejected.rejection().code));
     }
     return std::string();
   };
@@ -205,7 +205,7 @@ TEST(Posing, RejectsWhatIsNotFinite) {
     try {
       (void)call();
     } catch (const Rejected& rejected) {
-      return std::string(word(rejected.rejection().code));
+      return std::string(to_string(rejected.rejection().code));
     }
     return std::string("accepted");
   };

@@ -10,12 +10,12 @@ void PrintTo(const Answer& answer, std::ostream* out) { showValue(answer, *out);
 
 void showValue(const Answer& answer, std::ostream& out) {
   out.precision(std::numeric_limits<double>::max_digits10);
-  out << word(answer.plane) << (answer.plane_tangent ? ", tangent" : "") << "; foot " << word(answer.foot)
+  out << to_string(answer.plane) << (answer.plane_tangent ? ", tangent" : "") << "; foot " << to_string(answer.foot)
       << "; edges_hit";
   for (const std::size_t i : answer.edges_hit) out << ' ' << i;
-  out << "; " << word(answer.relation) << "; nearest " << word(answer.nearest.kind) << ' ' << answer.nearest.index
-      << "; point (" << answer.point.x() << ", " << answer.point.y() << ", " << answer.point.z() << "); distance "
-      << answer.distance << "; off_plane " << answer.off_plane;
+  out << "; " << to_string(answer.relation) << "; nearest " << to_string(answer.nearest.kind) << ' '
+      << answer.nearest.index << "; point (" << answer.point.x() << ", " << answer.point.y() << ", " << answer.point.z()
+      << "); distance " << answer.distance << "; off_plane " << answer.off_plane;
 }
 
 }  // namespace touchstone

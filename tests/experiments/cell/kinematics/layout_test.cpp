@@ -133,7 +133,7 @@ TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {
         EXPECT_NEAR(layout->storage_height[0], layout->storage_height[1], 1e-6);
         for (std::size_t number = 0; number < kCases.size(); ++number)
           EXPECT_EQ(difference(rehearse_case(*layout, number), kCases[number]), "")
-              << word(coupling) << ' ' << lean << ' ' << elevation;
+              << to_string(coupling) << ' ' << lean << ' ' << elevation;
         ++out;
       }
   EXPECT_GE(out, 6U);

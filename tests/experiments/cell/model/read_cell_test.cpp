@@ -95,7 +95,7 @@ TEST(Aristo, ItsFileSaysWhereValuesComeFromAndIsBuiltWhole) {
   std::map<std::string, cell::SolidFaces> parts;
   for (cell::ModelPart& part : cell::build_model(cell)) {
     const std::string owner = part.name.substr(0, part.name.find('/'));
-    EXPECT_EQ(part.carrier == cell::Carrier::Link ? cell.robot.links[part.link].name : word(part.carrier), owner);
+    EXPECT_EQ(part.carrier == cell::Carrier::Link ? cell.robot.links[part.link].name : to_string(part.carrier), owner);
     if (part.carrier == cell::Carrier::Gripper) {
       EXPECT_EQ(part.link, cell.robot.links.size() - 1);
     }

@@ -52,7 +52,7 @@ TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
     const auto still = wrong(method, small.ball, small.polygon);
     ASSERT_FALSE(failure.keys().empty()) << *stored;
     for (const cases::Key key : failure.keys())
-      EXPECT_EQ(std::ranges::count(still.keys, key), 1) << *stored << ": " << word(key);
+      EXPECT_EQ(std::ranges::count(still.keys, key), 1) << *stored << ": " << to_string(key);
   }
 }
 

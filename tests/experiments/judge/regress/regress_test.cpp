@@ -36,15 +36,15 @@ TEST(OutcomeTable, HoldsTheAnswerOfTheMethodToTheCaseOfThatNumber) {
   const OutcomeTable table = outcomes_of({"fast", "exact"});
   const cases::Method& fast = *methods::find_method("fast");
   for (const auto family : workloads::all_families()) {
-    const Outcomes& outcomes = table.at("fast").at(std::string(word(family)));
+    const Outcomes& outcomes = table.at("fast").at(std::string(to_string(family)));
     ASSERT_EQ(outcomes.size(), kSmall.cases());
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
       const auto sample = draw_case(kSmall, family, n);
       const auto said = fast.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Contact).contact;
       EXPECT_EQ(outcomes[n] == Outcome::Wrong, said != exact::contact(sample.ball, sample.polygon))
-          << word(family) << " " << n;
+          << to_string(family) << " " << n;
     }
-    EXPECT_EQ(summary_of(table.at("exact").at(std::string(word(family)))).wrong, 0U);
+    EXPECT_EQ(summary_of(table.at("exact").at(std::string(to_string(family)))).wrong, 0U);
   }
 }
 

@@ -40,7 +40,7 @@ TEST(BenchTriangles, AreFunctionsOfSeedAndIndexAndDistinct) {
         EXPECT_FALSE(equal(query, workloads::draw_triangle_query(family, 4, i)));
       }
     }
-    EXPECT_GT(seen.size(), kQueries * 99 / 100) << word(family);
+    EXPECT_GT(seen.size(), kQueries * 99 / 100) << to_string(family);
   }
 }
 
@@ -48,8 +48,8 @@ TEST(BenchTriangles, AreAcceptedByTheContract) {
   for (const workloads::TriangleFamily family : workloads::all_triangle_families())
     for (std::uint64_t i = 0; i < kQueries / 5; ++i) {
       const workloads::TriangleQuery query = workloads::draw_triangle_query(family, 1, i);
-      EXPECT_FALSE(find_fault(query.ball)) << word(family) << i;
-      EXPECT_FALSE(exact::validate(polygon_of(query.triangle))) << word(family) << i;
+      EXPECT_FALSE(find_fault(query.ball)) << to_string(family) << i;
+      EXPECT_FALSE(exact::validate(polygon_of(query.triangle))) << to_string(family) << i;
     }
 }
 
@@ -72,7 +72,7 @@ TEST(BenchTriangles, HalfOfHalfNearIsNear) {
   EXPECT_NEAR(static_cast<double>(near), kQueries / 2.0, kQueries / 10.0);
   EXPECT_NEAR(static_cast<double>(touch), static_cast<double>(near) / 2, kQueries / 10.0);
   EXPECT_EQ(kinds.size(), 3U);
-  for (const auto& [kind, count] : kinds) EXPECT_GT(count, near / 5) << word(kind);
+  for (const auto& [kind, count] : kinds) EXPECT_GT(count, near / 5) << to_string(kind);
 }
 
 TEST(BenchTriangles, LatticeTangentsTouchExactly) {
@@ -93,7 +93,7 @@ TEST(BenchTriangles, LatticeTangentsTouchExactly) {
   EXPECT_LE(largest, workloads::kLargestCoordinate);
   EXPECT_GT(largest, workloads::kLargestCoordinate / 2);
   EXPECT_EQ(kinds.size(), 3U);
-  for (const auto& [kind, count] : kinds) EXPECT_GT(count, kQueries / 5) << word(kind);
+  for (const auto& [kind, count] : kinds) EXPECT_GT(count, kQueries / 5) << to_string(kind);
 }
 
 TEST(BenchTriangles, SliversAreThinAndFarIsFar) {
@@ -130,8 +130,8 @@ TEST(BenchPolygons, AreFunctionsOfTheirArgumentsAndAsFarOffTheirPlaneAsTheySay) 
           size = std::max(size, *high - *low);
         }
         const double moved = exact::answer({polygon.vertex(0), 0}, polygon).off_plane / size;
-        EXPECT_LE(moved, 16 * off_plane.share) << word(outline) << ' ' << off_plane.name;
-        EXPECT_GE(moved, off_plane.share / 8) << word(outline) << ' ' << off_plane.name;
+        EXPECT_LE(moved, 16 * off_plane.share) << to_string(outline) << ' ' << off_plane.name;
+        EXPECT_GE(moved, off_plane.share / 8) << to_string(outline) << ' ' << off_plane.name;
       }
 }
 

@@ -118,7 +118,7 @@ TEST_F(MeshContact, ExactIsNeverWrongAndTheThesisIs) {
   for (const cases::Test test : kTests) {
     const Count exact = result.meshes[0].methods[0].total(test);
     EXPECT_EQ(exact.trials, result.meshes[0].queries);
-    EXPECT_EQ(exact.wrong(), 0U) << word(test);
+    EXPECT_EQ(exact.wrong(), 0U) << to_string(test);
   }
   EXPECT_EQ(result.meshes[0].methods[0].faces_wrong, 0U);
   EXPECT_GT(result.meshes[0].methods[1].total(cases::Test::Contact).wrong(), 0U);
@@ -141,7 +141,7 @@ TEST_F(MeshContact, BallsAreNearTheirFeature) {
         EXPECT_FALSE(answer.edges_hit.empty());
         continue;
       }
-      EXPECT_EQ(word(answer.nearest.kind), word(place));
+      EXPECT_EQ(to_string(answer.nearest.kind), to_string(place));
       EXPECT_EQ(ball.radius, workloads::move_by_doubles(answer.distance, steps));
       if (steps != 0) {
         EXPECT_EQ(answer.contact(), steps > 0);

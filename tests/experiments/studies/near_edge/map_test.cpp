@@ -26,7 +26,7 @@ TEST(NearEdgeMap, HoldsAllThatItShows) {
   for (const Map& map : maps) {
     const std::string both = map.test == cases::Test::Foot ? "io" : "cn";
     for (const char letter : both)
-      EXPECT_NE(map.truth.find(letter), std::string::npos) << word(map.spot) << " " << map.origin_distance;
+      EXPECT_NE(map.truth.find(letter), std::string::npos) << to_string(map.spot) << " " << map.origin_distance;
     EXPECT_EQ(map.verdicts[0], std::string(map.truth.size(), '='));
     // Outside a reflex vertex the unsigned angles add up to more than 2 pi.
     if (map.spot == Spot::ReflexVertex && map.test == cases::Test::Foot) {
@@ -83,10 +83,10 @@ TEST(NearEdgeMap, OfAContactIsAboutTheNearestFeature) {
       const auto expected = spot == Spot::Face     ? Feature::Kind::Face
                             : spot == Spot::Vertex ? Feature::Kind::Vertex
                                                    : Feature::Kind::Edge;
-      ASSERT_EQ(nearest.kind, expected) << word(spot) << " " << maps[i].origin_distance;
+      ASSERT_EQ(nearest.kind, expected) << to_string(spot) << " " << maps[i].origin_distance;
       edges.insert(nearest.index);
     }
-    EXPECT_EQ(edges.size(), spot == Spot::ReflexVertex ? 2U : 1U) << word(spot) << " " << maps[i].origin_distance;
+    EXPECT_EQ(edges.size(), spot == Spot::ReflexVertex ? 2U : 1U) << to_string(spot) << " " << maps[i].origin_distance;
   }
 }
 
@@ -98,8 +98,8 @@ TEST(NearEdgeMap, ShowsTheRegionAboutItsSpot) {
     const double inside = static_cast<double>(std::count(map.truth.begin(), map.truth.end(), 'i')) /
                           static_cast<double>(map.truth.size());
     const bool edge = map.spot == Spot::Edge, vertex = map.spot == Spot::Vertex;
-    EXPECT_GT(inside, edge ? 0.4 : vertex ? 0.05 : 0.55) << word(map.spot);
-    EXPECT_LT(inside, edge ? 0.6 : vertex ? 0.45 : 0.95) << word(map.spot);
+    EXPECT_GT(inside, edge ? 0.4 : vertex ? 0.05 : 0.55) << to_string(map.spot);
+    EXPECT_LT(inside, edge ? 0.6 : vertex ? 0.45 : 0.95) << to_string(map.spot);
   }
 }
 

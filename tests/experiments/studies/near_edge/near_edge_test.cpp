@@ -126,7 +126,7 @@ TEST(NearEdgeStudy, ExactNeverFails) {
   for (const Tested test : kTests)
     for (const cases::Threshold threshold : cases::all_thresholds()) {
       const Summary summary = result.counts.summary(strata(Placement::LatticeFrame, threshold), test, 0);
-      EXPECT_EQ(summary.all.failures, 0U) << word(test) << " " << word(threshold);
+      EXPECT_EQ(summary.all.failures, 0U) << to_string(test) << " " << to_string(threshold);
       EXPECT_EQ(summary.samples.trials, 6U);
       if (threshold == cases::Threshold::Tangent) continue;
       EXPECT_EQ(result.counts.summary(strata(Placement::Rotated, threshold), test, 0).all.failures, 0U);

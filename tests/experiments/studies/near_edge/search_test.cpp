@@ -110,7 +110,7 @@ TEST(WrongReach, OfExactIsNothing) {
     EXPECT_EQ(at->moved_axis >= 0, !cases::moves_radius(threshold));
     const WrongReach reach =
         wrong_reach(*at, *method("exact").prepare(at->polygon), true, *method("filtered").prepare(at->polygon));
-    EXPECT_FALSE(reach.furthest) << word(threshold);
+    EXPECT_FALSE(reach.furthest) << to_string(threshold);
     EXPECT_EQ(std::count(reach.wrong.begin(), reach.wrong.end(), true), 0);
   }
 }
@@ -125,15 +125,15 @@ TEST(Climb, GoesFurtherAndStaysOfItsKind) {
     const WrongReach before =
         wrong_reach(*start, *method("fast").prepare(start->polygon), true, *method("filtered").prepare(start->polygon));
     const auto [at, reach] = climb(*start, method("fast"), workloads::Random(1, 2));
-    EXPECT_FALSE(reach < before) << word(threshold);
+    EXPECT_FALSE(reach < before) << to_string(threshold);
     further += before < reach ? 1 : 0;
     EXPECT_FALSE(exact::validate(at.polygon));
     EXPECT_EQ(at.polygon.vertex_count(), start->polygon.vertex_count());
     const Feature::Kind kind = exact::answer(start->ball, start->polygon).nearest.kind;
     const Answer answer = exact::answer(at.ball, at.polygon);
     if (cases::moves_radius(threshold)) {
-      EXPECT_EQ(answer.nearest.kind, kind) << word(threshold);
-      EXPECT_EQ(answer.distance, at.ball.radius) << word(threshold);
+      EXPECT_EQ(answer.nearest.kind, kind) << to_string(threshold);
+      EXPECT_EQ(answer.distance, at.ball.radius) << to_string(threshold);
     } else {
       EXPECT_NE(answer.foot, PointLocation::Outside);
     }

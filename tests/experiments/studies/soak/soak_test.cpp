@@ -91,16 +91,16 @@ TEST(SoakCases, StandAtTheirThresholds) {
   }
   for (const adversarial::Family family : adversarial::all_families()) {
     const auto f = static_cast<std::size_t>(family);
-    EXPECT_GT(separate[f], 10U) << word(family);
-    EXPECT_GT(overlapping[f], 10U) << word(family);
+    EXPECT_GT(separate[f], 10U) << to_string(family);
+    EXPECT_GT(overlapping[f], 10U) << to_string(family);
   }
   for (const adversarial::Family family :
        {adversarial::Family::Lattice, adversarial::Family::Tangent, adversarial::Family::Point,
         adversarial::Family::Exponents, adversarial::Family::Scaled, adversarial::Family::Outline})
-    EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << word(family);
+    EXPECT_GT(touching[static_cast<std::size_t>(family)], 10U) << to_string(family);
   for (const adversarial::Family family : {adversarial::Family::Lattice, adversarial::Family::Tangent,
                                            adversarial::Family::Foot, adversarial::Family::Point})
-    EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << word(family);
+    EXPECT_GT(boundary[static_cast<std::size_t>(family)], 10U) << to_string(family);
 }
 
 TEST(Soak, CountsEveryCaseOnceEachWay) {
@@ -111,7 +111,7 @@ TEST(Soak, CountsEveryCaseOnceEachWay) {
       const Outcomes& o = tally.at(family, way);
       std::uint64_t sum = 0;
       for (const std::uint64_t count : o.by_stage) sum += count;
-      EXPECT_EQ(sum, o.cases) << word(family) << " " << word(way);
+      EXPECT_EQ(sum, o.cases) << to_string(family) << " " << to_string(way);
     }
     triangles += tally.at(family, Way::Triangle).cases;
     prepared += tally.at(family, Way::Prepared).cases;

@@ -64,7 +64,7 @@ TEST(StabilityWorst, AreRankedByTheFinalAnswer) {
           furthest = std::max(furthest, 1 + static_cast<int>(nearness));
       }
       const auto& worst = summary.worst[axis][m];
-      EXPECT_EQ(worst ? worst->rank : 0, furthest) << word(axes[axis]) << " " << setting.methods[m]->name();
+      EXPECT_EQ(worst ? worst->rank : 0, furthest) << to_string(axes[axis]) << " " << setting.methods[m]->name();
       ranked += furthest > 0 ? 1 : 0;
     }
   EXPECT_GT(ranked, 8U);

@@ -21,7 +21,7 @@ constexpr std::uint64_t kSamples = TOUCHSTONE_SAMPLES / 10 + 2;
 constexpr std::size_t kMostVertices = 10'000;
 
 std::string name_of(Axis axis, std::size_t level, std::uint64_t index) {
-  return std::string(word(axis)) + " " + levels(axis)[level].name + " seed " + std::to_string(kSeed) + " sample " +
+  return std::string(to_string(axis)) + " " + levels(axis)[level].name + " seed " + std::to_string(kSeed) + " sample " +
          std::to_string(index);
 }
 
@@ -68,13 +68,13 @@ TEST(StabilityScenes, AreAFunctionOfTheirNumbers) {
   for (const Axis axis : all_axes()) {
     const auto scene = draw_scene(axis, 1, kSeed, 1), again = draw_scene(axis, 1, kSeed, 1);
     const auto other_seed = draw_scene(axis, 1, kSeed + 1, 1), other_index = draw_scene(axis, 1, kSeed, 3);
-    ASSERT_TRUE(scene && again && other_seed && other_index) << word(axis);
-    EXPECT_EQ(scene->asked.polygon, again->asked.polygon) << word(axis);
+    ASSERT_TRUE(scene && again && other_seed && other_index) << to_string(axis);
+    EXPECT_EQ(scene->asked.polygon, again->asked.polygon) << to_string(axis);
     EXPECT_EQ(scene->id, again->id);
-    EXPECT_FALSE(scene->asked.polygon == other_seed->asked.polygon) << word(axis);
-    EXPECT_FALSE(scene->asked.polygon == other_index->asked.polygon) << word(axis);
+    EXPECT_FALSE(scene->asked.polygon == other_seed->asked.polygon) << to_string(axis);
+    EXPECT_FALSE(scene->asked.polygon == other_index->asked.polygon) << to_string(axis);
     for (std::size_t i = 0; i < scene->asked.placements.size(); ++i)
-      EXPECT_EQ(scene->asked.placements[i].center, again->asked.placements[i].center) << word(axis);
+      EXPECT_EQ(scene->asked.placements[i].center, again->asked.placements[i].center) << to_string(axis);
   }
 }
 

@@ -81,17 +81,17 @@ TEST(StabilityStudy, FilteredNeverDiffersFromExact) {
   std::uint64_t asked = 0, numbers = 0;
   for (std::uint64_t number = 0; number < block_count(setting); ++number) {
     const Block block = ask_block(setting, number);
-    EXPECT_EQ(block.missing, 0U) << word(block.axis);
-    EXPECT_EQ(block.disputed, 0U) << word(block.axis);
+    EXPECT_EQ(block.missing, 0U) << to_string(block.axis);
+    EXPECT_EQ(block.disputed, 0U) << to_string(block.axis);
     EXPECT_TRUE(block.worst.empty());
     for (const TestResult& test : block.tests) {
-      EXPECT_EQ(test.wrong, 0U) << word(block.axis) << " " << levels(block.axis)[test.level].name << " sample "
-                                << block.sample << " " << word(test.test);
+      EXPECT_EQ(test.wrong, 0U) << to_string(block.axis) << " " << levels(block.axis)[test.level].name << " sample "
+                                << block.sample << " " << to_string(test.test);
       asked += test.asked;
     }
     for (const NumberError& error : block.errors) {
-      EXPECT_EQ(error.relative, 0) << word(block.axis) << " " << levels(block.axis)[error.level].name << " sample "
-                                   << block.sample << " " << word(error.quantity);
+      EXPECT_EQ(error.relative, 0) << to_string(block.axis) << " " << levels(block.axis)[error.level].name << " sample "
+                                   << block.sample << " " << to_string(error.quantity);
       ++numbers;
     }
   }
@@ -194,8 +194,8 @@ TEST(StabilityBounds, HoldAndWouldBeFoundWrong) {
     EXPECT_GT(bound.polygons, 20U) << about.name;
     observations += bound.tightness.count();
     if (about.stage == BoundStage::FastPlanarity) continue;  // not proved
-    EXPECT_EQ(bound.exceeded, 0U) << word(about.stage) << " " << about.name;
-    EXPECT_LE(bound.tightness.largest(), 1) << word(about.stage) << " " << about.name;
+    EXPECT_EQ(bound.exceeded, 0U) << to_string(about.stage) << " " << about.name;
+    EXPECT_LE(bound.tightness.largest(), 1) << to_string(about.stage) << " " << about.name;
     EXPECT_GE(bound.tightness.quantile(0), 0) << "errors to either side count: " << about.name;
   }
   EXPECT_GT(observations, 20'000U);
@@ -210,14 +210,14 @@ TEST(StabilityBounds, HoldAndWouldBeFoundWrong) {
         return std::get<1>(cell.first) == axis && std::get<2>(cell.first) == level;
       };
       EXPECT_TRUE(std::any_of(right.bounds.begin(), right.bounds.end(), at_level))
-          << word(about) << " " << levels(about)[level].name;
+          << to_string(about) << " " << levels(about)[level].name;
     }
 
   setting.bound_factor = 1.0 / 1000;
   const Summary wrong = whole(setting);
   for (const auto& [quantity, bound] : wrong.all_bounds) {
     const BoundedQuantity& about = bounded_quantities()[quantity];
-    EXPECT_GT(bound.exceeded, 0U) << word(about.stage) << " " << about.name;
+    EXPECT_GT(bound.exceeded, 0U) << to_string(about.stage) << " " << about.name;
     EXPECT_GT(bound.failed, 0U);
     EXPECT_GT(bound.tightness.largest(), 1);
   }
