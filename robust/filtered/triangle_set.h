@@ -24,7 +24,8 @@ namespace touchstone::filtered {
 ///  (1) each answer equals that of `contact(ball, triangle)`, for every finite ball and every valid triangle;
 ///  (2) queries may run on several threads at once.
 ///
-/// Cost: about 0.2 us per triangle to prepare it. A query takes about 2.3 ns per triangle with AVX2, 4.7 ns without.
+/// Cost: about 0.2 us per triangle to prepare it. A query takes about 2.3 ns per triangle with AVX2, 4.7 ns
+/// without, and 2 ns more if the set does not fit into the caches of a core.
 /// Triangles that are much smaller than their group, triangles flatter than 2^-28, and groups smaller than 2^-900 or
 /// larger than 2^500 cost as much as single queries. Memory: 126 bytes per triangle, of which most queries read 54.
 class TriangleSet {
