@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/fast_batch.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace touchstone::bench {
 namespace {
@@ -81,49 +83,103 @@ timing::Benchmark balls_against_polygon(std::size_t vertices, const Settings& se
   return benchmark;
 }
 
-timing::Benchmark ball_against_triangles(const Settings& settings) {
+/// Draws a triangle at a distance of the ball's surface of at most a tenth of the radius: the triangle of a query,
+/// moved along the line from its closest point to the centre.
+Triangle near_triangle(const Ball& ball, std::uint64_t seed, std::uint64_t index) {
+  const workloads::TriangleQuery query = workloads::draw_triangle_query(workloads::TriangleFamily::Random, seed, index);
+  Triangle triangle = query.triangle;
+  const filtered::ClosestPoint closest = filtered::closest(ball.center, triangle);
+  const double wanted = ball.radius * (0.9 + 0.4 * query.ball.radius);  // the query's radius is uniform in [0, 0.5)
+  if (!(closest.distance > 0)) return triangle;
+  const Eigen::Vector3d shift = (ball.center - closest.point) * (1 - wanted / closest.distance);
+  for (Eigen::Vector3d* vertex : {&triangle.a, &triangle.b, &triangle.c}) *vertex += shift;
+  return triangle;
+}
+
+timing::Benchmark ball_against_triangles(bool near, const Settings& settings) {
   constexpr std::size_t kMostChecked = 20'000;
+  /// One ball, and the triangles that it is asked about.
+  struct Group {
+    Ball ball;
+    filtered::TriangleSet set;
+    FastBatch<double> doubles;
+    FastBatch<float> floats;
+  };
   struct Data {
-    std::vector<Ball> balls;  ///< one for each kTriangles of the triangles
+    std::vector<Group> groups;  ///< one for each kTriangles of the triangles
     std::vector<Triangle> triangles;
   };
   Data drawn;
+  std::vector<Ball> balls;
   for (std::uint64_t i = 0; i < settings.samples; ++i) {
     const workloads::TriangleQuery query =
         workloads::draw_triangle_query(workloads::TriangleFamily::Random, settings.seed, i);
-    if (i % kTriangles == 0) drawn.balls.push_back(query.ball);
-    drawn.triangles.push_back(query.triangle);
+    if (i % kTriangles == 0) balls.push_back(query.ball);
+    drawn.triangles.push_back(near ? near_triangle(balls.back(), settings.seed, i) : query.triangle);
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const std::span<const Triangle> rest = std::span<const Triangle>(drawn.triangles).subspan(i * kTriangles);
+    const auto group = rest.first(std::min(kTriangles, rest.size()));
+    drawn.groups.push_back({balls[i], filtered::TriangleSet(group), FastBatch<double>(group), FastBatch<float>(group)});
   }
   const auto data = std::make_shared<const Data>(std::move(drawn));
   const auto one_by_one = [data](auto ask) -> Fill {
     return [data, ask](std::span<bool> touches) {
       for (std::size_t i = 0; i < touches.size(); ++i)
-        touches[i] = ask(data->balls[i / kTriangles], data->triangles[i]);
+        touches[i] = ask(data->groups[i / kTriangles].ball, data->triangles[i]);
+    };
+  };
+  // A prepared group answers for all its triangles; the last group asked about may be cut short.
+  const auto by_group = [data](auto ask) -> Fill {
+    return [data, ask](std::span<bool> touches) {
+      bool all[kTriangles];
+      for (std::size_t first = 0; first < touches.size(); first += kTriangles) {
+        const Group& group = data->groups[first / kTriangles];
+        const std::size_t size = std::min(kTriangles, touches.size() - first);
+        if (size == group.set.size()) {
+          ask(group, touches.subspan(first, size));
+        } else {
+          ask(group, std::span<bool>(all, group.set.size()));
+          std::copy(all, all + size, touches.begin() + static_cast<std::ptrdiff_t>(first));
+        }
+      }
     };
   };
   const Fill batch = [data](std::span<bool> touches) {
     for (std::size_t first = 0; first < touches.size(); first += kTriangles) {
       const std::size_t size = std::min(kTriangles, touches.size() - first);
-      filtered::contact(data->balls[first / kTriangles], std::span(data->triangles).subspan(first, size),
+      filtered::contact(data->groups[first / kTriangles].ball, std::span(data->triangles).subspan(first, size),
                         touches.subspan(first, size));
     }
   };
   const auto fast = [](const Ball& ball, const Triangle& t) { return fast::contact(ball, t); };
   const auto filtered = [](const Ball& ball, const Triangle& t) { return filtered::contact(ball, t); };
   const auto exact = [](const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); };
+  const auto set = [](const Group& group, std::span<bool> touches) { contact(group.ball, group.set, touches); };
+  const auto doubles = [](const Group& g, std::span<bool> touches) { g.doubles.contact(g.ball, touches); };
+  const auto floats = [](const Group& g, std::span<bool> touches) { g.floats.contact(g.ball, touches); };
   timing::Benchmark benchmark;
-  benchmark.name = fmt::format("one ball, {} triangles", kTriangles);
+  benchmark.name = fmt::format("one ball, {} triangles{}", kTriangles, near ? ", all near its surface" : "");
   benchmark.checked = settings.checks ? std::min<std::size_t>(settings.samples, kMostChecked) : 0;
-  benchmark.candidates = candidates(data->triangles.size(), truths(benchmark.checked, one_by_one(exact)),
-                                    one_by_one(fast), one_by_one(filtered), batch);
+  const std::size_t queries = data->triangles.size();
+  const auto truth = truths(benchmark.checked, one_by_one(exact));
+  benchmark.candidates = candidates(queries, truth, one_by_one(fast), one_by_one(filtered), batch);
+  const std::optional<timing::Goal> goal = timing::Goal{0.25};
+  benchmark.candidates.push_back(
+      fills("filtered, set", queries, truth, by_group(set), timing::Comparison{"fast", goal}));
+  benchmark.candidates.push_back(
+      fills("fast, double lanes", queries, truth, by_group(doubles), timing::Comparison{"fast", {}}));
+  benchmark.candidates.push_back(
+      fills("fast, float lanes", queries, truth, by_group(floats), timing::Comparison{"fast", {}}));
   return benchmark;
 }
 
 }  // namespace
 
 Family batch_family() {
-  Family family{"batches", "contact: filtered's functions of spans against single calls", {}};
-  family.benchmarks.emplace_back(ball_against_triangles);
+  Family family{"batches", "contact: filtered's functions of spans and sets against single calls", {}};
+  for (const bool near : {false, true})
+    family.benchmarks.emplace_back([=](const Settings& settings) { return ball_against_triangles(near, settings); });
   for (const std::size_t vertices : {8U, 128U})
     family.benchmarks.emplace_back([=](const Settings& settings) { return balls_against_polygon(vertices, settings); });
   return family;

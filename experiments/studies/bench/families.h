@@ -9,14 +9,14 @@
 
 namespace touchstone::bench {
 
-/// The settings from which a contest is drawn.
+/// The settings from which a benchmark is drawn.
 struct Settings {
   std::uint64_t samples = 100'000;
   std::uint64_t seed = 1;
   bool checks = true;  ///< compare answers with `exact`
 };
 
-/// The contests measured under one name. They are drawn one after the other, because their queries are large.
+/// The benchmarks measured under one name. They are drawn one after the other, because their queries are large.
 struct Family {
   std::string name;
   std::string summary;

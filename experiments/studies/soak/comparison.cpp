@@ -71,10 +71,17 @@ class Comparison {
     const std::array<Triangle, 6> orders{
         {{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}, {t.b, t.a, t.c}, {t.a, t.c, t.b}}};
     std::array<bool, 6> found{};
+    const auto expect_all = [&](const char* question) {
+      for (std::size_t i = 0; i < orders.size(); ++i)
+        if (found[i] != touches) differs(question, case_.ball, Polygon({orders[i].a, orders[i].b, orders[i].c}));
+    };
     tested_.contact(case_.ball, orders, found);
-    for (std::size_t i = 0; i < orders.size(); ++i)
-      if (found[i] != touches)
-        differs("triangle, in a batch", case_.ball, Polygon({orders[i].a, orders[i].b, orders[i].c}));
+    expect_all("triangle, in a batch");
+    const filtered::TriangleSet set(orders);
+    tested_.contact(case_.ball, set, found);
+    expect_all("triangle, in a set");
+    tested_.plain_contact(case_.ball, set, found);
+    expect_all("triangle, in a set, without vectors");
   }
 
   void ask_prepared(const filtered::PreparedPolygon& prepared, bool touches, StageCounts& counts) {

@@ -4,7 +4,9 @@
 #include <span>
 
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/triangle_groups.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace touchstone::soak {
 
@@ -26,6 +28,9 @@ class SystemUnderTest {
   virtual void contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) const {
     filtered::contact(ball, triangles, touches);
   }
+  virtual void contact(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) const {
+    filtered::contact(ball, set, touches);
+  }
   [[nodiscard]] virtual bool contact(const Ball& ball, const Prepared& polygon) const {
     return filtered::contact(ball, polygon);
   }
@@ -39,6 +44,10 @@ class SystemUnderTest {
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Triangle& triangle) const {
     filtered::NoCounts none;
     return filtered::baseline_kernels().plain.triangle_contact(filtered::view_of(ball, triangle), none);
+  }
+  virtual void plain_contact(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) const {
+    filtered::NoCounts none;
+    filtered::baseline_kernels().plain.set_contact(ball, parts_of(set), touches, none);
   }
   [[nodiscard]] virtual bool plain_contact(const Ball& ball, const Prepared& polygon) const {
     filtered::NoCounts none;

@@ -77,9 +77,10 @@ inline constexpr double kLanePrepared = 133;
 inline constexpr double kLaneStep = 2.25;
 inline constexpr double kLaneCoordinate = 547.25;
 inline constexpr double kLaneEdge = 891.3125;
-/// The computed distance of the centre from a triangle is known to kLaneDistance kFloatUnit S, if a foot counts as
-/// inside from a depth of kLaneEdge kFloatUnit 2 S. This includes the rounding of the squares that are compared.
-inline constexpr double kLaneDistance = 6250;
+/// If the depth is at least kLaneEdge kFloatUnit 2 S for every edge, the foot is inside; if it is less than the
+/// negative of that for some edge, the foot is outside. The distances that are computed for a foot inside and for one
+/// outside are known to kLaneDistance kFloatUnit S. This includes the rounding of the squares that are compared.
+inline constexpr double kLaneDistance = 2690;
 
 /// The errors of `dot` and `cross` of double-doubles (numbers/double_double.h), in units of kDoubleDoubleUnit m_a m_b,
 /// where m_a and m_b bound the components of the vectors. They are the same as for the products and sums of vector3.h,

@@ -28,8 +28,9 @@ struct CertainLanes {
 /// Returns the lanes that floats can decide, for a ball (x, y, z, radius) in the group's units. Requires that these
 /// numbers are at most kReach, and that the ball may touch the ball of radius 1 about the origin.
 ///
-/// The computed distance from the foot to the triangle is 0 if the foot is certainly inside, else the distance to the
-/// nearest edge. A foot that is inside, but not certainly so, is almost on an edge. Lengths in lanes are in steps.
+/// A distance from the boundary counts for both answers where the foot is certainly outside, and the height alone where
+/// it is certainly inside. Elsewhere the distance is at most that from the boundary, and at least the height. Lengths
+/// in lanes are in steps.
 TOUCHSTONE_INLINE CertainLanes certain_lanes(const TriangleGroup& group, const double (&ball)[4]) {
   constexpr double steps = TriangleGroup::kSteps;
   const double unit = bounds::kFloatUnit * (ball[3] + 1), error = bounds::kLaneDistance * unit;
@@ -53,9 +54,9 @@ TOUCHSTONE_INLINE CertainLanes certain_lanes(const TriangleGroup& group, const d
     depth = minimum(depth, inside);
     to_boundary = minimum(to_boundary, lane::squared_edge_distance(inside, along, load(edge.half), zero));
   }
-  const FloatPack squared = multiply_add(z, z, where(depth - margin, to_boundary));
-  return {negative_lanes(squared - all_lanes_of(certain_hit_sq)),
-          negative_lanes(all_lanes_of(certain_miss_sq) - squared)};
+  const FloatPack most = multiply_add(z, z, where(depth - margin, to_boundary));
+  const FloatPack least = multiply_add(z, z, where(depth + margin, to_boundary));
+  return {negative_lanes(most - all_lanes_of(certain_hit_sq)), negative_lanes(all_lanes_of(certain_miss_sq) - least)};
 }
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
@@ -74,14 +75,19 @@ TOUCHSTONE_INLINE void count_sure(unsigned lanes, Counts& counts) {
   for (; lanes != 0; lanes &= lanes - 1) counts.count(Stage::Double);
 }
 
-/// Returns one bit for each of the `count` triangles of a group that the ball touches.
+/// The triangles of a group that the ball touches, and those that have to be asked about alone; one bit per lane.
+struct GroupAnswers {
+  unsigned touched, unsure;
+};
+
+/// Returns what floats can tell about the triangles in the given lanes of a group. Requires a ball whose numbers are at
+/// most kLargest.
 template <class Counts>
-TOUCHSTONE_INLINE unsigned group_contact(const Ball& ball, const TriangleGroup& group, const Triangle* triangles,
-                                         unsigned count, Counts& counts) {
-  const unsigned lanes = (1U << count) - 1;
+TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, const TriangleGroup& group, unsigned lanes,
+                                             Counts& counts) {
   const Pack relative = load(numbers_of(ball)) - load(group.origin);
   if (negative_lanes(all_lanes(group.reach) - magnitude(relative)) != 0) [[unlikely]]
-    return contact_one_by_one(ball, triangles, lanes, counts);
+    return {0, lanes};
   double scaled[4];
   store(scaled, relative * all_lanes(group.scale));
   const double squared = scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2];
@@ -89,31 +95,34 @@ TOUCHSTONE_INLINE unsigned group_contact(const Ball& ball, const TriangleGroup& 
   const bool misses_all = squared > apart * apart * bounds::kWide;
   if (misses_all || (around > 0 && squared < around * around * bounds::kNarrow)) {
     count_sure(lanes, counts);
-    return misses_all ? 0 : lanes;
+    return {misses_all ? 0 : lanes, 0};
   }
   const CertainLanes certain = certain_lanes(group, scaled);
-  unsigned touched = certain.touched & group.prepared & lanes;
-  const unsigned unsure = lanes & ~(touched | (certain.missed & group.prepared));
-  count_sure(lanes & ~unsure, counts);
-  if (unsure != 0) [[unlikely]]
-    touched |= contact_one_by_one(ball, triangles, unsure, counts);
-  return touched;
+  const unsigned sure = (certain.touched | certain.missed) & group.prepared & lanes;
+  count_sure(sure, counts);
+  return {certain.touched & sure, lanes & ~sure};
 }
 
-/// Calls visit(first, touched) for each group: the number of its first triangle, and one bit for each triangle that the
-/// ball touches. Stops if it returns true, and returns whether it did.
+/// Fetches from memory the group that is asked about some groups after this one. Outside the nearest cache, this saves
+/// a quarter of the time; inside, it costs nothing.
+TOUCHSTONE_INLINE void prefetch_after(const std::vector<TriangleGroup>& groups, std::size_t number) {
+  constexpr std::size_t ahead = 8, line = 64;
+  const auto* bytes = reinterpret_cast<const char*>(&groups[std::min(number + ahead, groups.size() - 1)]);
+  for (std::size_t offset = 0; offset < sizeof(TriangleGroup); offset += line) __builtin_prefetch(bytes + offset);
+}
+
+/// Calls visit(first, answers) for each group: the number of its first triangle, and what is known about its triangles.
+/// Stops if it returns true, and returns whether it did.
 template <class Counts, class Visit>
 TOUCHSTONE_INLINE bool for_each_group(const Ball& ball, const TriangleSet::Parts& parts, Counts& counts,
                                       const Visit& visit) {
   const std::size_t size = parts.triangles.size();
   const bool reaches = negative_lanes(all_lanes(TriangleGroup::kLargest) - magnitude(load(numbers_of(ball)))) == 0;
   for (std::size_t first = 0; first < size; first += TriangleGroup::kWidth) {
-    const auto count = static_cast<unsigned>(std::min(TriangleGroup::kWidth, size - first));
+    const unsigned lanes = (1U << std::min(TriangleGroup::kWidth, size - first)) - 1;
     const TriangleGroup& group = parts.groups[first / TriangleGroup::kWidth];
-    const Triangle* triangles = &parts.triangles[first];
-    const unsigned touched = reaches ? group_contact(ball, group, triangles, count, counts)
-                                     : contact_one_by_one(ball, triangles, (1U << count) - 1, counts);
-    if (visit(first, touched)) return true;
+    prefetch_after(parts.groups, first / TriangleGroup::kWidth);
+    if (visit(first, reaches ? group_contact(ball, group, lanes, counts) : GroupAnswers{0, lanes})) return true;
   }
   return false;
 }
@@ -132,23 +141,65 @@ TOUCHSTONE_INLINE void write_answers(unsigned touched, std::span<bool> answers) 
   for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = (touched >> i & 1) != 0;
 }
 
+/// Triangles that floats leave open, to be asked about when the processor has had time to fetch them from memory.
+template <class Counts>
+class OpenTriangles {
+ public:
+  OpenTriangles(const Ball& ball, const std::vector<Triangle>& triangles, std::span<bool> touches, Counts& counts)
+      : ball_(ball), triangles_(triangles), touches_(touches), counts_(counts) {}
+
+  /// Notes the triangles of a group.
+  void add(std::size_t first, unsigned lanes) {
+    if (size_ + TriangleGroup::kWidth > kMost) ask();
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const std::size_t number = first + static_cast<std::size_t>(std::countr_zero(lanes));
+      const Triangle& triangle = triangles_[number];
+      __builtin_prefetch(&triangle.a);
+      __builtin_prefetch(&triangle.c[2]);
+      numbers_[size_++] = number;
+    }
+  }
+  /// Writes the answers of all triangles that were noted.
+  __attribute__((noinline)) void ask() {
+    for (std::size_t i = 0; i < size_; ++i)
+      touches_[numbers_[i]] = contact(view_of(ball_, triangles_[numbers_[i]]), counts_);
+    size_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 64;
+
+  const Ball& ball_;
+  const std::vector<Triangle>& triangles_;
+  std::span<bool> touches_;
+  Counts& counts_;
+  std::size_t numbers_[kMost], size_ = 0;
+};
+
 template <class Counts>
 void set_contact(const Ball& ball, const TriangleSet::Parts& parts, std::span<bool> touches, Counts& counts) {
-  for_each_group(ball, parts, counts, [touches](std::size_t first, unsigned touched) {
-    write_answers(touched, touches.subspan(first, std::min(TriangleGroup::kWidth, touches.size() - first)));
+  OpenTriangles<Counts> open(ball, parts.triangles, touches, counts);
+  for_each_group(ball, parts, counts, [&](std::size_t first, const GroupAnswers& answers) {
+    write_answers(answers.touched, touches.subspan(first, std::min(TriangleGroup::kWidth, touches.size() - first)));
+    if (answers.unsure != 0) [[unlikely]]
+      open.add(first, answers.unsure);
     return false;
   });
+  open.ask();
 }
 
 template <class Counts>
 bool set_any_contact(const Ball& ball, const TriangleSet::Parts& parts, Counts& counts) {
-  return for_each_group(ball, parts, counts, [](std::size_t, unsigned touched) { return touched != 0; });
+  return for_each_group(ball, parts, counts, [&](std::size_t first, const GroupAnswers& answers) {
+    return answers.touched != 0 || contact_one_by_one(ball, &parts.triangles[first], answers.unsure, counts) != 0;
+  });
 }
 
 template <class Counts>
 std::vector<std::size_t> set_triangles_hit(const Ball& ball, const TriangleSet::Parts& parts, Counts& counts) {
   std::vector<std::size_t> hit;
-  for_each_group(ball, parts, counts, [&hit](std::size_t first, unsigned touched) {
+  for_each_group(ball, parts, counts, [&](std::size_t first, const GroupAnswers& answers) {
+    unsigned touched = answers.touched | contact_one_by_one(ball, &parts.triangles[first], answers.unsure, counts);
     for (; touched != 0; touched &= touched - 1)
       hit.push_back(first + static_cast<std::size_t>(std::countr_zero(touched)));
     return false;

@@ -247,6 +247,7 @@ TEST(TriangleSet, DoesNotDependOnTheCallersState) {
   cases.push_back({{{0, 0, 0}, 0}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   cases.push_back({{{0, 1, 0x1p-40}, 0}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   cases.push_back({{{0, 1, 0x1p-40}, 0x1p-41}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
+  cases.push_back({{{0, 1, 0x1p-100}, 0x1p-101}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   for (const auto& [ball, triangles] : cases) {
     Answers truth;
     try {

@@ -50,14 +50,11 @@ mpq_class error_to_edge(const mpq_class& edge_error, const mpq_class& longest) {
   return root_above(power(depth.error, 2) + power(overshoot.error, 2)) + relative_error_of_root(3) * longest;
 }
 
-/// By how much the computed distance may be wrong, if feet count as inside from this depth on.
-mpq_class error_of_distance(const mpq_class& edge_error, const mpq_class& least_depth) {
-  const mpq_class longest = 2 + mpq_class(1, 16), to_edge = error_to_edge(edge_error, longest);
-  // A foot outside is computed to be outside, or not certainly inside. One that is inside, but not certainly so, has an
-  // edge at the exact depth.
-  const mpq_class depth_if_inside = (least_depth * (1 + kUnit) + edge_error) * kUnit;
-  const mpq_class in_plane = depth_if_inside + to_edge;
-  return root_above(power(mpq_class(bounds::kLaneCoordinate) * kUnit, 2) + power(in_plane, 2)) +
+/// By how much the computed distance may be wrong for a foot outside; for one inside it is the height.
+mpq_class error_of_distance(const mpq_class& edge_error) {
+  const mpq_class longest = 2 + mpq_class(1, 16);
+  return root_above(power(mpq_class(bounds::kLaneCoordinate) * kUnit, 2) +
+                    power(error_to_edge(edge_error, longest), 2)) +
          relative_error_of_root(2) * longest + root_above(8 * mpq_class(bounds::kFloatTiny));
 }
 
@@ -66,7 +63,7 @@ TEST(Lanes, DistancesAreKnownToTheirBound) {
   const mpq_class edge_error = 2 * mpq_class(bounds::kLaneEdge), bound = mpq_class(bounds::kLaneDistance) * kUnit;
   const mpq_class largest_radius = 1 + bound;  // S is the radius and 1
   const mpq_class of_limits = (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * largest_radius + kFlushed;
-  const mpq_class needed = error_of_distance(edge_error, edge_error) + of_limits;
+  const mpq_class needed = error_of_distance(edge_error) + of_limits;
   EXPECT_LE(needed, bound);
   EXPECT_GT(needed, bound * 15 / 16) << "it is loose";
 }
@@ -80,7 +77,7 @@ TEST(Lanes, MagnitudesMayExceedTheirBounds) {
   const mpq_class foot = 1 + (mpq_class(bounds::kLaneCoordinate) / 2 + mpq_class(bounds::kLaneStep)) * kUnit;
   EXPECT_LE(kProvedEdge * foot, bounds::kLaneEdge);
   // A foot outside has a negative exact depth for some edge, so its computed one is below the limit, a product of
-  // doubles that is rounded to a float.
+  // doubles that is rounded to a float; likewise inside.
   EXPECT_LE(kProvedEdge * foot, bounds::kLaneEdge * (1 - kUnit) * power(1 - mpq_class(bounds::kUnit), 5));
 }
 
