@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 
 namespace touchstone::cell::browser {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// For pictures: the shortest number that is read as the nearest float.
 double drawn(double value) {
@@ -73,8 +76,6 @@ Json labels_json(const Cell& cell) {
 
 const ModelPart& material_of(const std::vector<ModelPart>& parts) { return parts.back(); }
 
-}  // namespace
-
 Json json_of(const Pose& pose) {
   Json rows = Json::array();
   for (int i = 0; i < 3; ++i) {
@@ -84,7 +85,9 @@ Json json_of(const Pose& pose) {
   return rows;
 }
 
-Json cell_json(const Simulator& simulator) {
+}  // namespace
+
+std::string cell_json(const Simulator& simulator) {
   const Cell& cell = simulator.cell();
   const Arm arm = arm_of(cell);
   Json joints = Json::array();
@@ -97,28 +100,29 @@ Json cell_json(const Simulator& simulator) {
   for (const Pose& pose : arm.link_poses(arm.home)) links.push_back(json_of(pose));
   for (const ModelPart& part : simulator.parts()) parts.push_back(part_json(part));
   for (const Face& face : material_of(simulator.parts()).faces.faces) sides.push_back(side_of(face.polygon));
-  return {{"name", cell.name},
-          {"unit", cell.unit.name},
-          {"clearance", cell.clearance},
-          {"sphere", cell.gripper.sphere.radius},
-          {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
-          {"setting", setting_json(cell)},
-          {"labels", labels_json(cell)},
-          {"bounds",
-           {{"longest", longest(cell)},
-            {"most_degrees", kMostDegrees},
-            {"least_step", kLeastStep},
-            {"most_step", kMostStep}}},
-          {"slots", std::move(slots)},
-          {"storage", station_json(cell.storage)},
-          {"machine", station_json(cell.machine)},
-          {"links", std::move(links)},
-          {"home_sphere", drawn(arm.sphere_at(arm.home).center)},
-          {"material_faces", std::move(sides)},
-          {"parts", std::move(parts)}};
+  const Json whole = {{"name", cell.name},
+                      {"unit", cell.unit.name},
+                      {"clearance", cell.clearance},
+                      {"sphere", cell.gripper.sphere.radius},
+                      {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
+                      {"setting", setting_json(cell)},
+                      {"labels", labels_json(cell)},
+                      {"bounds",
+                       {{"longest", longest(cell)},
+                        {"most_degrees", kMostDegrees},
+                        {"least_step", kLeastStep},
+                        {"most_step", kMostStep}}},
+                      {"slots", std::move(slots)},
+                      {"storage", station_json(cell.storage)},
+                      {"machine", station_json(cell.machine)},
+                      {"links", std::move(links)},
+                      {"home_sphere", drawn(arm.sphere_at(arm.home).center)},
+                      {"material_faces", std::move(sides)},
+                      {"parts", std::move(parts)}};
+  return whole.dump();
 }
 
-Json run_json(const Recording& recording) {
+std::string run_json(const Recording& recording) {
   const Process& process = recording.process;
   const Arm arm = arm_of(recording.cell);
   const auto numbers = scene_faces(material_of(recording.parts).faces).numbers;
@@ -170,7 +174,7 @@ Json run_json(const Recording& recording) {
   Json stand;
   for (const ModelPart& part : recording.parts)
     if (part.name == "storage/stand") stand = part_json(part);
-  return {
+  const Json whole = {
       {"setting", setting_json(recording.cell)},
       {"labels", labels_json(recording.cell)},
       {"failure", process.failure},
@@ -183,6 +187,7 @@ Json run_json(const Recording& recording) {
       {"stops", std::move(stops)},
       {"methods", std::move(methods)},
       {"disagreements", std::move(disagreements)}};
+  return whole.dump();
 }
 
 }  // namespace touchstone::cell::browser

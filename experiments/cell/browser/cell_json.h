@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "experiments/cell/browser/recording.h"
 
 namespace touchstone::cell::browser {
 
-using Json = nlohmann::ordered_json;
-
-/// Returns a pose as the twelve numbers of its upper rows, [R t], row by row. Drawn coordinates are the nearest floats.
-[[nodiscard]] Json json_of(const Pose& pose);
+// Texts of JSON for the page. A pose is the twelve numbers of its upper rows, [R t], row by row. Drawn coordinates are
+// the nearest floats.
 
 /// Returns the part of a cell that the page shows independently of the run:
 ///   name, unit, clearance; sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn;
@@ -19,7 +17,7 @@ using Json = nlohmann::ordered_json;
 ///   storage, machine: {home, angle, radius, height}; links, home_sphere: where they stand at home;
 ///   material_faces: where they look, in words: `top`, `underside`, `side`;
 ///   parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in Drawing, in flat arrays.
-[[nodiscard]] Json cell_json(const Simulator& simulator);
+[[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
 ///   setting, labels; failure: text, empty if it completed; balls: the number of obstacle queries;
@@ -30,6 +28,6 @@ using Json = nlohmann::ordered_json;
 ///   the face of the target that is nearest to the sphere's centre, at that distance from it; disagreements: [{stop,
 ///   owner, face, methods}].
 /// Faces are numbers of SolidFaces::faces of the material.
-[[nodiscard]] Json run_json(const Recording& recording);
+[[nodiscard]] std::string run_json(const Recording& recording);
 
 }  // namespace touchstone::cell::browser

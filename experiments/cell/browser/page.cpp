@@ -16,9 +16,9 @@ void replace(std::string& text, std::string_view mark, std::string_view by) {
 }
 
 /// Within a script, no text of JSON may end it.
-std::string in_script(const Json& json) {
+std::string in_script(const std::string& json) {
   std::string result;
-  for (const char c : json.dump()) result += c == '<' ? "\\u003c" : std::string(1, c);
+  for (const char c : json) result += c == '<' ? "\\u003c" : std::string(1, c);
   return result;
 }
 
@@ -38,8 +38,8 @@ std::string page(std::string_view connections, const std::string& recorded) {
 
 std::string live_page() { return page("'self'", "null"); }
 
-std::string recorded_page(const Json& cell, const Json& run) {
-  return page("'none'", in_script({{"cell", cell}, {"run", run}}));
+std::string recorded_page(const std::string& cell, const std::string& run) {
+  return page("'none'", in_script("{\"cell\":" + cell + ",\"run\":" + run + "}"));
 }
 
 }  // namespace touchstone::cell::browser

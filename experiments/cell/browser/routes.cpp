@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/browser/routes.h"
 
+#include <fmt/core.h>
+
 #include <boost/beast/core/string.hpp>
 #include <string_view>
 #include <utility>
@@ -30,7 +32,7 @@ bool is_json(std::string_view content_type) {
 }  // namespace
 
 Routes::Routes(const Simulator& simulator, KnownHosts hosts)
-    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()), cell_(cell_json(simulator).dump()) {}
+    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()), cell_(cell_json(simulator)) {}
 
 HttpReply Routes::answer(const HttpRequest& request) const {
   if (!hosts_.names(request.host))
@@ -48,10 +50,10 @@ HttpReply Routes::answer(const HttpRequest& request) const {
 }
 
 HttpReply Routes::run(const HttpRequest& request) const {
-  if (!is_json(request.content_type)) return refusal(415, std::string("the Content-Type must be ") + kJson);
+  if (!is_json(request.content_type)) return refusal(415, fmt::format("the Content-Type must be {}", kJson));
   try {
     const Setting setting = read_setting(request.body, simulator_->cell());
-    return {200, kJson, run_json(simulator_->run(setting)).dump(), ""};
+    return {200, kJson, run_json(simulator_->run(setting)), ""};
   } catch (const BadSetting& error) {
     return refusal(400, error.what());
   } catch (const BadCell& error) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace touchstone::cell {
 
@@ -50,6 +51,10 @@ std::vector<CellEntry> CellEntry::items() const {
     result.emplace_back(file_, fmt::format("{}[{}]", path_, i), (*value_)[i]);
   return result;
 }
+
+bool CellEntry::is_number() const { return value_->is_number(); }
+bool CellEntry::is_object() const { return value_->is_object(); }
+bool CellEntry::is_array() const { return value_->is_array(); }
 
 std::string CellEntry::text() const {
   if (!value_->is_string() || value_->get_ref<const std::string&>().empty()) bad("must be a text that is not empty");

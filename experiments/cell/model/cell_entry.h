@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -50,9 +50,9 @@ class CellEntry {
   [[nodiscard]] std::vector<std::pair<std::string, CellEntry>> members() const;
   [[nodiscard]] std::vector<CellEntry> items() const;
 
-  [[nodiscard]] bool is_number() const { return value_->is_number(); }
-  [[nodiscard]] bool is_object() const { return value_->is_object(); }
-  [[nodiscard]] bool is_array() const { return value_->is_array(); }
+  [[nodiscard]] bool is_number() const;
+  [[nodiscard]] bool is_object() const;
+  [[nodiscard]] bool is_array() const;
 
   [[nodiscard]] std::string text() const;     ///< not empty, legible
   [[nodiscard]] std::string name() const;     ///< `is_name`

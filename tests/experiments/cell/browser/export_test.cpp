@@ -25,6 +25,7 @@ namespace touchstone::cell_browser_tests {
 namespace {
 
 using namespace cell::browser;
+using Json = nlohmann::ordered_json;
 using PlainJson = nlohmann::json;
 
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
@@ -45,18 +46,18 @@ TEST(Exported, PageRefersToNothingElse) {
 }
 
 TEST(Exported, PageHoldsTheRecordedRun) {
-  const Json cell = cell_json(simulator()), run = run_json(recording());
+  const std::string cell = cell_json(simulator()), run = run_json(recording());
   const std::string page = recorded_page(cell, run);
   const Json read = Json::parse(between(page, "id=\"recorded\">", "</script>"));
-  EXPECT_EQ(read["cell"], cell);
-  EXPECT_EQ(read["run"], run);
+  EXPECT_EQ(read["cell"], Json::parse(cell));
+  EXPECT_EQ(read["run"], Json::parse(run));
   EXPECT_EQ(between(live_page(), "id=\"recorded\">", "</script>"), "null");
 }
 
 TEST(Exported, NameOfACellCannotEndTheScript) {
-  Json cell = cell_json(simulator());
+  Json cell = Json::parse(cell_json(simulator()));
   cell["name"] = "</script><script>alert(1)</script><!--";
-  const std::string page = recorded_page(cell, run_json(recording()));
+  const std::string page = recorded_page(cell.dump(), run_json(recording()));
   EXPECT_EQ(page.find("alert(1)</script"), std::string::npos);
   EXPECT_EQ(Json::parse(between(page, "id=\"recorded\">", "</script>"))["cell"]["name"], cell["name"]);
 }

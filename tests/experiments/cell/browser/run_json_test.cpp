@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,9 +18,10 @@ namespace touchstone::cell_browser_tests {
 namespace {
 
 using namespace cell::browser;
+using Json = nlohmann::ordered_json;
 
 TEST(CellJson, HoldsEveryPartWithIndicesInBounds) {
-  const Json cell = cell_json(simulator());
+  const Json cell = Json::parse(cell_json(simulator()));
   ASSERT_EQ(cell["parts"].size(), simulator().parts().size());
   for (const Json& part : cell["parts"]) {
     const std::size_t points = part["points"].size() / 3;
@@ -38,7 +40,7 @@ TEST(CellJson, HoldsEveryPartWithIndicesInBounds) {
 
 // The sides of a cylinder of 24 meet in 15 degrees, those with its ends in 90.
 TEST(CellJson, OutlinesWhereFacesBend) {
-  const Json cell = cell_json(simulator());
+  const Json cell = Json::parse(cell_json(simulator()));
   for (const Json& part : cell["parts"])
     if (part["name"] == "Axis6/flange") {
       EXPECT_EQ(part["outline"].size(), 2 * 48U);
@@ -46,7 +48,7 @@ TEST(CellJson, OutlinesWhereFacesBend) {
 }
 
 TEST(CellJson, SaysWhichValuesAreChosen) {
-  const Json labels = cell_json(simulator())["labels"];
+  const Json labels = Json::parse(cell_json(simulator()))["labels"];
   EXPECT_EQ(labels["storage.angle"], "T");
   EXPECT_EQ(labels["storage.radius"], "C");
   EXPECT_EQ(labels["step"], "D");
@@ -55,7 +57,7 @@ TEST(CellJson, SaysWhichValuesAreChosen) {
 TEST(RunJson, IsWhatTheProcessSays) {
   const Recording& run = recording();
   ASSERT_EQ(run.process.failure, "");
-  const Json json = run_json(run);
+  const Json json = Json::parse(run_json(run));
   ASSERT_EQ(json["stops"].size(), run.process.stops.size());
   ASSERT_EQ(json["moves"].size(), run.process.moves.size());
   for (std::size_t i = 0; i < run.process.stops.size(); ++i) {
@@ -72,7 +74,7 @@ TEST(RunJson, IsWhatTheProcessSays) {
 // first, the model does not: a prism over a triangle has both.
 void names_the_faces_that_are_touched(const Recording& run) {
   ASSERT_EQ(run.process.failure, "");
-  const Json json = run_json(run);
+  const Json json = Json::parse(run_json(run));
   const auto& faces = run.parts.back().faces.faces;
   std::set<std::string> touched_for;
   for (std::size_t i = 0; i < run.process.stops.size(); ++i) {
@@ -108,7 +110,7 @@ TEST(RunJson, NamesTheFacesOfAPrism) {
 
 TEST(RunJson, FollowsTheMaterial) {
   const Recording& run = recording();
-  const Json json = run_json(run);
+  const Json json = Json::parse(run_json(run));
   std::string places;
   for (std::size_t i = 0; i < run.looks.size(); ++i) {
     const Json& place = json["stops"][i]["place"];
@@ -139,7 +141,7 @@ TEST(RunJson, FollowsTheMaterial) {
 TEST(RunJson, TellsOfAFailureAndOfTheWayUntilThen) {
   Setting setting = setting_of(aristo());
   setting.angle = 67;  // where the machine is
-  const Json json = run_json(simulator().run(setting));
+  const Json json = Json::parse(run_json(simulator().run(setting)));
   EXPECT_NE(json["failure"], "");
   EXPECT_EQ(json["setting"]["storage"]["angle"], 67);
   EXPECT_EQ(json["labels"]["storage.angle"], "C");
@@ -150,7 +152,7 @@ TEST(RunJson, BuildsTheStandAnew) {
   Setting setting = setting_of(aristo());
   setting.height = 300;
   const Recording run = simulator().run(setting);
-  const Json json = run_json(run);
+  const Json json = Json::parse(run_json(run));
   double lowest = 0;
   for (const Json& coordinate : json["stand"]["points"]) lowest = std::min(lowest, coordinate.get<double>());
   EXPECT_EQ(lowest, -300);
