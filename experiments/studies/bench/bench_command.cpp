@@ -108,7 +108,7 @@ void write(const std::filesystem::path& folder, const Options& options, const st
                                       {"processor_features", processor_features()},
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
-                                      {"benchmarks", json(results)}};
+                                      {"contests", json(results)}};
   harness::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
                       options.force);
 }
