@@ -193,67 +193,6 @@ const harness::Table<ConditionRow>& conditions_table() {
   return table;
 }
 
-struct OnsetRow {
-  double distance;
-  std::string_view method;
-  int exponent;
-  std::uint64_t failed, triangles, wrong;
-  harness::Rate rate;
-};
-
-const harness::Table<OnsetRow>& onset_table() {
-  static const harness::Table<OnsetRow> table(
-      "onset.csv", "a distance from the origin, method and offset",
-      harness::all_columns<OnsetRow>(
-          {{{"origin_distance", "of the triangle, in its sizes", &OnsetRow::distance},
-            {"method", "the method", &OnsetRow::method},
-            {"offset_exponent", "of the radius: 2^this of the exact distance", &OnsetRow::exponent},
-            {"failed_triangles", "triangles with a wrong answer", &OnsetRow::failed},
-            {"triangles", "triangles", &OnsetRow::triangles}},
-           harness::rate_columns<OnsetRow>("failed triangles", &OnsetRow::rate),
-           {{"wrong_answers", "wrong answers", &OnsetRow::wrong},
-            {"answers", "answers, two for each triangle", [](const OnsetRow& row) { return 2 * row.triangles; }}}}));
-  return table;
-}
-
-struct ContractionRow {
-  ContractionCount count;
-  harness::Rate plain, fused;
-};
-
-const harness::Table<ContractionRow>& contraction_table() {
-  using Row = ContractionRow;
-  static const harness::Table<Row> table(
-      "contraction.csv", "a sign and a family of exact values",
-      harness::all_columns<Row>(
-          {{{"sign", "the expression whose sign is computed", path(&Row::count, &ContractionCount::sign)},
-            {"family", "its exact value", path(&Row::count, &ContractionCount::family)},
-            {"trials", "trials", path(&Row::count, &ContractionCount::trials)},
-            {"plain_wrong", "wrong signs without contraction", path(&Row::count, &ContractionCount::plain_wrong)}},
-           harness::rate_columns<Row>("wrong signs without contraction", &Row::plain, "plain_"),
-           {{"fused_wrong", "wrong signs with fused multiply-adds", path(&Row::count, &ContractionCount::fused_wrong)}},
-           harness::rate_columns<Row>("wrong signs with fused multiply-adds", &Row::fused, "fused_"),
-           {{"signs_differ", "trials in which the two differ", path(&Row::count, &ContractionCount::differ)}}}));
-  return table;
-}
-
-const harness::Table<FalseArea>& areas_table() {
-  const auto limit = [](double statistics::Limits::*side) {
-    return [side](const FalseArea& area) { return area.limits().*side; };
-  };
-  static const harness::Table<FalseArea> table(
-      "areas.csv", "an outline: the points that the thesis's sum of angles calls inside",
-      {{"outline", "the outline", [](const FalseArea& area) { return area.outline->name; }},
-       {"points", "random points", &FalseArea::points},
-       {"rightly_inside", "inside, and said to be", &FalseArea::right},
-       {"wrongly_inside", "outside, but said to be inside", &FalseArea::wrong},
-       {"missed", "inside, but said to be outside", &FalseArea::missed},
-       {"share", "the outside area that is called inside, relative to the outline's", &FalseArea::share, "{:.6g}"},
-       {"lower", "its lower limit", limit(&statistics::Limits::lower), "{:.6g}"},
-       {"upper", "its upper limit", limit(&statistics::Limits::upper), "{:.6g}"}});
-  return table;
-}
-
 /// Returns the first level at which more than this share of the samples failed, if there is one.
 std::optional<LevelRate> first_above(const Settings& settings, const Summary& summary, const Summary::Cell& cell,
                                      double share) {
@@ -344,27 +283,9 @@ void write_worst(const std::filesystem::path& folder, const Summary& summary) {
   harness::write_file(folder / "worst.jsonl", text);
 }
 
-void write_known(const std::filesystem::path& folder, const Known& known) {
-  const Onset& onset = known.onset;
-  std::vector<OnsetRow> onsets;
-  for (std::size_t d = 0; d < std::size(kOnsetDistances); ++d)
-    for (std::size_t m = 0; m < onset.methods().size(); ++m)
-      for (int k = kCoarsest; k <= kFinest; ++k)
-        onsets.push_back({kOnsetDistances[d], onset.methods()[m], -k, onset.failures(d, m, k), onset.triangles(),
-                          onset.wrong(d, m, k), harness::rate(onset.failures(d, m, k), onset.triangles())});
-  onset_table().write(folder, onsets);
-
-  std::vector<ContractionRow> contractions;
-  for (const ContractionCount& c : known.contractions)
-    contractions.push_back({c, harness::rate(c.plain_wrong, c.trials), harness::rate(c.fused_wrong, c.trials)});
-  contraction_table().write(folder, contractions);
-  areas_table().write(folder, known.areas);
-}
-
 std::vector<harness::TableDescription> tables() {
-  return {failures_table().description(),    first_failure_table().description(), errors_table().description(),
-          tightness_table().description(),   conditions_table().description(),    onset_table().description(),
-          contraction_table().description(), areas_table().description()};
+  return {failures_table().description(), first_failure_table().description(), errors_table().description(),
+          tightness_table().description(), conditions_table().description()};
 }
 
 }  // namespace touchstone::stability

@@ -32,8 +32,11 @@ void write_bounds(const std::filesystem::path& folder, const Settings& settings,
 void write_worst(const std::filesystem::path& folder, const Summary& summary);
 void write_known(const std::filesystem::path& folder, const Known& known);
 
+/// @{
 /// Returns what the tables hold.
 [[nodiscard]] std::vector<harness::TableDescription> tables();
+[[nodiscard]] std::vector<harness::TableDescription> known_tables();
+/// @}
 
 /// Returns the tables for the terminal, with their legend.
 [[nodiscard]] std::string table(const Settings& settings, const Summary& summary, const Known& known);

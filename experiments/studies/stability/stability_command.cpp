@@ -94,6 +94,7 @@ harness::Command stability_command() {
       .changes_results([options] { return selected_axes(options->axes); });
   harness::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
   command.writes(tables());
+  command.writes(known_tables());
   command.runs(harness::study_runner("stability", kVersion, *options,
                                      [options](harness::StudyRun& run) { return run_stability(run, *options); }));
   return command;
