@@ -59,7 +59,9 @@ Command columns_command(const std::vector<Command>& commands) {
                    options->markdown ? markdown(name, table) : plain(name, table));
         found = true;
       });
-      if (!found) throw harness::UsageError("NAME", "no command or table is called \"" + options->of + "\"");
+      if (!found)
+        throw harness::UsageError("NAME",
+                                  "no command that writes tables, and no table, is called \"" + options->of + "\"");
       return 0;
     });
   });

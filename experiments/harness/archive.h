@@ -58,6 +58,12 @@ class Archive {
 
 namespace detail {
 
+template <class To, class From>
+To narrowed(From number) {
+  if (!std::in_range<To>(number)) throw DamagedArchive("a number is out of range");
+  return static_cast<To>(number);
+}
+
 template <class T>
 concept HasMembers = requires(T& value) {
   value.members();
@@ -91,7 +97,7 @@ inline constexpr bool is_tuple<std::pair<A, B>> = true;
 template <class T>
 void Archive::pass(T& value) {
   using namespace detail;
-  const auto pass_all = [this](auto& values) {
+  const auto pass_all = [&](auto& values) {
     for (auto& one : values) pass(one);
   };
   if constexpr (std::is_enum_v<T> || std::is_same_v<T, bool>) {
@@ -101,17 +107,17 @@ void Archive::pass(T& value) {
   } else if constexpr (std::signed_integral<T>) {
     std::int64_t number = value;
     pass_integer(number);
-    value = static_cast<T>(number);
+    value = narrowed<T>(number);
   } else if constexpr (std::unsigned_integral<T>) {
     std::uint64_t number = value;
     pass_integer(number);
-    value = static_cast<T>(number);
+    value = narrowed<T>(number);
   } else if constexpr (std::is_same_v<T, double>) {
     pass_real(value);
   } else if constexpr (std::is_same_v<T, std::string>) {
     pass_text(value);
   } else if constexpr (HasMembers<T>) {
-    std::apply([this](auto&... members) { (pass(members), ...); }, value.members());
+    std::apply([&](auto&... members) { (pass(members), ...); }, value.members());
   } else if constexpr (is_array<T>) {
     pass_all(value);
   } else if constexpr (is_vector<T>) {
@@ -132,7 +138,7 @@ void Archive::pass(T& value) {
     if (reading_) value = T(entries.begin(), entries.end());
   } else {
     static_assert(is_tuple<T>, "give the type a function members() that returns std::tie of its members");
-    std::apply([this](auto&... parts) { (pass(parts), ...); }, value);
+    std::apply([&](auto&... parts) { (pass(parts), ...); }, value);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,11 @@ bool Checkpoint::set_aside() const {
 
 std::optional<std::string> Checkpoint::read_text() const {
   std::ifstream file(path_, std::ios::binary);
-  if (!file) return std::nullopt;
+  if (!file) {
+    const std::error_code error(errno, std::generic_category());
+    if (error == std::errc::no_such_file_or_directory) return std::nullopt;
+    refuse("cannot be read: " + error.message());
+  }
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   try {
     const auto whole = nlohmann::json::parse(text);
@@ -51,7 +56,7 @@ std::optional<std::string> Checkpoint::read_text() const {
 }
 
 void Checkpoint::refuse_more(std::uint64_t held, std::uint64_t asked) const {
-  if (held > asked) refuse(fmt::format("holds {} already, more than the {} asked for", held, asked));
+  if (held > asked) refuse(fmt::format("holds {} items already, more than the {} asked for", held, asked));
 }
 
 void Checkpoint::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }

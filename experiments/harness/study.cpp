@@ -44,7 +44,7 @@ void StudyRun::remove_files(const std::vector<std::string>& beginnings) const {
 
 int StudyRun::finish(const End& end) {
   if (!first()) return 0;
-  const bool stopped = stop();
+  const bool interrupted = stopped();
   write_run_record(folder_, {.command = options_.line,
                              .seed = options_.seed,
                              .samples_asked = options_.samples,
@@ -53,13 +53,13 @@ int StudyRun::finish(const End& end) {
                              .threads = options_.threads,
                              .seconds = seconds(),
                              .processes = processes_.count(),
-                             .interrupted = stopped});
+                             .interrupted = interrupted});
   fmt::print("{}{:.0f} s; results: {}\n", end.text, seconds(), options_.output);
   flush_standard_output();
-  if (stopped) {
+  if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
                options_.output, end.done, options_.samples);
-    return kInterrupted;
+    return end.status != 0 ? end.status : kInterrupted;
   }
   if (options_.has_pictures && end.pictures && !options_.no_pictures) {
     std::string script = study_;

@@ -47,26 +47,31 @@ class StudyRun {
   [[nodiscard]] const Processes& processes() const { return processes_; }
   [[nodiscard]] bool first() const { return processes_.first(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] const std::atomic<bool>& stop() const { return stop_signal_.requested(); }
+  /// Returns whether any process was stopped, as far as phases have told, or this one was.
+  [[nodiscard]] bool stopped() const { return stopped_ || stop_signal_.requested(); }
   /// Returns the seconds since this run began.
   [[nodiscard]] double seconds() const;
 
-  /// Runs a phase that a checkpoint continues: run(control, state) processes the items from items_done(state) on, of
-  /// `items`. Returns the state at the end. `what`: the items, for the line of progress. Throws as Checkpoint does.
+  /// Runs a phase that a checkpoint continues. All processes must call each phase, in the same order: run(control,
+  /// state) processes the items from items_done(state) on, of `items`. Returns the state at the end. `what`: the items,
+  /// for the line of progress. Throws as Checkpoint does.
   template <class State, class Run>
-  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero,
-              const Run& run) const {
+  State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero, const Run& run) {
     const Checkpoint file(folder_ / checkpoint, {version_, options_.result_options()});
     State state = begin(file, processes_, options_.resume, items, std::move(zero));
     ProgressLine line(study_ + ": " + what, items, items_done(state));
-    run(run_control<State>(processes_, stop(), line, file), state);
+    run(run_control<State>(processes_, stop_signal_.requested(), line, file), state);
+    share_stop();
     return state;
   }
   /// Runs a short phase without a checkpoint: run(control). Returns its result.
   template <class State, class Run>
-  auto phase(const std::string& what, std::uint64_t items, const Run& run) const {
+  auto phase(const std::string& what, std::uint64_t items, const Run& run) {
     ProgressLine line(study_ + ": " + what, items);
-    return run(RunControl<State>{processes_, stop(), [&line](std::uint64_t done) { line(done); }});
+    const auto result =
+        run(RunControl<State>{processes_, stop_signal_.requested(), [&line](std::uint64_t done) { line(done); }});
+    share_stop();
+    return result;
   }
 
   /// Removes the files of an earlier run whose names begin so, because they would belong to other data.
@@ -84,6 +89,9 @@ class StudyRun {
   int finish(const End& end);
 
  private:
+  /// Tells all processes whether one of them was stopped.
+  void share_stop() { stopped_ = processes_.largest(stopped() ? 1 : 0) > 0; }
+
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::string study_;
   int version_;
@@ -92,6 +100,7 @@ class StudyRun {
   std::filesystem::path folder_;
   std::optional<OutputFolder> held_;  ///< by the first process
   StopSignal stop_signal_;
+  bool stopped_ = false;
 };
 
 /// Returns the function of a command that runs a study in all processes; run(StudyRun&) returns the exit status.

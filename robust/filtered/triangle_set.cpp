@@ -99,7 +99,12 @@ TriangleGroup group_of(std::span<const Triangle> triangles) {
     extent = std::max({extent, high - group.origin[k], group.origin[k] - low});
   }
   // Beyond these limits the scale, or a ball's subnormal number that was flushed and then scaled, would be too large.
-  if (!(extent >= 0x1p-900 && extent <= 0x1p500)) return group;
+  bool is_prepared = extent >= 0x1p-900 && extent <= 0x1p500;
+  for (int k = 0; k < 3; ++k) is_prepared = is_prepared && std::abs(group.origin[k]) <= TriangleGroup::kLargest;
+  if (!is_prepared) {
+    for (double& coordinate : group.origin) coordinate = 0;  // queries subtract it, which must not overflow
+    return group;
+  }
 
   const double power = std::ldexp(1.0, -std::ilogb(extent));
   const GroupUnits powers(group.origin, power);

@@ -16,9 +16,9 @@ namespace touchstone::filtered {
 ///
 /// A query evaluates eight triangles at once, in floats with a proved error bound, and asks `contact(ball, triangle)`
 /// about those that floats leave open: triangles whose distance differs from the radius by less than about 2^-11 of the
-/// sum of the group's radius and the ball's. A group is eight triangles that follow each other in the given order. A
-/// ball that is far from all of them, or around all of them, costs 1 ns for each. So neighbours should follow each
-/// other, as they do in most meshes.
+/// sum of the group's radius and the ball's, and triangles with an angle below 2^-9 if the foot lies beyond it. A group
+/// is eight triangles that follow each other in the given order. A ball that is far from all of them, or around all of
+/// them, costs 1 ns for each. So neighbours should follow each other, as they do in most meshes.
 ///
 /// Guarantees, besides those of filtered.h:
 ///  (1) each answer equals that of `contact(ball, triangle)`, for every finite ball and every valid triangle;
@@ -26,8 +26,9 @@ namespace touchstone::filtered {
 ///
 /// Cost: about 0.2 us per triangle to prepare it. A query takes about 2.3 ns per triangle with AVX2, 4.7 ns
 /// without, and 2 ns more if the set does not fit into the caches of a core.
-/// Triangles that are much smaller than their group, triangles flatter than 2^-28, and groups smaller than 2^-900 or
-/// larger than 2^500 cost as much as single queries. Memory: 126 bytes per triangle, of which most queries read 54.
+/// Open triangles cost as much as single queries, and 4 ns more. So do, always, triangles that are much smaller than
+/// their group, triangles flatter than 2^-28, and groups smaller than 2^-900, larger than 2^500 or farther than 2^1000
+/// from 0. Memory: 126 bytes per triangle, of which most queries read 54.
 class TriangleSet {
  public:
   /// Prepares the triangles. Throws Rejected, with the code of `exact::validate` and a message that names the

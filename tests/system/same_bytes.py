@@ -115,7 +115,7 @@ def check(study, program, mpirun, folder):
         record = json.loads(pathlib.Path(f"{folder}/{count}/run.json").read_text())
         if record["processes"] != count:
             raise Failure(f"{study} in {count} processes: run.json says {record['processes']}")
-    ends = [(0, signal.SIGINT, 130), (0, signal.SIGKILL, -signal.SIGKILL)] + ([(4, signal.SIGKILL, None)] if mpirun else [])
+    ends = [(0, signal.SIGINT, 130), (0, signal.SIGKILL, -signal.SIGKILL)] + ([(2, signal.SIGINT, None), (4, signal.SIGKILL, None)] if mpirun else [])
     for number, (count, end, expected) in enumerate(ends):
         part = f"{folder}/part-{number}"
         what = f"{study}, ended by {end.name} in {count or 1} processes"

@@ -14,6 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "experiments/methods/process/wait_for_events.h"
+
 namespace touchstone::methods {
 namespace {
 
@@ -139,7 +141,7 @@ bool EngineProcess::has_news(int milliseconds) const {
   if (output_ < 0) return false;
   pollfd news[]{{.fd = output_, .events = POLLIN, .revents = 0},
                 {.fd = supervisor_->ended(), .events = POLLIN, .revents = 0}};
-  return poll(news, 2, milliseconds) > 0;
+  return wait_for_events(news, milliseconds);
 }
 
 bool EngineProcess::read_ahead(std::size_t most) {

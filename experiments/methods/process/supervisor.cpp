@@ -15,6 +15,8 @@
 #include <csignal>
 #include <system_error>
 
+#include "experiments/methods/process/wait_for_events.h"
+
 namespace touchstone::methods {
 namespace {
 
@@ -184,7 +186,7 @@ void Supervisor::kill() {
 
 bool Supervisor::ended_within(std::chrono::milliseconds time) const {
   pollfd event{.fd = control_, .events = POLLIN, .revents = 0};
-  return control_ < 0 || poll(&event, 1, static_cast<int>(time.count())) > 0;
+  return control_ < 0 || wait_for_events({&event, 1}, static_cast<int>(time.count()));
 }
 
 std::string Supervisor::wait() {

@@ -2,12 +2,15 @@
 // A study in one file: are methods wrong more often from some directions? The ball's centre goes around an edge of a
 // random polygon, from beside it over it to above the face, at the same distance; the radius is the double nearest to
 // that distance, and one double less and more.
+#include <fmt/core.h>
+
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 
+#include "experiments/cases/comparison.h"
 #include "experiments/cases/method.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
@@ -60,7 +63,8 @@ const harness::Table<Row>& table() {
           {{{"angle_deg", "of the centre about the edge: 0 beside it in the plane, 90 above it, 180 over the face",
              [](const Row& row) { return row.angle * kDegrees; }},
             {"method", "the method", &Row::method},
-            {"failed_samples", "polygons with a wrong answer", path(&Row::count, &Count::failed)},
+            {"failed_samples", "polygons with a wrong answer; undecided answers are not wrong",
+             path(&Row::count, &Count::failed)},
             {"samples", "polygons", path(&Row::count, &Count::samples)}},
            harness::rate_columns<Row>("failed samples", &Row::rate),
            {{"wrong_answers", "wrong answers, of three for each polygon", path(&Row::count, &Count::wrong)}}}));
@@ -135,21 +139,27 @@ class Study {
       ++sum.missing;
       return;
     }
-    std::array<bool, kOffsets.size()> truth;
+    std::array<cases::PartialAnswer, kOffsets.size()> truths;
     std::array<Ball, kOffsets.size()> balls;
     for (std::size_t i = 0; i < kOffsets.size(); ++i) {
       balls[i] = {center, workloads::move_radius_by_doubles(*nearest.distance, kOffsets[i])};
-      truth[i] = *exact.ask(balls[i], cases::QueryKind::Contact).contact;
+      truths[i] = exact.ask(balls[i], cases::QueryKind::Contact);
     }
     for (std::size_t m = 0; m < prepared.size(); ++m) {
       std::uint64_t wrong = 0;
       for (std::size_t i = 0; i < kOffsets.size(); ++i)
-        wrong += prepared[m]->ask(balls[i], cases::QueryKind::Contact).contact != truth[i] ? 1 : 0;
+        if (!is_right(prepared[m]->ask(balls[i], cases::QueryKind::Contact), truths[i])) ++wrong;
       Count& count = sum.count[m][angle];
       ++count.samples;
       count.failed += wrong > 0 ? 1 : 0;
       count.wrong += wrong;
     }
+  }
+
+  /// Returns whether the answer is right, or undecided.
+  static bool is_right(const cases::PartialAnswer& answer, const cases::PartialAnswer& truth) {
+    return cases::compare(cases::Test::Contact, answer, truth, true).value_or(cases::Outcome::Right) ==
+           cases::Outcome::Right;
   }
 
   static constexpr std::uint64_t kStream = 0x616e676c65;
@@ -168,7 +178,10 @@ int run_angles(harness::StudyRun& run, const Options& options) {
   if (!run.first()) return 0;
   const auto rows = study.rows(sum);
   table().write(run.folder(), rows);
-  return run.finish({.done = sum.samples, .missing = sum.missing, .text = table().aligned(rows)});
+  return run.finish({.done = sum.samples,
+                     .text = table().aligned(rows) +
+                             fmt::format("{} directions of {} samples were left out: another feature is nearer.\n",
+                                         sum.missing, sum.samples)});
 }
 
 }  // namespace

@@ -100,13 +100,18 @@ class Run {
 
   /// Reports that the oracle differs from exact. Returns whether it does.
   [[nodiscard]] bool report_differences() const {
-    const std::uint64_t differing = result_.disagreements.count() + worst_.wrong_truths;
+    const std::uint64_t differing = result_.disagreements.count();
     if (differing > 0)
       fmt::print(stderr,
-                 "touchstone: {0} DIFFERS FROM exact {1} times ({2} times in the search): a defect of this program. "
-                 "See {3}; `touchstone judge --methods {0}` takes it\n",
-                 options_.oracle, differing, worst_.wrong_truths, (run_.folder() / "disagreements.jsonl").string());
-    return differing > 0;
+                 "touchstone: {0} DIFFERS FROM exact {1} times: a defect of this program. See {2}; `touchstone judge "
+                 "--methods {0}` takes it\n",
+                 options_.oracle, differing, (run_.folder() / "disagreements.jsonl").string());
+    if (worst_.wrong_truths > 0)
+      fmt::print(stderr,
+                 "touchstone: the search found {} answers wrong by filtered, but right by exact: filtered DIFFERS FROM "
+                 "exact, a defect of this program, or a method does not repeat its answers\n",
+                 worst_.wrong_truths);
+    return differing > 0 || worst_.wrong_truths > 0;
   }
 
   harness::StudyRun& run_;

@@ -59,7 +59,7 @@ int run_cases(harness::StudyRun& run, const Options& options) {
   if (tally.differing() > 0)
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
-               "`touchstone soak --seed {} --from INDEX --samples 1` asks again\n",
+               "`touchstone soak --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
                (run.folder() / "differences.jsonl").string(), settings.seed);
   return run.finish(
       {.done = tally.cases(),

@@ -50,6 +50,9 @@ std::string selected_axes(const std::vector<std::string>& names) {
 // Raised when a block of a seed changes, or the form of what is kept. Blocks are numbered through all axes.
 constexpr int kVersion = 4;
 
+// With it, no number of blocks, triangles or points overflows.
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
+
 int run_stability(harness::StudyRun& run, const Options& options) {
   const Settings settings{methods::find_methods(options.methods), select_axes(options.axes), options.samples,
                           options.seed, options.threads};
@@ -64,8 +67,8 @@ int run_stability(harness::StudyRun& run, const Options& options) {
               .contractions = {},
               .areas = {}};
   if (!run.first()) return 0;
-  known.contractions = count_contractions(run.stop() ? 0 : 50 * settings.samples, settings.seed);
-  if (!run.stop())
+  known.contractions = count_contractions(run.stopped() ? 0 : 50 * settings.samples, settings.seed);
+  if (!run.stopped())
     for (const auto& outline : outlines())
       known.areas.push_back(measure_false_area(outline, 500 * settings.samples, settings.seed));
   write_failures(run.folder(), settings, summary);
@@ -92,7 +95,8 @@ harness::Command stability_command() {
   command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
   command.names("--axes", options->axes, "Axes, the properties that get worse, separated by commas, or all")
       .changes_results([options] { return selected_axes(options->axes); });
-  harness::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels");
+  harness::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels",
+                         kMostSamples);
   command.writes(tables());
   command.writes(known_tables());
   command.runs(harness::study_runner("stability", kVersion, *options,

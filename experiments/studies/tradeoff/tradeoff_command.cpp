@@ -64,7 +64,7 @@ int run_tradeoff(harness::StudyRun& run, const Options& options) {
       return measure_timings(timed, control.stop, control.progress);
     });
     write_timings(run.folder(), timings);
-    if (!run.stop()) write_front(run.folder(), settings, errors, timings);
+    if (!run.stopped()) write_front(run.folder(), settings, errors, timings);
   }
   std::string text = table(settings, errors, timings);
   text += fmt::format(

@@ -21,7 +21,7 @@ struct TriangleGroup {
   static constexpr int kSteps = 32767;
   /// The limit for the numbers of a scaled ball, below which no square of steps overflows.
   static constexpr double kReach = 0x1p40;
-  /// The limit for the numbers of a ball, below which no difference from an origin overflows.
+  /// The limit for the numbers of a ball and for origins, below which no difference of the two overflows.
   static constexpr double kLargest = 0x1p1000;
 
   using Steps = std::int16_t[kWidth];

@@ -82,6 +82,15 @@ TEST(Archive, RefusesAListThatIsLongerThanTheText) {
   EXPECT_THROW(restore("18446744073709551615 1 2", list), DamagedArchive);
 }
 
+TEST(Archive, RefusesANumberThatItsTypeCannotHold) {
+  std::uint8_t small = 0;
+  restore("255", small);
+  EXPECT_EQ(small, 255);
+  EXPECT_THROW(restore("256", small), DamagedArchive);
+  std::int16_t narrow = 0;
+  EXPECT_THROW(restore("-32769", narrow), DamagedArchive);
+}
+
 TEST(Sum, AddsMemberByMember) {
   struct Counts {
     std::array<int, 2> pair{};

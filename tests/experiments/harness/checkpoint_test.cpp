@@ -67,6 +67,13 @@ TEST_F(CheckpointFile, NamesTheSettingsThatDiffer) {
   EXPECT_EQ(refusal(settings(2, "3", "fast,thesis")), path().string() + ": is of another version of this program");
 }
 
+// Only a file that does not exist means that the run begins: otherwise a checkpoint would be overwritten.
+TEST_F(CheckpointFile, IsRefusedIfItCannotBeOpened) {
+  write_file(folder_ / "file", "");
+  const Checkpoint below(folder_ / "file" / "checkpoint.json", kSettings);
+  EXPECT_THROW((void)below.read(State()), std::runtime_error);
+}
+
 TEST_F(CheckpointFile, IsRefusedWhereItIsDamaged) {
   for (const char* text : {"", "{", "[]", "{\"version\":1,\"seed\":\"3\",\"method\":\"fast,thesis\"}",
                            "{\"version\":1,\"seed\":\"3\",\"method\":\"fast,thesis\",\"state\":\"\"}",

@@ -2,8 +2,10 @@
 #include "experiments/methods/process/external_method.h"
 
 #include <gtest/gtest.h>
+#include <sys/time.h>
 
 #include <array>
+#include <csignal>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -84,6 +86,18 @@ TEST(ExternalMethod, IsRestartedAfterAFault) {
   EXPECT_EQ(prepared->ask({{2, 2, 1}, 2}, QueryKind::Contact).contact, false);
   EXPECT_NE(fault(*method), "none");
   EXPECT_EQ(prepared->ask({{2, 2, 1}, 2}, QueryKind::Contact).contact, true);
+}
+
+// A run that is interrupted finishes the question that it has asked.
+TEST(ExternalMethod, ASignalDoesNotEndTheWaitForItsVerdict) {
+  const auto method = external("v['contact']=True; time.sleep(0.3)");
+  const auto prepared = method->prepare(kSquare);
+  const auto before = std::signal(SIGALRM, [](int) {});
+  const itimerval every{.it_interval = {0, 20'000}, .it_value = {0, 20'000}}, never{};
+  setitimer(ITIMER_REAL, &every, nullptr);
+  EXPECT_EQ(prepared->ask({{2, 2, 1}, 2}, QueryKind::Contact).contact, true);
+  setitimer(ITIMER_REAL, &never, nullptr);
+  std::signal(SIGALRM, before);
 }
 
 // Queries wait for each other: each thread needs a process of its own.

@@ -248,6 +248,10 @@ TEST(TriangleSet, DoesNotDependOnTheCallersState) {
   cases.push_back({{{0, 1, 0x1p-40}, 0}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   cases.push_back({{{0, 1, 0x1p-40}, 0x1p-41}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
   cases.push_back({{{0, 1, 0x1p-100}, 0x1p-101}, {{{-4, 0, 0}, {4, 0, 0}, {0, 4, 0}}}});
+  // Small triangles far away: a difference from the group's origin would overflow.
+  constexpr double kMost = std::numeric_limits<double>::max();
+  for (const double far : {-0x1p1000, -0x1p980, -1.0})
+    cases.push_back({{{far, 0, 0}, 1}, {{{kMost, 0, 0}, {kMost, 1, 0}, {kMost, 0, 1}}}});
   for (const auto& [ball, triangles] : cases) {
     Answers truth;
     try {

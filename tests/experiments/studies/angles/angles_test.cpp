@@ -53,6 +53,13 @@ TEST(Angles, AMethodThatIsExactIsNeverWrongAndFloatsAreEverywhere) {
   }
 }
 
+TEST(Angles, AnUndecidedAnswerIsNotWrong) {
+  const Scratch scratch;
+  const std::string table =
+      table_of(scratch.path / "run", {"--methods", "interval", "--families", "l", "--samples", "3"});
+  for (const auto& [angle, count] : counts_of(table, "interval")) EXPECT_EQ(count.first, 0) << angle;
+}
+
 TEST(Angles, TheNumberOfThreadsAndAPauseChangeNothing) {
   const Scratch scratch;
   const std::vector<std::string> settings{"--methods", "fast,thesis", "--families", "l", "--seed", "5"};

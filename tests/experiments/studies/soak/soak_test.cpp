@@ -311,7 +311,7 @@ TEST(SoakCheckpoint, IsRefusedWhereItIsAnotherRuns) {
   checkpoint.write(whole(settings));
   expect_refused(scratch, {.cases = 500, .seed = 4}, "is of --seed 3, not of --seed 4");
   expect_refused(scratch, {.cases = 500, .seed = 3, .from = 7}, "is of --from 0, not of --from 7");
-  expect_refused(scratch, {.cases = 499, .seed = 3}, "holds 500 already, more than the 499 asked for");
+  expect_refused(scratch, {.cases = 499, .seed = 3}, "holds 500 items already, more than the 499 asked for");
   EXPECT_EQ(resumed(checkpoint_in(scratch, more), more).cases(), 500U);
 
   const std::string text = text_of(checkpoint.path());
