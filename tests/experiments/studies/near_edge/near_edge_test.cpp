@@ -366,7 +366,7 @@ TEST(NearEdgeCommand, GoesOnWhereItWasOnlyWithTheSameSettings) {
                 .find("is of --holes 0 --oracle filtered, not of --holes 1 --oracle exact"),
             std::string::npos);
   EXPECT_NE(error_of(run("one", {"--samples", "4", "--oracle", "filtered", "--resume"}))
-                .find("holds 5 already, more than the 4 asked for"),
+                .find("holds 5 items already, more than the 4 asked for"),
             std::string::npos);
 }
 
