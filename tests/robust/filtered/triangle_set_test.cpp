@@ -327,8 +327,9 @@ class Reference {
  public:
   Reference(const TriangleGroup& group, const Triangle& t) : group_(group) {
     const Eigen::Vector3d* given[] = {&t.a, &t.b, &t.c};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) p_[i][k] = (number((*given[i])[k]) - group.origin[k]) * group.scale;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        p_[i][k] = (number((*given[i])[static_cast<int>(k)]) - group.origin[k]) * group.scale;
     x_ = unit(edge(0));
     z_ = unit(cross(edge(0), edge(1)));
     y_ = cross(z_, x_);
@@ -337,12 +338,12 @@ class Reference {
   [[nodiscard]] double largest_error(std::size_t lane) {
     const Vector axes[] = {x_, y_, z_};
     const Vector origin = middle(0);
-    for (int k = 0; k < 3; ++k) {
-      for (int c = 0; c < 3; ++c) compare(axes[k][c], group_.axis[k][c][lane]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t c = 0; c < 3; ++c) compare(axes[k][c], group_.axis[k][c][lane]);
       compare(-dot(axes[k], origin), group_.offset[k][lane]);
     }
     compare(length(edge(0)) / 2, group_.half[lane]);
-    for (int i = 1; i < 3; ++i) {
+    for (std::size_t i = 1; i < 3; ++i) {
       const TriangleGroup::Edge& stored = group_.edges[i - 1];
       const Vector along = unit(edge(i)), inward = cross(z_, along), to_middle = minus(middle(i), origin);
       compare(dot(inward, x_), stored.inward_x[lane]);
@@ -373,8 +374,8 @@ class Reference {
     const Number size = length(v);
     return {v[0] / size, v[1] / size, v[2] / size};
   }
-  [[nodiscard]] Vector edge(int i) const { return minus(p_[(i + 1) % 3], p_[i]); }
-  [[nodiscard]] Vector middle(int i) const {
+  [[nodiscard]] Vector edge(std::size_t i) const { return minus(p_[(i + 1) % 3], p_[i]); }
+  [[nodiscard]] Vector middle(std::size_t i) const {
     const Vector &a = p_[i], &b = p_[(i + 1) % 3];
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
   }
