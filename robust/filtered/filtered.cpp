@@ -9,6 +9,7 @@ namespace touchstone::filtered {
 namespace {
 
 NoCounts uncounted;
+using Once = PreparedPolygon::Once;
 
 }  // namespace
 
@@ -50,14 +51,16 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& cou
   return kernels().counted.answer(required(ball), parts_of(polygon), counts);
 }
 
-bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon)); }
-Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon)); }
-PlaneSide plane_side(const Ball& ball, const Polygon& polygon) { return plane_side(ball, PreparedPolygon(polygon)); }
-PointLocation foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon)); }
-std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
-  return edges_hit(ball, PreparedPolygon(polygon));
+bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon, Once())); }
+Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon, Once())); }
+PlaneSide plane_side(const Ball& ball, const Polygon& polygon) {
+  return plane_side(ball, PreparedPolygon(polygon, Once()));
 }
-Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon)); }
+PointLocation foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon, Once())); }
+std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
+  return edges_hit(ball, PreparedPolygon(polygon, Once()));
+}
+Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon, Once())); }
 
 bool contact(const Ball& ball, const Triangle& triangle) {
   return kernels().plain.triangle_contact(view_of(required(ball), required(triangle)), uncounted);

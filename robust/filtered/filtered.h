@@ -22,7 +22,7 @@
 /// the INVALID, OVERFLOW and DIVBYZERO flags, whose traps may be unmasked. The first stage runs in the caller's state
 /// and raises INEXACT, UNDERFLOW and, on x86, denormal-operand exceptions: a caller who has unmasked a trap for one of
 /// these receives it, as SIGFPE for instance. Before the last stage nothing is allocated except the list that
-/// `edges_hit` returns.
+/// `edges_hit` returns and what a PreparedPolygon makes on demand.
 ///
 /// Guarantees, for every ball and every polygon that `exact::validate` accepts:
 ///  (1) each answer equals that of the function of the same name in `exact`, and so satisfies all its identities;
@@ -32,13 +32,18 @@
 /// [joldes2017].
 namespace touchstone::filtered {
 
-/// A polygon with everything precomputed that does not depend on the ball: exact normal, an isometric frame in its
-/// plane with proved bounds, edges as structure of arrays, and a hierarchy of boxes over them.
+/// A polygon with everything precomputed that does not depend on the ball: an isometric frame in its plane with proved
+/// bounds, and its edges in that frame as structure of arrays.
+///
+/// What few queries need is made for the first of them: the exact normal and lifts, 1 to 3 us per vertex, for decisions
+/// that plain doubles leave open; and a hierarchy of boxes over more than 32 edges, O(n log n), 0.2 to 0.4 us per
+/// vertex. Several threads may query at once.
 ///
 /// Throws Rejected with `zero-normal` if there is no supporting plane. Requires that the loops are simple and do not
-/// meet, as `exact::validate` decides. Cost: O(n log n), 1 to 3 us per vertex. A query with a small ball then costs
-/// about O(log n), if small discs meet few edges. Memory: O(n), or O(n log n) for loops that wind through every part of
-/// the plane.
+/// meet, as `exact::validate` decides. Cost: O(n), 2 to 6 times that of fast::PreparedPolygon; 1 to 3 us per vertex if
+/// double-doubles cannot tell along which axis to lift, as for a plane that two axes meet at the same angle, or if
+/// scaling to the polygon's size loses bits. A query with a small ball then costs about O(log n), if small discs meet
+/// few edges. Memory: O(n), or O(n log n) for loops that wind through every part of the plane.
 class PreparedPolygon {
  public:
   /// Prepares the polygon.
@@ -50,7 +55,14 @@ class PreparedPolygon {
   /// @}
   ~PreparedPolygon();
 
-  struct Parts;  ///< internal
+  /// Makes now what queries otherwise make when they first need it. Later queries then allocate nothing before the last
+  /// stage, and no single one takes longer than others of its kind. Cost: 1 to 3 us per vertex.
+  void complete() const;
+
+  struct Parts;    ///< internal
+  struct Once {};  ///< internal
+  /// Prepares the polygon for a single query. Internal: the functions below that take a Polygon use it.
+  PreparedPolygon(const Polygon& polygon, Once);
 
  private:
   friend const Parts& parts_of(const PreparedPolygon& polygon);
@@ -81,7 +93,7 @@ class PreparedPolygon {
 /// @}
 
 /// @{
-/// The same for a polygon that is queried only once: prepares it first.
+/// The same for a polygon that is queried only once. Builds no hierarchy and copies nothing. Cost: O(n).
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);

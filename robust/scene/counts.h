@@ -16,13 +16,14 @@ namespace touchstone::scene {
 /// polygon also depend on the polygon's own hierarchy. In `nearest` the ball is the one about the centre that has
 /// shrunk to little more than the distance of the nearest face found so far.
 enum class CullOutcome {
-  Box,    ///< not tested: some box of the object's hierarchy misses the ball
-  Known,  ///< not tested: no box misses the ball, but the answer was already known (`touches` only)
-  Slab,   ///< the ball does not reach the face's supporting plane
-  Foot,   ///< the ball reaches the plane, but no edge had to be examined. Triangle: the foot is beyond the line of an
-          ///< edge, and the ball does not reach that line. Polygon: the disc in which the ball cuts the plane meets no
-          ///< leaf of the edges' hierarchy, and the foot is outside
-  Edges,  ///< the foot is outside, and the ball misses every edge that was examined
+  Box,      ///< not tested: some box of the object's hierarchy misses the ball
+  Known,    ///< not tested: no box misses the ball, but the answer was already known (`touches` only)
+  Slab,     ///< the ball does not reach the face's supporting plane
+  Foot,     ///< the ball reaches the plane, but no edge had to be examined. Triangle: the foot is beyond the line of an
+            ///< edge, and the ball does not reach that line. Polygon of more than 32 edges: the disc in which the ball
+            ///< cuts the plane meets no leaf of the edges' hierarchy, and the foot is outside. All edges of a smaller
+            ///< polygon are examined
+  Edges,    ///< the foot is outside, and the ball misses every edge that was examined
   Touched,  ///< the ball touches the face; in `nearest` the face was a candidate at that time
 };
 inline constexpr std::size_t kCullOutcomes = 6;  ///< the number of outcomes

@@ -41,23 +41,28 @@ inline constexpr double kAbove = 82.8125;   ///< m_N^2 m_w
 /// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W + kTiny. W is at
 /// most kLargest, and so is S.
 inline constexpr double kCoordinate = 14.0625;
-/// S >= 1 bounds the foot's computed coordinates and W; starts of edges are at most S in magnitude and, like unit
-/// directions, known to unit in each coordinate. Then `along` and `across` are known to kEdgeFrame unit S each.
-inline constexpr double kEdgeFrame = 46.1875;
+/// Edges are stored as sheared_edge.h computes them: in each coordinate, their ends are known to kFramePoint unit and
+/// their unit directions to kFrameDirection unit; their lengths are known to kFrameLength unit.
+inline constexpr double kFramePoint = 1.9375;
+inline constexpr double kFrameDirection = 10.6875;
+inline constexpr double kFrameLength = 8.75;
+/// S >= 1 bounds the foot's computed coordinates, W, and the starts of edges. Then `along` and `across` are known to
+/// kEdgeFrame unit S each.
+inline constexpr double kEdgeFrame = 86.8125;
 
 /// Heights and distances computed from these, with S = 2 max(W, 1). Vertices and the plane are at most kExtent from the
-/// origin, no edge is longer, and all are known to unit. Then the height above the plane is known to kHeight unit S,
-/// which includes one rounded sum of the height and this error. The root of the computed square of the foot's distance
-/// from an edge is known to kDistance unit S. In frames from Frame::kSubnormal up this also covers subnormal numbers
-/// that are flushed to zero.
+/// origin, and no edge is longer. The height of the plane is known to unit. Then the height above the plane is known to
+/// kHeight unit S, which includes one rounded sum of the height and this error. The root of the computed square of the
+/// foot's distance from an edge is known to kDistance unit S. In frames from Frame::kSubnormal up this also covers
+/// subnormal numbers that are flushed to zero.
 inline constexpr double kExtent = 1.5;
 inline constexpr double kHeight = 12.75;
-inline constexpr double kDistance = 74.5;
+inline constexpr double kDistance = 140;
 /// If a computed distance exceeds kNear kDistance unit S, the foot is not on the edge, and it lies on the computed side
 /// of the edge's line. From the square of that distance on: if an edge in a box has a computed squared distance q from
 /// the foot, the box has at most kBoxReach q; and it is certain on which side of the foot a box beyond that lies.
 inline constexpr double kNear = 3;
-inline constexpr double kBoxReach = 1.25;
+inline constexpr double kBoxReach = 1.21875;
 /// Half sizes of boxes contain the rounded points and this much more, for their own rounding to nearest.
 inline constexpr double kBoxRounding = 0x1p-47;
 /// Relative bounds of the effect of 14 operations, in any rounding direction.

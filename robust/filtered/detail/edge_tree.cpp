@@ -80,21 +80,6 @@ Box box(std::span<const Edge> edges, std::span<const std::uint32_t> group) {
   return smallest;
 }
 
-EdgeTree::Leaf leaf(std::span<const Edge> edges, std::span<const std::uint32_t> group) {
-  EdgeTree::Leaf leaf{};
-  leaf.count = static_cast<std::uint32_t>(group.size());
-  for (std::size_t lane = 0; lane < EdgeTree::kWidth; ++lane) {
-    leaf.edge[lane] = group[std::min(lane, group.size() - 1)];
-    Edge edge = edges[leaf.edge[lane]];
-    if (lane >= group.size()) edge = {edge.end_x, edge.end_y, edge.end_x, edge.end_y, 1, 0, 0};
-    leaf.start_x[lane] = edge.start_x, leaf.start_y[lane] = edge.start_y;
-    leaf.end_x[lane] = edge.end_x, leaf.end_y[lane] = edge.end_y;
-    leaf.direction_x[lane] = edge.direction_x, leaf.direction_y[lane] = edge.direction_y;
-    leaf.length[lane] = edge.length;
-  }
-  return leaf;
-}
-
 /// A segment as a point in four dimensions: its middle, and a quarter of its length at twice its angle. Two such points
 /// are near each other if all of one segment is near the other, whatever their orientation.
 using SegmentPoint = std::array<double, 4>;
@@ -126,6 +111,19 @@ std::vector<End> joined(const std::vector<End>& a, const std::vector<End>& b) {
 }
 
 }  // namespace
+
+EdgeTree::Leaf::Leaf(std::span<const Edge> edges, std::span<const std::uint32_t> numbers)
+    : count(static_cast<std::uint32_t>(numbers.size())) {
+  for (std::size_t lane = 0; lane < kWidth; ++lane) {
+    edge[lane] = numbers[std::min(lane, numbers.size() - 1)];
+    Edge stored = edges[edge[lane]];
+    if (lane >= numbers.size()) stored = {stored.end_x, stored.end_y, stored.end_x, stored.end_y, 1, 0, 0};
+    start_x[lane] = stored.start_x, start_y[lane] = stored.start_y;
+    end_x[lane] = stored.end_x, end_y[lane] = stored.end_y;
+    direction_x[lane] = stored.direction_x, direction_y[lane] = stored.direction_y;
+    length[lane] = stored.length;
+  }
+}
 
 class EdgeTree::Builder {
  public:
@@ -190,7 +188,7 @@ class EdgeTree::Builder {
 
   Subtree subtree(const Part& part) {
     if (part.group.size() > kWidth) return node(part);
-    tree_.leaves_.push_back(leaf(edges_, part.group));
+    tree_.leaves_.emplace_back(edges_, part.group);
     std::vector<End> ends;
     for (const std::uint32_t i : part.group) {
       const End start{edges_[i].start_y, i}, end{edges_[i].end_y, next_[i]};

@@ -28,6 +28,9 @@ class EdgeTree {
 
   /// Up to four edges. Lanes from `count` on hold an end of the last edge, as an edge of length 0.
   struct Leaf {
+    /// Takes the edges with these numbers, one to four.
+    Leaf(std::span<const Edge> edges, std::span<const std::uint32_t> numbers);
+
     alignas(32) double start_x[kWidth];
     double start_y[kWidth], end_x[kWidth], end_y[kWidth], direction_x[kWidth], direction_y[kWidth], length[kWidth];
     std::uint32_t edge[kWidth];

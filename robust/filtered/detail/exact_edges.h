@@ -17,7 +17,12 @@ template <class Counts>
 class ExactEdges {
  public:
   ExactEdges(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts)
-      : ball_(ball), parts_(parts), counts_(counts), radius_(scaled(ball.radius)), usable_(restores(ball.radius)) {
+      : ball_(ball),
+        parts_(parts),
+        form_(parts.exact_form()),
+        counts_(counts),
+        radius_(scaled(ball.radius)),
+        usable_(restores(ball.radius)) {
     for (int axis = 0; axis < 3; ++axis) {
       center_[axis] = scaled(ball.center[axis]);
       usable_ = usable_ && restores(ball.center[axis]);
@@ -34,18 +39,19 @@ class ExactEdges {
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
   /// Returns whether vertices are lifted along this axis, and how far, to bounds::kLift.
-  [[nodiscard]] bool lifts(int axis) const { return !parts_.bigint.planar() && axis == parts_.bigint.dropped_axis(); }
-  [[nodiscard]] DoubleDouble lift(std::size_t i) const { return parts_.lifted.lifts[i]; }
+  [[nodiscard]] bool lifts(int axis) const { return !form_.lifted.lifts.empty() && axis == parts_.frame->dropped_axis; }
+  [[nodiscard]] DoubleDouble lift(std::size_t i) const { return form_.lifted.lifts[i]; }
 
-  /// Returns closest points and distances from integers of any size.
+  /// Returns the polygon in integers of any size, and closest points and distances from these.
+  [[nodiscard]] const BigIntPolygon& bigint() const { return form_.bigint; }
   [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
-    return parts_.bigint.point(ball_, feature, axis);
+    return form_.bigint.point(ball_, feature, axis);
   }
-  [[nodiscard]] double bigint_distance(const Feature& feature) const { return parts_.bigint.distance(ball_, feature); }
+  [[nodiscard]] double bigint_distance(const Feature& feature) const { return form_.bigint.distance(ball_, feature); }
 
   template <SignKind kind>
   [[nodiscard]] int sign(std::size_t edge, int axis = 0) const {
-    const auto bigint = [&] { return parts_.bigint.sign(kind, ball_, edge, axis); };
+    const auto bigint = [&] { return form_.bigint.sign(kind, ball_, edge, axis); };
     if (!usable_) {
       counts_.count(Stage::BigInteger);
       return bigint();
@@ -80,7 +86,7 @@ class ExactEdges {
 
   [[nodiscard]] EdgeView edge_view(std::size_t edge) const {
     const std::size_t next = parts_.polygon.next(edge);
-    const LiftedPolygon& lifted = parts_.lifted;
+    const LiftedPolygon& lifted = form_.lifted;
     const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
     EdgeView s{{two_difference(center_[0], p[0]), two_difference(center_[1], p[1]), two_difference(center_[2], p[2])},
                {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
@@ -94,7 +100,7 @@ class ExactEdges {
     if (s.lifted) {
       s.maxima.to_center = std::max(s.maxima.to_center, bounds::kLiftedMaximum);
       s.maxima.edge *= bounds::kLiftedMaximum;
-      const int k = parts_.bigint.dropped_axis();
+      const int k = parts_.frame->dropped_axis;
       DoubleDouble& to_center_k = k == 0 ? s.to_center.x : k == 1 ? s.to_center.y : s.to_center.z;
       DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
       to_center_k = to_center_k - lifted.lifts[edge];
@@ -109,13 +115,14 @@ class ExactEdges {
   static double largest(const Vector3<DoubleDouble>& v) {
     return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
   }
-  [[nodiscard]] double scaled(double length) const { return length * parts_.frame->scale[0] * parts_.frame->scale[1]; }
+  [[nodiscard]] double scaled(double length) const { return parts_.frame->scaled(length); }
   [[nodiscard]] bool restores(double length) const {
     return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
   }
 
   const Ball& ball_;
   const PreparedPolygon::Parts& parts_;
+  const PreparedPolygon::Parts::ExactForm& form_;
   Counts& counts_;
   double center_[3], radius_;
   bool usable_;

@@ -29,10 +29,9 @@ struct HeightQuery {
 
   /// Requires coordinates and a radius up to frame.reachable.
   HeightQuery(const Ball& ball, const Frame& frame) {
-    const auto scaled = [&frame](double length) { return length * frame.scale[0] * frame.scale[1]; };
-    to_center = {scaled(ball.center[0]) - frame.origin.x, scaled(ball.center[1]) - frame.origin.y,
-                 scaled(ball.center[2]) - frame.origin.z};
-    radius = scaled(ball.radius);
+    to_center = {frame.scaled(ball.center[0]) - frame.origin.x, frame.scaled(ball.center[1]) - frame.origin.y,
+                 frame.scaled(ball.center[2]) - frame.origin.z};
+    radius = frame.scaled(ball.radius);
     height = frame::height(frame.normal, to_center, frame.plane_height);
     const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
     size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
@@ -124,27 +123,41 @@ inline bool odd_ends_above(std::span<const EdgeTree::End> ends, double y) {
   return ((ends.end() - above) & 1) != 0;
 }
 
+/// Calls visit(leaf, view) for all leaves. Otherwise as the walk of a tree.
+template <class Visit>
+TOUCHSTONE_INLINE bool scan(const std::vector<EdgeTree::Leaf>& leaves, const FrameQuery& query, const Visit& visit) {
+  unsigned crossings = 0;
+  for (const EdgeTree::Leaf& leaf : leaves) {
+    const LeafView view(leaf, query);
+    crossings ^= view.crossed;
+    if (visit(leaf, view)) return false;
+  }
+  return (__builtin_popcount(crossings) & 1) != 0;
+}
+
 /// Visits all leaves whose box lies within a distance of the foot, and calls visit(leaf, view). `limit_sq` is the
 /// square of that distance, at least `boundary_sq`; the visitor may shrink it. Stops if visit returns true. If it was
 /// not stopped, returns how often, modulo 2, the ray to the right from the foot crosses the loops. Leaves come in no
-/// particular order, or with the nearest child first.
+/// particular order, or with the nearest child first. If there is no tree, visits all leaves.
 template <bool nearest_first = false, class Visit>
-bool walk(const EdgeTree& tree, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
+bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_sq, const Visit& visit) {
+  if (index.is_scanned()) return scan(index.leaves(), query, visit);
+  const EdgeTree& tree = index.tree();
   const Pack y = all_lanes(query.y);
   std::int32_t stack[EdgeTree::kStackSize];
   std::size_t open = 0;
   stack[open++] = tree.root();
   unsigned crossings = 0;
   while (open > 0) {
-    const std::int32_t index = stack[--open];
-    if (index < 0) {
-      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+    const std::int32_t number = stack[--open];
+    if (number < 0) {
+      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~number)];
       const LeafView view(leaf, query);
       crossings ^= view.crossed;
       if (visit(leaf, view)) return false;
       continue;
     }
-    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
+    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
     const NodeView view(node, query);
     const unsigned far = negative_lanes(all_lanes(limit_sq * bounds::kBoxReach) - view.squared);
     // As many ends above the ray as below it are odd in number only if the ray parts the lowest from the highest.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robust/filtered/detail/ball_triangle_view.h"
+#include "robust/filtered/detail/newell_sums.h"
 #include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/filtered.h"
 #include "robust/filtered/triangle_set.h"
@@ -38,6 +39,7 @@ struct Kernels {
   KernelTable<StageCounts> counted;
   void (*balls_contact)(std::span<const Ball>, const PreparedPolygon::Parts&, std::span<bool>);
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
+  NewellSums (*newell_sums)(const ScaledVertex*, std::size_t);
 };
 
 /// Returns the centre of a ball, followed by its radius.

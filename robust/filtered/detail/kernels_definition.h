@@ -73,7 +73,8 @@ inline void triangles_contact(const Ball& ball, std::span<const Triangle> triang
 }
 
 /// The kernels of the target that this is compiled for.
-inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact};
+inline constexpr Kernels kKernels{kKernelTable<NoCounts>, kKernelTable<StageCounts>, balls_contact, triangles_contact,
+                                  newell_sums};
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered

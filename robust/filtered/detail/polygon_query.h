@@ -106,11 +106,11 @@ template <class Counts>
 template <bool contact_only>
 int PolygonQuery<Counts>::distance_sign() {
   if (height_.plane_sign() > 0) return 1;
-  const EdgeTree& tree = parts_.frame->edges;
+  const EdgeIndex& index = *parts_.edges;
   const FrameQuery& query = this->query();
   const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
   bool hit = false, near_boundary = false, unsure = false;
-  const bool inside = walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+  const bool inside = walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     hit = (below(view.squared, query.certain_hit_sq) & lanes(leaf)) != 0;
     near_boundary |= (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
     unsure |= (not_above(view.squared, query.certain_miss_sq) & lanes(leaf)) != 0;
@@ -128,7 +128,7 @@ int PolygonQuery<Counts>::distance_sign() {
   int nearest = 1;
   if (unsure) {
     const ExactEdges<Counts>& edges = exact();
-    walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
       return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & lanes(leaf), [&](std::size_t edge) {
         nearest = std::min(nearest, edges.distance_sign(edge));
         return contact_only ? nearest <= 0 : nearest < 0;
@@ -152,7 +152,7 @@ PointLocation PolygonQuery<Counts>::foot_uncounted() {
   const FrameQuery& query = this->query();
   bool near_boundary = false;
   const bool inside =
-      walk(parts_.frame->edges, query, query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+      walk(*parts_.edges, query, query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
         return near_boundary = (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
       });
   if (near_boundary) return exact_foot();
@@ -163,10 +163,10 @@ PointLocation PolygonQuery<Counts>::foot_uncounted() {
 // the projection, for each vertex that the frame cannot tell from the foot.
 template <class Counts>
 PointLocation PolygonQuery<Counts>::exact_foot() {
-  const EdgeTree& tree = parts_.frame->edges;
+  const EdgeIndex& index = *parts_.edges;
   const FrameQuery& query = this->query();
   const ExactEdges<Counts>& edges = exact();
-  const int axis = (parts_.bigint.dropped_axis() + 2) % 3;
+  const int axis = (parts_.frame->dropped_axis + 2) % 3;
   const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
   const auto above = [&](double y, std::uint32_t vertex) {
     if (std::abs(y - query.y) > margin) return y > query.y;
@@ -183,24 +183,8 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
   };
 
   bool inside = false;
-  std::int32_t stack[EdgeTree::kStackSize];
-  std::size_t open = 0;
-  stack[open++] = tree.root();
-  while (open > 0) {
-    const std::int32_t index = stack[--open];
-    if (index >= 0) {
-      const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(index)];
-      const NodeView view(node, query);
-      const unsigned far = negative_lanes(all_lanes(query.boundary_sq * bounds::kBoxReach) - view.squared);
-      for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
-        if ((far >> lane & 1) == 0)
-          stack[open++] = node.child[lane];
-        else if ((view.right >> lane & 1) != 0 && odd_ends_above(tree.ends_of(node, lane)))
-          inside = !inside;
-      }
-      continue;
-    }
-    const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~index)];
+  // Returns whether the foot lies on an edge of the leaf; else counts the edges that the ray crosses.
+  const auto on_edge = [&](const EdgeTree::Leaf& leaf) {
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
       const std::size_t edge = leaf.edge[lane], next = parts_.polygon.next(edge);
       const bool start = above(leaf.start_y[lane], static_cast<std::uint32_t>(edge));
@@ -217,13 +201,41 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
       const int side = edges.template sign<SignKind::Side>(edge);
       if (side == 0) {
         if (edges.template sign<SignKind::Along>(edge) >= 0 && edges.template sign<SignKind::Beyond>(edge) <= 0)
-          return PointLocation::Boundary;
+          return true;
       } else if (start != end && (side > 0) == end) {
         inside = !inside;
       }
     }
+    return false;
+  };
+  const auto location = [&] { return inside ? PointLocation::Inside : PointLocation::Outside; };
+
+  if (index.is_scanned()) {
+    for (const EdgeTree::Leaf& leaf : index.leaves())
+      if (on_edge(leaf)) return PointLocation::Boundary;
+    return location();
   }
-  return inside ? PointLocation::Inside : PointLocation::Outside;
+  const EdgeTree& tree = index.tree();
+  std::int32_t stack[EdgeTree::kStackSize];
+  std::size_t open = 0;
+  stack[open++] = tree.root();
+  while (open > 0) {
+    const std::int32_t number = stack[--open];
+    if (number < 0) {
+      if (on_edge(tree.leaves()[static_cast<std::size_t>(~number)])) return PointLocation::Boundary;
+      continue;
+    }
+    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
+    const NodeView view(node, query);
+    const unsigned far = negative_lanes(all_lanes(query.boundary_sq * bounds::kBoxReach) - view.squared);
+    for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane) {
+      if ((far >> lane & 1) == 0)
+        stack[open++] = node.child[lane];
+      else if ((view.right >> lane & 1) != 0 && odd_ends_above(tree.ends_of(node, lane)))
+        inside = !inside;
+    }
+  }
+  return location();
 }
 
 template <class Counts>
@@ -231,7 +243,7 @@ std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
   std::vector<std::size_t> hit;
   if (height_.plane_sign() > 0) return hit;
   const FrameQuery& query = this->query();
-  walk(parts_.frame->edges, query, larger(query.certain_miss_sq, query.boundary_sq),
+  walk(*parts_.edges, query, larger(query.certain_miss_sq, query.boundary_sq),
        [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
          const unsigned certain = below(view.squared, query.certain_hit_sq) & lanes(leaf);
          any_edge(leaf, certain, [&](std::size_t edge) { return hit.push_back(edge), false; });
@@ -256,10 +268,10 @@ Feature PolygonQuery<Counts>::nearest_of_edge(std::size_t edge) {
 
 template <class Counts>
 Feature PolygonQuery<Counts>::nearest_on_boundary() {
-  const EdgeTree& tree = parts_.frame->edges;
+  const EdgeIndex& index = *parts_.edges;
   const FrameQuery& query = this->query();
   double least = 0x1p500, bound = least;  // larger than any distance, and finite
-  walk<true>(tree, query, bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
+  walk<true>(index, query, bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
@@ -270,14 +282,14 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
   const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.boundary_sq),
                limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;
-  walk(tree, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+  walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     return any_edge(leaf, not_above(view.squared, limit_sq) & lanes(leaf), [&](std::size_t edge) {
       const Feature feature = nearest_of_edge(edge);
       if (!nearest) {
         nearest = feature;
       } else if (feature != *nearest) {
         counts_.count(Stage::BigInteger);
-        const int order = parts_.bigint.compare_distances(ball_, feature, *nearest);
+        const int order = exact().bigint().compare_distances(ball_, feature, *nearest);
         const auto rank = [](const Feature& f) { return std::pair(f.kind == Feature::Kind::Vertex, f.index); };
         if (order < 0 || (order == 0 && rank(feature) < rank(*nearest))) nearest = feature;
       }
@@ -301,7 +313,7 @@ Answer PolygonQuery<Counts>::answer() {
       .nearest = feature,
       .point = {closest_point(edges, feature, 0), closest_point(edges, feature, 1), closest_point(edges, feature, 2)},
       .distance = filtered::distance(edges, feature),
-      .off_plane = parts_.bigint.off_plane()};
+      .off_plane = edges.bigint().off_plane()};
   const int sign = distance_sign<false>();
   answer.relation = sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
   return answer;

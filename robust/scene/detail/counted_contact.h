@@ -68,7 +68,7 @@ inline bool touches(const Ball& ball, const Triangle& triangle, Tally& tally) {
   return touched;
 }
 
-/// Returns how many edges filtered::contact examines in the polygon's hierarchy, by repeating its walk.
+/// Returns how many edges of the polygon filtered::contact examines, by repeating its walk.
 inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPolygon::Parts& parts) {
   const double largest =
       std::max({std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2]), ball.radius});
@@ -83,7 +83,7 @@ inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPol
     const unsigned hit = negative_lanes(view.squared - filtered::all_lanes(query.certain_hit_sq));
     return (hit & ((1U << leaf.count) - 1)) != 0;
   };
-  (void)filtered::walk(parts.frame->edges, query, limit_sq, look);
+  (void)filtered::walk(*parts.edges, query, limit_sq, look);
   return edges;
 }
 

@@ -30,7 +30,7 @@ void widen(Box& box, int axis, double lift) {
 
 Box lifted_box(const Polygon& polygon, const filtered::PreparedPolygon& prepared) {
   Box box = box_of_vertices(polygon);
-  const filtered::BigIntPolygon& bigint = parts_of(prepared).bigint;
+  const filtered::BigIntPolygon& bigint = parts_of(prepared).exact_form().bigint;
   if (bigint.planar()) return box;
   // A vertex moves along the dropped axis by at most off_plane.
   widen(box, bigint.dropped_axis(), std::nextafter(bigint.off_plane(), std::numeric_limits<double>::infinity()));

@@ -81,7 +81,7 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
   if (ball_.radius < kLargest) return;
   const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
   const Ball around{ball_.center,
-                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).bigint.off_plane()};
+                    (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).exact_form().bigint.off_plane()};
   if (around.radius < kLargest && filtered::contact(around, polygon)) ball_.radius = around.radius;
 }
 
@@ -103,7 +103,7 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
 
 std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met) {
   if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
-  if (met.polygon != nullptr && !parts_of(*met.polygon).bigint.planar()) return std::nullopt;
+  if (met.polygon != nullptr && !parts_of(*met.polygon).exact_form().bigint.planar()) return std::nullopt;
   const auto vertex = [&met](std::size_t i) {
     return met.triangle != nullptr ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
   };

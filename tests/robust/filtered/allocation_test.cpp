@@ -83,10 +83,25 @@ TEST(Allocations, AreCounted) {
   EXPECT_GT(allocations_of([] { const filtered::PreparedPolygon prepared(gear(64)); }), 10U);
 }
 
+TEST(Allocations, AreMadeByCompleteOrByTheFirstQueryThatNeedsThem) {
+  const Polygon polygon = gear(64);
+  const std::vector<Ball> balls = balls_about(polygon);
+  const filtered::PreparedPolygon prepared(polygon), completed(polygon);
+  completed.complete();
+  const auto ask = [&balls](const filtered::PreparedPolygon& about) {
+    for (const Ball& ball : balls) (void)filtered::contact(ball, about);
+  };
+  EXPECT_EQ(allocations_of([&] { completed.complete(); }), 0U);
+  EXPECT_EQ(allocations_of([&] { ask(completed); }), 0U);
+  EXPECT_GT(allocations_of([&] { ask(prepared); }), 0U);
+  EXPECT_EQ(allocations_of([&] { ask(prepared); }), 0U);
+}
+
 TEST(Allocations, NoBatchOfBallsMakesAny) {
   for (const std::size_t edges : {3U, 64U, 5000U}) {
     const Polygon polygon = gear(edges);
     const filtered::PreparedPolygon prepared(polygon);
+    prepared.complete();
     const std::vector<Ball> balls = balls_about(polygon);
     const auto touches = std::make_unique<bool[]>(balls.size());
     EXPECT_EQ(allocations_of([&] { filtered::contact(balls, prepared, {touches.get(), balls.size()}); }), 0U) << edges;
@@ -106,6 +121,7 @@ TEST(Allocations, NoBatchOfTrianglesMakesAny) {
 TEST(Allocations, NoSingleQuestionMakesAnyButTheListOfEdges) {
   const Polygon polygon = gear(64);
   const filtered::PreparedPolygon prepared(polygon);
+  prepared.complete();
   for (const Ball& ball : balls_about(polygon)) {
     EXPECT_EQ(allocations_of([&] { (void)filtered::contact(ball, prepared); }), 0U);
     EXPECT_EQ(allocations_of([&] { (void)filtered::relation(ball, prepared); }), 0U);

@@ -2,6 +2,7 @@
 // Outlines that wind through the plane: groups of edges in the hierarchy have many ends, some level with the foot.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,16 +17,16 @@ namespace {
 using workloads::Family;
 using workloads::Random;
 
-Loop in_plane(const workloads::LatticeLoop& loop) {
+Loop in_plane(const workloads::LatticeLoop& loop, double z) {
   Loop result;
-  for (const auto& p : loop) result.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y), 0);
+  for (const auto& p : loop) result.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y), z);
   return result;
 }
 
-Polygon in_plane(const workloads::Outline& outline) {
+Polygon in_plane(const workloads::Outline& outline, double z = 0) {
   std::vector<Loop> holes;
-  for (const auto& hole : outline.holes) holes.push_back(in_plane(hole));
-  return Polygon(in_plane(outline.outer), holes);
+  for (const auto& hole : outline.holes) holes.push_back(in_plane(hole, z));
+  return Polygon(in_plane(outline.outer, z), holes);
 }
 
 /// Feet at the height of a vertex, or anywhere about the outline, beside it and on it; small radii and large ones.
@@ -61,6 +62,26 @@ TEST(FilteredManyEdges, AreAnsweredAsByExact) {
           EXPECT_EQ(filtered::answer(ball, prepared), exact::answer(ball, truth)) << what;
         }
       }
+}
+
+// The distance of the plane, in units of the polygon's size, exceeds what squares can hold.
+TEST(FilteredManyEdges, InAPlaneFarFromTheOriginAreAnsweredAsByExact) {
+  workloads::Workload workload;
+  workload.family = Family::Star, workload.vertices = 48;
+  const workloads::Outline outline = workloads::draw_outline(workload, 2026, 0);
+  for (const int exponent : {80, 200, 500, 600, 900}) {
+    const Polygon polygon = in_plane(outline, std::ldexp(1.0, exponent));
+    const filtered::PreparedPolygon prepared(polygon);
+    const exact::PreparedPolygon truth(polygon);
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      Random random(2026, i, 98);
+      const Ball ball = draw_ball(random, polygon);
+      const std::string what = "2^" + std::to_string(exponent) + " above the origin, ball " + std::to_string(i);
+      EXPECT_EQ(filtered::foot(ball, prepared), exact::foot(ball, truth)) << what;
+      EXPECT_EQ(filtered::relation(ball, prepared), exact::relation(ball, truth)) << what;
+      EXPECT_EQ(filtered::edges_hit(ball, prepared), exact::edges_hit(ball, truth)) << what;
+    }
+  }
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/edge_frame.h"
+#include "robust/filtered/detail/newell_plane.h"
+#include "robust/filtered/detail/sheared_edge.h"
 #include "robust/proofs/error_bound.h"
 #include "tests/robust/proofs/rationals.h"
 
@@ -60,6 +62,47 @@ mpq_class length(const ErrorBound& x, const ErrorBound& y) {
   return root_above(power(x.magnitude(), 2) + power(y.magnitude(), 2));
 }
 
+/// Edges are prepared in round to nearest.
+const ErrorModel kNearest{kUnit / 2, kAnyRounding.underflow, true};
+
+/// The elements of the map from two coordinates to the frame. They are rounded from double-doubles that follow from
+/// normals known to NewellPlane::kError: their relative errors are at most eight times that.
+ShearOf<ErrorBound> prepared_shear() {
+  const mpq_class two_root = root_above(2), half_root = root_above(mpq_class(1, 2));
+  const auto element = [](const mpq_class& magnitude) {
+    return known(magnitude, magnitude * (kNearest.unit + 8 * NewellPlane::kError), kNearest);
+  };
+  // The plane is at most 3/4 above vertex 0, measured along the dropped axis, which the axes follow by at most 45
+  // degrees.
+  const ErrorBound origin = element(mpq_class(3, 4) * half_root);
+  return {element(two_root), element(half_root), element(two_root), {origin, origin}};
+}
+
+/// A rounded difference of coordinates.
+ErrorBound difference(const mpq_class& magnitude) { return known(magnitude, magnitude * kNearest.unit, kNearest); }
+
+// A lifted vertex is a function of two coordinates, each within 1/4 of vertex 0.
+TEST(FrameBounds, OfVerticesCoverTheirShear) {
+  const ErrorBound coordinate = difference(mpq_class(1, 4));
+  const PlanarPoint<ErrorBound> point = sheared_vertex(prepared_shear(), coordinate, coordinate);
+  const mpq_class needed = std::max(point.x.error, point.y.error);
+  EXPECT_LE(needed, bounds::kFramePoint * kUnit);
+  EXPECT_GT(needed, bounds::kFramePoint * kUnit * 15 / 16) << "it is loose";
+}
+
+// Relative to an edge's length: none of its two coordinates is longer than the lifted edge. The square of a length has
+// two roundings in a row, of which the root halves the effect; the root and the quotient have one each.
+TEST(FrameBounds, OfDirectionsAndLengthsCoverRootsAndQuotients) {
+  const PlanarPoint<ErrorBound> edge = sheared_edge(prepared_shear(), difference(1), difference(1));
+  const mpq_class unit = kNearest.unit;
+  const mpq_class length = root_above(power(edge.x.error, 2) + power(edge.y.error, 2)) + 2 * unit * (1 + 100 * unit);
+  const mpq_class direction = (std::max(edge.x.error, edge.y.error) + length) * (1 + 100 * unit) + unit;
+  EXPECT_LE(direction, bounds::kFrameDirection * kUnit);
+  EXPECT_GT(direction, bounds::kFrameDirection * kUnit * 15 / 16) << "it is loose";
+  EXPECT_LE(length * bounds::kExtent, bounds::kFrameLength * kUnit);
+  EXPECT_GT(length * bounds::kExtent, bounds::kFrameLength * kUnit * 15 / 16) << "it is loose";
+}
+
 /// A foot as seen from an edge, all numbers as stored.
 struct Edge {
   ErrorBound along, overshoot, across;
@@ -79,7 +122,7 @@ struct Edge {
 TEST(FrameBounds, OfDistancesCoverRoots) {
   Edge edge(known(kSize, 0), known(bounds::kExtent, 0));
   edge.along.error = edge.across.error = bounds::kEdgeFrame * kUnit * kSize;  // proved by Gappa
-  edge.overshoot = frame::overshoot(edge.along, known(bounds::kExtent, kUnit), kZero);
+  edge.overshoot = frame::overshoot(edge.along, known(bounds::kExtent, bounds::kFrameLength * kUnit), kZero);
   // A flushed coordinate of the centre moves the foot, a flushed radius the bound that the distance is held to.
   const mpq_class needed = edge.error(edge.longest()) + 8 * kFlushed;
   EXPECT_LE(needed, bound_of(bounds::kDistance));
@@ -100,13 +143,17 @@ mpq_class near_distance() { return bounds::kNear * bound_of(bounds::kDistance) *
 
 /// How far foot and vertices as stored may be from the exact ones, both together.
 mpq_class stored_off() {
-  const mpq_class foot = bounds::kCoordinate * kUnit + 3 * kFlushed, vertex = kUnit;
+  const mpq_class foot = bounds::kCoordinate * kUnit + 3 * kFlushed, vertex = bounds::kFramePoint * kUnit;
   return root_above(2 * power(foot, 2)) + root_above(2 * power(vertex, 2));
 }
 
-/// An edge that starts where it is stored and has the stored direction and length ends near its stored end: both ends,
-/// direction and length are off by a unit in two coordinates.
-mpq_class ends_apart() { return 4 * root_above(2 * power(kUnit * bounds::kExtent, 2)); }
+/// An edge that starts where it is stored and has the stored direction and length ends near its stored end: both ends
+/// and the direction are off in two coordinates, and the length is off.
+mpq_class ends_apart() {
+  const mpq_class coordinate =
+      2 * mpq_class(bounds::kFramePoint) + bounds::kFrameDirection * mpq_class(bounds::kExtent);
+  return kUnit * (root_above(2 * power(coordinate, 2)) + bounds::kFrameLength);
+}
 
 // Off the edge even where both the distance and its bound are off, and by so much more that what is stored of the edge
 // and of the foot may be taken for the exact ones: a point that moves by less than its distance crosses nothing.
@@ -170,20 +217,19 @@ TEST(FrameBounds, BoxesThatAreNotReachedAreOnTheirSide) {
 // A group's box, built rounding to nearest: a point's coordinates along the box's axis and across it differ from those
 // of the centre by at most half of what they extend, and by what the axis' length and all roundings make of them.
 TEST(FrameBounds, BoxesHoldTheirPoints) {
-  const ErrorModel nearest{kUnit / 2, kAnyRounding.underflow, true};
-  const ErrorBound x = known(bounds::kExtent, 0, nearest), y = known(bounds::kExtent, 0, nearest);
-  const ErrorBound axis_x = known(1, 0, nearest), axis_y = known(1, 0, nearest);
+  const ErrorBound x = known(bounds::kExtent, 0, kNearest), y = known(bounds::kExtent, 0, kNearest);
+  const ErrorBound axis_x = known(1, 0, kNearest), axis_y = known(1, 0, kNearest);
   const ErrorBound point = frame::turned_along(x, y, axis_x, axis_y);
   // The middle of the least and the most: their sum is rounded, half of it is not.
   const mpq_class reach = root_above(2) * mpq_class(bounds::kExtent);
-  const mpq_class middle = nearest.unit * reach;
-  const ErrorBound m = known(reach, 0, nearest);
+  const mpq_class middle = kNearest.unit * reach;
+  const ErrorBound m = known(reach, 0, kNearest);
   const ErrorBound center = frame::turned_along(m, m, axis_x, axis_y);
   // Components of the axis: a difference, the length that it is divided by to within two units, a quotient.
-  const mpq_class axis_length_squared = power(1 + nearest.unit, 8) - 1;
-  const mpq_class half = nearest.unit * 2 * reach;
+  const mpq_class axis_length_squared = power(1 + kNearest.unit, 8) - 1;
+  const mpq_class half = kNearest.unit * 2 * reach;
   const mpq_class needed = point.error + middle + reach * axis_length_squared + root_above(2) * center.error + half;
-  EXPECT_LE(needed, mpq_class(bounds::kBoxRounding) * (1 - nearest.unit));
+  EXPECT_LE(needed, mpq_class(bounds::kBoxRounding) * (1 - kNearest.unit));
   EXPECT_GT(needed, mpq_class(bounds::kBoxRounding) / 2) << "it is loose";
 }
 

@@ -65,7 +65,7 @@ Largest errors_of_normals(int least_slope, int most_slope) {
     const PreparedPolygon::Parts& parts = parts_of(prepared);
     if (!parts.frame) continue;
     const auto exact = exact_normal(parts.polygon, -2 * parts.frame->exponent);
-    const Vector3<DoubleDouble>& normal = parts.lifted.normal;
+    const Vector3<DoubleDouble>& normal = parts.exact_form().lifted.normal;
     for (int k = 0; k < 3; ++k) {
       const mpq_class& component = exact[static_cast<std::size_t>(k)];
       const mpq_class error = abs(mpq_class(normal[k].high) + mpq_class(normal[k].low) - component);

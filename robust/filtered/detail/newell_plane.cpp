@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/filtered/detail/newell_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::filtered {
+
+NewellPlane::NewellPlane(const NewellSums& sums, std::size_t count)
+    : normal{sums.normal[0], sums.normal[1], sums.normal[2]}, dropped_axis(0) {
+  const DoubleDouble share = DoubleDouble(1) / DoubleDouble(static_cast<double>(count));
+  mean = {share * sums.vertices[0], share * sums.vertices[1], share * sums.vertices[2]};
+  const auto size = [this](int axis) { return std::abs(normal[axis].high); };
+  for (const int axis : {1, 2})
+    if (size(axis) > size(dropped_axis)) dropped_axis = axis;
+
+  // What products lose to underflow is far below the error of the smallest normal that is accepted.
+  const double largest = size(dropped_axis);
+  const double error = std::max({sums.error[0], sums.error[1], sums.error[2]});
+  constexpr double kCertainlySmaller = 1 - 0x1p-50;  // kError and three roundings are less
+  certain = largest > 0x1p-400 && error < kError / 2 * largest;
+  for (int axis = 0; axis < 3; ++axis)
+    certain = certain && (axis == dropped_axis || size(axis) < kCertainlySmaller * largest);
+}
+
+}  // namespace touchstone::filtered
