@@ -144,9 +144,37 @@ timing::Benchmark preparations(std::size_t vertices, const Settings& settings) {
   benchmark.unit = "polygon";
   benchmark.candidates = {
       prepares<fast::PreparedPolygon<>>("fast", polygons, most),
-      prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", {}})};
+      prepares<filtered::PreparedPolygon>("filtered", polygons, most, timing::Comparison{"fast", timing::Goal{10}})};
   return benchmark;
 }
+
+/// A polygon that is queried once, preparation included.
+timing::Benchmark asked_once(std::size_t vertices, const Settings& settings) {
+  const auto polygons =
+      std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
+  const auto queries =
+      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(*polygons, settings.seed, settings.samples));
+  timing::Benchmark benchmark;
+  benchmark.name = "asked once";
+  benchmark.note = "all outlines, preparation included";
+  benchmark.checked = checked(settings, vertices);
+  const auto truth = truths(kContact, *polygons, queries, benchmark.checked);
+  const auto once = [&](const char* name, auto question, std::optional<timing::Comparison> comparison) {
+    return candidate(
+        name, queries, truth,
+        [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
+        std::move(comparison));
+  };
+  benchmark.candidates = {
+      once("fast", [](const Ball& ball, const Polygon& p) { return contact(ball, fast::PreparedPolygon<>(p)); }, {}),
+      once(
+          "filtered", [](const Ball& ball, const Polygon& p) { return filtered::contact(ball, p); },
+          timing::Comparison{"fast", timing::Goal{5}})};
+  return benchmark;
+}
+
+/// Beyond this, a turn of distinct polygons that are each prepared takes minutes.
+constexpr std::size_t kMostAskedOnce = 128;
 
 Family contact_family(const Size& size) {
   Family family{
@@ -154,6 +182,8 @@ Family contact_family(const Size& size) {
   for (const Outline outline : outlines_of(size.vertices))
     family.benchmarks.emplace_back([=](const Settings& settings) { return contacts(outline, size, settings); });
   family.benchmarks.emplace_back([=](const Settings& settings) { return preparations(size.vertices, settings); });
+  if (size.vertices <= kMostAskedOnce)
+    family.benchmarks.emplace_back([=](const Settings& settings) { return asked_once(size.vertices, settings); });
   return family;
 }
 
@@ -198,18 +228,27 @@ struct Edges {
 
 Family question_family() {
   Family family{"questions", "the other questions about prepared polygons, all outlines", {}};
-  for (const std::size_t vertices : {8U, 128U}) {
-    const auto add = [&](const char* name, auto question) {
+  struct Goals {
+    std::size_t vertices;
+    double answer;
+  };
+  for (const Goals goals : {Goals{8, 1.5}, Goals{128, 0.3}}) {
+    const auto add = [&family, vertices = goals.vertices](const char* name, auto question,
+                                                          std::optional<timing::Goal> goal = std::nullopt) {
       family.benchmarks.emplace_back([=](const Settings& settings) {
         const auto polygons = draw_polygons_of_all_outlines(vertices, settings.seed);
-        return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices, settings, question, {});
+        return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices, settings, question, goal);
       });
     };
     add("relation", [](const Ball& ball, const auto& polygon) { return relation(ball, polygon); });
-    add("plane_side", [](const Ball& ball, const auto& polygon) { return plane_side(ball, polygon); });
+    add(
+        "plane_side", [](const Ball& ball, const auto& polygon) { return plane_side(ball, polygon); },
+        timing::Goal{1.5});
     add("foot", [](const Ball& ball, const auto& polygon) { return foot(ball, polygon); });
     add("edges_hit", [](const Ball& ball, const auto& polygon) { return Edges{edges_hit(ball, polygon)}; });
-    add("answer", [](const Ball& ball, const auto& polygon) { return Decisions{answer(ball, polygon)}; });
+    add(
+        "answer", [](const Ball& ball, const auto& polygon) { return Decisions{answer(ball, polygon)}; },
+        timing::Goal{goals.answer});
   }
   return family;
 }

@@ -255,7 +255,7 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
   const filtered::ExactEdges edges(ball, parts, none);
   if (!edges.scales()) return;
   const auto axis = static_cast<int>(edge % 3);
-  const auto seen = edges.edge_view(edge);
+  const auto& seen = edges.edge_view(edge);
   const filtered::EdgeOperands operands = seen.operands(axis);
   if (!(std::max(operands.maxima.to_center, operands.maxima.edge) <= bounds::kLargest)) return;
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "robust/filtered/detail/exact_edges.h"
 
@@ -44,60 +46,80 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // underflow on a step and on the components of its direction is smaller than the slack in the two units of the result.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// Returns a coordinate of the feature's point closest to the centre, as the nearest double; zeros as +0. `edges` are
-/// those of a prepared polygon (ExactEdges) or of a triangle (ExactTriangle).
+/// The feature's point closest to the centre, a coordinate at a time. `Edges` are those of a prepared polygon
+/// (ExactEdges) or of a triangle (ExactTriangle).
 ///
 /// Requires that each component of a direction has a small relative error, except for lifts and kNormalError: then a
 /// coordinate that the step hardly changes has an error much smaller than the step.
 template <class Edges>
-double closest_point(const Edges& edges, const Feature& feature, int axis) {
-  const bool vertex = feature.kind == Feature::Kind::Vertex, face = feature.kind == Feature::Kind::Face;
-  const bool moved = edges.lifts(axis);
-  if (vertex && !moved) return edges.given_vertex(feature.index, axis) + 0.0;  // -0 becomes +0
-
-  const auto in_doubles = [&]() -> std::optional<double> {
-    if (!edges.scales()) return std::nullopt;
-    const int exponent = edges.exponent();
-    DoubleDouble start = face ? edges.center(axis) : edges.vertex(feature.index, axis);
-    if (moved && !face) start = start + edges.lift(feature.index);
-    const double lift_error = moved ? 2 * bounds::kLift : 0;
-    if (vertex) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
-
+class ClosestPointOnFeature {
+ public:
+  ClosestPointOnFeature(const Edges& edges, const Feature& feature) : edges_(edges), feature_(feature) {
+    if (vertex() || !edges.scales()) return;
     // The start plus a multiple of the direction.
-    const auto view = edges.edge_view(feature.index);
-    using EdgeView = decltype(view);
-    const Vector3<DoubleDouble>& direction = face ? view.normal : view.edge;
-    const double maximum = face ? view.maxima.normal : view.maxima.edge;
-    if (maximum < kShortestDirection) return std::nullopt;
-    if (!moved && direction[axis].high == 0) {  // exact
-      if (!face || view.no_normal(axis)) return rounded({start, 0}, exponent);
+    view_.emplace(edges.edge_view(feature.index));
+    const DoubleDouble length_squared = dot(direction(), direction());
+    length_squared_ = length_squared.high;
+    if (maximum() >= kShortestDirection) multiple_ = dot(direction(), view_->to_center) / length_squared;
+  }
+
+  /// Returns the coordinate as the nearest double; zero as +0.
+  [[nodiscard]] double coordinate(int axis) const {
+    const bool moved = edges_.lifts(axis);
+    if (vertex() && !moved) return edges_.given_vertex(feature_.index, axis) + 0.0;  // -0 becomes +0
+    if (const auto result = in_doubles(axis, moved)) {
+      edges_.counts().count(Stage::DoubleDouble);
+      return *result;
+    }
+    edges_.counts().count(Stage::BigInteger);
+    return edges_.bigint_point(feature_, axis);
+  }
+
+ private:
+  using EdgeView = std::remove_cvref_t<decltype(std::declval<const Edges&>().edge_view(0))>;
+
+  [[nodiscard]] bool vertex() const { return feature_.kind == Feature::Kind::Vertex; }
+  [[nodiscard]] bool face() const { return feature_.kind == Feature::Kind::Face; }
+  [[nodiscard]] const Vector3<DoubleDouble>& direction() const { return face() ? view_->normal : view_->edge; }
+  [[nodiscard]] double maximum() const { return face() ? view_->maxima.normal : view_->maxima.edge; }
+
+  [[nodiscard]] std::optional<double> in_doubles(int axis, bool moved) const {
+    if (!edges_.scales()) return std::nullopt;
+    const int exponent = edges_.exponent();
+    DoubleDouble start = face() ? edges_.center(axis) : edges_.vertex(feature_.index, axis);
+    if (moved && !face()) start = start + edges_.lift(feature_.index);
+    const double lift_error = moved ? 2 * bounds::kLift : 0;
+    if (vertex()) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
+    if (maximum() < kShortestDirection) return std::nullopt;
+
+    const DoubleDouble& along = direction()[axis];
+    if (!moved && along.high == 0) {  // exact
+      if (!face() || view_->no_normal(axis)) return rounded({start, 0}, exponent);
       if (EdgeView::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
     }
-    const DoubleDouble length_squared = dot(direction, direction);
-    const DoubleDouble step = dot(direction, view.to_center) / length_squared * direction[axis];
-    const DoubleDouble value = face ? start - step : start + step;
+    const DoubleDouble step = multiple_ * along, value = face() ? start - step : start + step;
     if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
-    const double share = std::abs(direction[axis].high) / length_squared.high +
-                         (face ? EdgeView::kNormalError / std::sqrt(length_squared.high) : 0);
-    const double error = bounds::kClosest * (view.maxima.to_center * maximum * share) +
-                         bounds::kClosest * (view.lifted ? view.maxima.edge : 0) +
+    const double share =
+        std::abs(along.high) / length_squared_ + (face() ? EdgeView::kNormalError / std::sqrt(length_squared_) : 0);
+    const double error = bounds::kClosest * (view_->maxima.to_center * maximum() * share) +
+                         bounds::kClosest * (view_->lifted ? view_->maxima.edge : 0) +
                          2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
     return rounded({value, error}, exponent);
-  };
-  if (const auto result = in_doubles()) {
-    edges.counts().count(Stage::DoubleDouble);
-    return *result;
   }
-  edges.counts().count(Stage::BigInteger);
-  return edges.bigint_point(feature, axis);
-}
+
+  const Edges& edges_;
+  const Feature& feature_;
+  std::optional<EdgeView> view_;  // of an edge or the face, if the doubles hold it
+  DoubleDouble multiple_;
+  double length_squared_ = 0;
+};
 
 /// Returns the distance of the ball's centre from the feature's plane, line or point, as the nearest double.
 template <class Edges>
 double distance(const Edges& edges, const Feature& feature) {
   const auto in_doubles = [&]() -> std::optional<double> {
     if (!edges.scales()) return std::nullopt;
-    const auto view = edges.edge_view(feature.index);
+    const auto& view = edges.edge_view(feature.index);
     const auto enclosed = [&]() -> Enclosed {
       if (feature.kind == Feature::Kind::Vertex) {
         const DoubleDouble value = sqrt(dot(view.to_center, view.to_center));

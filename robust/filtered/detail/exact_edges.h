@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "robust/filtered/detail/prepared.h"
 #include "robust/filtered/detail/sign_ladder.h"
@@ -84,7 +85,17 @@ class ExactEdges {
     static constexpr double kNormalError = 0;
   };
 
-  [[nodiscard]] EdgeView edge_view(std::size_t edge) const {
+  /// Returns the edge. The last one is kept, because several signs are asked of the same edge in a row.
+  [[nodiscard]] const EdgeView& edge_view(std::size_t edge) const {
+    if (!kept_ || kept_edge_ != edge) {
+      kept_.emplace(computed_view(edge));
+      kept_edge_ = edge;
+    }
+    return *kept_;
+  }
+
+ private:
+  [[nodiscard]] EdgeView computed_view(std::size_t edge) const {
     const std::size_t next = parts_.polygon.next(edge);
     const LiftedPolygon& lifted = form_.lifted;
     const double p[] = {vertex(edge, 0), vertex(edge, 1), vertex(edge, 2)};
@@ -111,7 +122,6 @@ class ExactEdges {
     return s;
   }
 
- private:
   static double largest(const Vector3<DoubleDouble>& v) {
     return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
   }
@@ -126,6 +136,8 @@ class ExactEdges {
   Counts& counts_;
   double center_[3], radius_;
   bool usable_;
+  mutable std::optional<EdgeView> kept_;
+  mutable std::size_t kept_edge_ = 0;
 };
 
 }  // namespace TOUCHSTONE_TARGET

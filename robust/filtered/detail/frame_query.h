@@ -28,7 +28,7 @@ struct HeightQuery {
   double radius;
 
   /// Requires coordinates and a radius up to frame.reachable.
-  HeightQuery(const Ball& ball, const Frame& frame) {
+  __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame) {
     to_center = {frame.scaled(ball.center[0]) - frame.origin.x, frame.scaled(ball.center[1]) - frame.origin.y,
                  frame.scaled(ball.center[2]) - frame.origin.z};
     radius = frame.scaled(ball.radius);
@@ -43,6 +43,18 @@ struct HeightQuery {
   [[nodiscard]] int plane_sign() const {
     if (std::abs(height) - height_error > radius) return 1;
     return std::abs(height) + height_error < radius ? -1 : 0;
+  }
+  /// Returns whether side() is certain. Without branches, which random balls would mispredict.
+  [[nodiscard]] __attribute__((always_inline)) bool knows_side() const {
+    const double above = std::abs(height);
+    const int cuts = above + height_error<radius, misses = above - height_error> radius, apart = above > height_error;
+    return (cuts | (misses & apart)) != 0;
+  }
+  /// Returns the side of the plane. Requires knows_side().
+  [[nodiscard]] __attribute__((always_inline)) PlaneSide side() const {
+    static constexpr PlaneSide kSides[] = {PlaneSide::Intersects, PlaneSide::Behind, PlaneSide::InFront};
+    const int misses = std::abs(height) > radius, in_front = height > 0;
+    return kSides[misses * (1 + in_front)];
   }
 };
 

@@ -34,6 +34,21 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
   return otherwise(ball, parts.exact());
 }
 
+/// The first stage alone, without what later stages need. Asks them if it is not certain.
+template <class Counts>
+PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  if (frame_reaches(ball, parts) && parts.frame->exponent >= Frame::kSubnormal) [[likely]] {
+    const HeightQuery query(ball, *parts.frame);
+    if (query.knows_side()) [[likely]] {
+      counts.count(Stage::Double);
+      return query.side();
+    }
+  }
+  return ask<&PolygonQuery<Counts>::plane_side,
+             static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side), PlaneSide>(
+      ball, parts, counts);
+}
+
 template <class Counts>
 inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_contact = contact<Counts>,
@@ -48,9 +63,7 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .relation =
         ask<&PolygonQuery<Counts>::relation,
             static_cast<Relation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::relation), Relation, Counts>,
-    .plane_side = ask<&PolygonQuery<Counts>::plane_side,
-                      static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side),
-                      PlaneSide, Counts>,
+    .plane_side = plane_side<Counts>,
     .foot = ask<&PolygonQuery<Counts>::foot,
                 static_cast<PointLocation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), PointLocation,
                 Counts>,

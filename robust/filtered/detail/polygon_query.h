@@ -31,10 +31,7 @@ class PolygonQuery {
 
   [[nodiscard]] bool contact() { return counted(distance_sign<true>()) <= 0; }
 
-  [[nodiscard]] Relation relation() {
-    const int sign = counted(distance_sign<false>());
-    return sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
-  }
+  [[nodiscard]] Relation relation() { return counted(relation_uncounted()); }
 
   [[nodiscard]] PlaneSide plane_side() { return counted(plane_side_uncounted()); }
   [[nodiscard]] PointLocation foot() { return counted(foot_uncounted()); }
@@ -74,12 +71,22 @@ class PolygonQuery {
   template <bool contact_only>
   [[nodiscard]] int distance_sign();
 
+  [[nodiscard]] Relation relation_uncounted() {
+    const int sign = distance_sign<false>();
+    return sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
+  }
+  /// Returns the relation if the distance, as the nearest double, is this. Rounding keeps the order of a distance and a
+  /// radius, except that they may become equal.
+  [[nodiscard]] Relation relation_at(double distance) {
+    if (distance == ball_.radius) return relation_uncounted();  // exact, or rounded to it
+    return distance > ball_.radius ? Relation::Separate : Relation::Overlapping;
+  }
   [[nodiscard]] PlaneSide plane_side_uncounted();
   [[nodiscard]] PointLocation foot_uncounted();
   [[nodiscard]] PointLocation exact_foot();
   [[nodiscard]] std::vector<std::size_t> edges_hit_uncounted();
   [[nodiscard]] Feature nearest_on_boundary();
-  [[nodiscard]] Feature nearest_of_edge(std::size_t edge);
+  [[nodiscard]] Feature nearest_of_edge(std::size_t edge, double along, double length, double margin);
 
   /// Returns the lanes of a leaf that hold edges.
   static unsigned lanes(const EdgeTree::Leaf& leaf) { return (1U << leaf.count) - 1; }
@@ -141,10 +148,9 @@ int PolygonQuery<Counts>::distance_sign() {
 
 template <class Counts>
 PlaneSide PolygonQuery<Counts>::plane_side_uncounted() {
+  if (height_.knows_side()) return height_.side();
   if (plane_sign() <= 0) return PlaneSide::Intersects;
-  const bool certain = std::abs(height_.height) > height_.height_error;
-  const bool front = certain ? height_.height > 0 : exact().template sign<SignKind::Front>(0) > 0;
-  return front ? PlaneSide::InFront : PlaneSide::Behind;
+  return exact().template sign<SignKind::Front>(0) > 0 ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
 template <class Counts>
@@ -258,11 +264,14 @@ std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
   return hit;
 }
 
+/// `along`, `length`: as in LeafView. `margin`: above the error of both together.
 template <class Counts>
-Feature PolygonQuery<Counts>::nearest_of_edge(std::size_t edge) {
-  const ExactEdges<Counts>& edges = exact();
-  if (edges.template sign<SignKind::Along>(edge) <= 0) return {Feature::Kind::Vertex, edge};
-  if (edges.template sign<SignKind::Beyond>(edge) >= 0) return {Feature::Kind::Vertex, parts_.polygon.next(edge)};
+Feature PolygonQuery<Counts>::nearest_of_edge(std::size_t edge, double along, double length, double margin) {
+  const Feature start{Feature::Kind::Vertex, edge}, end{Feature::Kind::Vertex, parts_.polygon.next(edge)};
+  if (along < -margin) return start;
+  if (along > length + margin) return end;
+  if (along <= margin && exact().template sign<SignKind::Along>(edge) <= 0) return start;
+  if (along >= length - margin && exact().template sign<SignKind::Beyond>(edge) >= 0) return end;
   return {Feature::Kind::Edge, edge};
 }
 
@@ -279,12 +288,20 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
     return false;
   });
   // Visit all edges that may be as near as the nearest. Both distances may be off, together by less than kNear errors.
-  const double wider = std::sqrt(least) * bounds::kWide + std::sqrt(query.boundary_sq),
+  // That is also more than the errors of `along` and `length` together.
+  const double margin = std::sqrt(query.boundary_sq) * bounds::kWide;
+  const double wider = std::sqrt(least) * bounds::kWide + margin,
                limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;
   walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-    return any_edge(leaf, not_above(view.squared, limit_sq) & lanes(leaf), [&](std::size_t edge) {
-      const Feature feature = nearest_of_edge(edge);
+    unsigned near = not_above(view.squared, limit_sq) & lanes(leaf);
+    if (near == 0) return false;
+    double along[kLanes], length[kLanes];
+    store(along, view.along);
+    store(length, view.length);
+    for (; near != 0; near &= near - 1) {
+      const int lane = __builtin_ctz(near);
+      const Feature feature = nearest_of_edge(leaf.edge[lane], along[lane], length[lane], margin);
       if (!nearest) {
         nearest = feature;
       } else if (feature != *nearest) {
@@ -293,8 +310,8 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
         const auto rank = [](const Feature& f) { return std::pair(f.kind == Feature::Kind::Vertex, f.index); };
         if (order < 0 || (order == 0 && rank(feature) < rank(*nearest))) nearest = feature;
       }
-      return false;
-    });
+    }
+    return false;
   });
   return *nearest;
 }
@@ -304,19 +321,17 @@ Answer PolygonQuery<Counts>::answer() {
   const ExactEdges<Counts>& edges = exact();
   const PointLocation place = foot_uncounted();
   const Feature feature = place == PointLocation::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
-  Answer answer{
-      .plane = plane_side_uncounted(),
-      .plane_tangent = plane_sign() == 0,
-      .foot = place,
-      .edges_hit = edges_hit_uncounted(),
-      .relation = Relation::Separate,
-      .nearest = feature,
-      .point = {closest_point(edges, feature, 0), closest_point(edges, feature, 1), closest_point(edges, feature, 2)},
-      .distance = filtered::distance(edges, feature),
-      .off_plane = edges.bigint().off_plane()};
-  const int sign = distance_sign<false>();
-  answer.relation = sign > 0 ? Relation::Separate : sign == 0 ? Relation::Touching : Relation::Overlapping;
-  return answer;
+  const ClosestPointOnFeature closest(edges, feature);
+  const double distance = filtered::distance(edges, feature);
+  return {.plane = plane_side_uncounted(),
+          .plane_tangent = plane_sign() == 0,
+          .foot = place,
+          .edges_hit = edges_hit_uncounted(),
+          .relation = relation_at(distance),
+          .nearest = feature,
+          .point = {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)},
+          .distance = distance,
+          .off_plane = edges.bigint().off_plane()};
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -79,7 +79,8 @@ template <class Counts>
 void feature_point(BallTriangleView view, const Feature& feature, double (&point)[3], Counts& counts) {
   const FloatingPointState nearest;
   const ExactTriangle<Counts> triangle(view, counts);
-  for (int axis = 0; axis < 3; ++axis) point[axis] = closest_point(triangle, feature, axis);
+  const ClosestPointOnFeature closest(triangle, feature);
+  for (int axis = 0; axis < 3; ++axis) point[axis] = closest.coordinate(axis);
 }
 
 }  // namespace TOUCHSTONE_TARGET
