@@ -81,7 +81,8 @@ std::string table_of(const std::vector<Tried>& tried) {
   std::array<std::size_t, 5> counts{};
   for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
   std::string text = fmt::format("{} completed", counts[0]);
-  for (const Cause cause : {Cause::OutOfReach, Cause::BeyondLimits, Cause::NoContact, Cause::InTheWay})
+  for (const FailureCause cause :
+       {FailureCause::OutOfReach, FailureCause::JointLimit, FailureCause::NoContact, FailureCause::InTheWay})
     text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], to_string(cause));
   return text;
 }

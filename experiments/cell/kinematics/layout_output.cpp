@@ -78,7 +78,7 @@ std::string predictions_text(const std::vector<Prediction>& predictions) {
       "place,storage_angle_deg,storage_height_mm,elbow_to_storage,base_to_storage,shoulder_to_storage,lift,"
       "base_to_machine,net_elbow,net_shoulder,least_margin_deg,otherwise\n";
   for (const Prediction& p : predictions) {
-    const Rehearsal& r = p.rehearsal;
+    const SimulatedPath& r = p.path;
     text += fmt::format("{},{:g},{:g}", p.place + 1, p.angle, p.height);
     if (!r.complete()) {
       text += fmt::format(",,,,,,,,,{}\n", quoted(r.failure));
@@ -125,7 +125,7 @@ std::string poses_text(const LayoutStudy& study) {
 /// Returns the number of predictions that satisfy what the captions imply for every angle.
 std::size_t kept(const std::vector<Prediction>& predictions) {
   return static_cast<std::size_t>(std::ranges::count_if(predictions, [](const Prediction& p) {
-    const Rehearsal& r = p.rehearsal;
+    const SimulatedPath& r = p.path;
     return r.complete() && r.to_storage(kBase) == kStorageHome + p.angle && r.net(kBase) == kMachineAzimuth &&
            r.net(kElbow) == 35 && r.net(kShoulder) == 28;
   }));

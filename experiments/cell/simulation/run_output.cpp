@@ -25,10 +25,10 @@ const std::string& joint_name(const Workcell& workcell, Moved joint) {
 
 /// Returns where the material is at a stop: a place, or `gripper`.
 std::string_view holder(const Process& process, std::size_t stop) {
-  std::optional<Place> place;
-  for (const Custody& custody : process.custody)
-    if (custody.stop == 0 || custody.stop < stop) place = custody.place;
-  return place ? to_string(*place) : "gripper";
+  std::optional<StationSlot> slot;
+  for (const MaterialTransfer& transfer : process.transfers)
+    if (transfer.stop == 0 || transfer.stop < stop) slot = transfer.slot;
+  return slot ? to_string(*slot) : "gripper";
 }
 
 /// The move that a stop belongs to; none of the first one, and of the last ones of a run that failed within a move.
@@ -133,9 +133,9 @@ std::vector<StopRow> stop_rows(const Workcell& workcell, const Process& process)
   return rows;
 }
 
-std::vector<ScoreRow> score_rows(const Contest& contest) {
+std::vector<ScoreRow> score_rows(const MethodComparison& comparison) {
   std::vector<ScoreRow> rows;
-  for (const Score& score : contest.scores)
+  for (const Score& score : comparison.scores)
     rows.push_back({&score, harness::rate(score.wrong_hits + score.wrong_misses, score.asked)});
   return rows;
 }
@@ -165,10 +165,10 @@ std::string trajectory_json(const Workcell& workcell, const Process& process) {
   return whole.dump(1) + "\n";
 }
 
-std::string disagreements_text(const Contest& contest, std::size_t most) {
+std::string disagreements_text(const MethodComparison& comparison, std::size_t most) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, contest.disagreements.size()); ++i) {
-    const Disagreement& d = contest.disagreements[i];
+  for (std::size_t i = 0; i < std::min(most, comparison.disagreements.size()); ++i) {
+    const Disagreement& d = comparison.disagreements[i];
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
     const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
@@ -179,7 +179,7 @@ std::string disagreements_text(const Contest& contest, std::size_t most) {
 
 }  // namespace
 
-std::string summary(const Workcell& workcell, const Process& process, const Contest& contest) {
+std::string summary(const Workcell& workcell, const Process& process, const MethodComparison& comparison) {
   std::string text;
   for (const Move& m : process.moves) {
     text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
@@ -217,7 +217,7 @@ std::string summary(const Workcell& workcell, const Process& process, const Cont
 }
 
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
-               const Contest& contest, std::size_t most) {
+               const MethodComparison& comparison, std::size_t most) {
   std::vector<std::string> joints;
   for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
   moves_csv().write(folder, move_rows(workcell, process));

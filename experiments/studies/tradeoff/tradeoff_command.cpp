@@ -30,12 +30,12 @@ int redraw(const Options& options) {
   return harness::draw_pictures("tradeoff", held) ? 0 : 1;
 }
 
-std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
-  std::vector<Place> places;
+std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
+  std::vector<PolygonGroup> groups;
   for (const auto family : families)
     for (const auto placement : {workloads::Placement::LatticeFrame, workloads::Placement::Rotated})
-      places.push_back({family, placement});
-  return places;
+      groups.push_back({family, placement});
+  return groups;
 }
 
 // Raised when sample n of a seed changes, or the form of what is kept.
@@ -45,7 +45,7 @@ constexpr int kVersion = 3;
 int run_tradeoff(harness::StudyRun& run, const Options& options) {
   const Settings settings{methods::find_methods(options.methods), workloads::find_families(options.families),
                           options.samples, options.seed, options.threads};
-  const TimingSettings timed{settings.methods, places_of(settings.families), options.seed, options.queries,
+  const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
                              options.repetitions};
   const Errors errors = run.phase("errors", "checkpoint.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });

@@ -83,7 +83,7 @@ TEST(LayoutOutput, SetsWhatCameOutBesideTheCaptions) {
   study.chosen = chosen_layout();
   for (std::size_t i = 0; i < kCases.size(); ++i) {
     const Station storage = study.chosen.storage(i, kCases[i].storage_angle);
-    study.cases.push_back(rehearse(study.chosen, storage));
+    study.cases.push_back(simulate(study.chosen, storage));
     study.angles.push_back({i, kCases[i].storage_angle, storage.height, study.cases.back()});
   }
   study.grid.push_back({Coupling::Serial, {1, 2}, {}, "no layout"});
