@@ -132,8 +132,7 @@ int run(const AreaOptions& options) {
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
   harness::flush_standard_output();
-  if (!options.no_pictures) harness::draw_pictures("cell_area", held);
-  return 0;
+  return options.no_pictures ? 0 : harness::draw_pictures("cell_area", held);
 }
 
 }  // namespace

@@ -47,8 +47,7 @@ int run_layout(const Options& options) {
   harness::write_run_record(folder, record);
   fmt::print("{}", kinematics::layout_table(*study));
   harness::flush_standard_output();
-  if (!options.no_pictures) harness::draw_pictures("cell_layout", held);
-  return 0;
+  return options.no_pictures ? 0 : harness::draw_pictures("cell_layout", held);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ int redraw(const Options& options) {
     if (!std::filesystem::exists(folder / file))
       throw harness::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
   const harness::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
-  return harness::draw_pictures("tradeoff", held) ? 0 : 1;
+  return harness::draw_pictures("tradeoff", held);
 }
 
 std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
@@ -96,7 +96,8 @@ harness::Command tradeoff_command() {
   command.whole("--repetitions", options->repetitions, "The number of turns of each method on a list", 1, 100'000);
   harness::declare_study(command, *options, "--samples",
                          "Samples of each family, placement and threshold: for the errors");
-  command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output");
+  command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output")
+      .excludes_all_but({"--output"});
   command.writes(tables());
   const auto measure = harness::study_runner("tradeoff", kVersion, *options,
                                              [options](harness::StudyRun& run) { return run_tradeoff(run, *options); });

@@ -71,6 +71,15 @@ TEST(CellCommand, WritesWhatStepsPassOver) {
   EXPECT_NE(touchstone_cell({"missed", "--samples", "-1"}).err.find("--samples"), std::string::npos);
 }
 
+// A folder stands where the picture should go.
+TEST(CellCommand, SaysByItsStatusThatPicturesAreMissingAndKeepsTheData) {
+  const Scratch scratch;
+  const std::filesystem::path folder = scratch.path / "out";
+  std::filesystem::create_directories(folder / "cell-missed.svg" / "in the way");
+  EXPECT_EQ(touchstone_cell({"missed", "--samples", "1", "--force", "--output", folder.string()}).status, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "missed.csv"));
+}
+
 TEST(LayoutStudy, StopsWhenItIsAskedTo) {
   std::uint64_t last = 0;
   EXPECT_FALSE(study_layout(kStop, [&](std::uint64_t done) { last = done; }).has_value());
