@@ -63,6 +63,7 @@ harness::Command layout_command() {
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  command.writes(kinematics::layout_tables());
   command.runs([options] { return harness::run_alone([&] { return run_layout(*options); }); });
   return command;
 }
