@@ -11,7 +11,6 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
@@ -198,20 +197,13 @@ std::string summary(const Workcell& workcell, const Process& process, const Meth
       "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls of "
       "spheres and covers were asked of the obstacles\n",
       process.stops.size(), balls, overhang, unit, process.balls);
-  for (const Custody& custody : process.custody)
-    if (custody.shift > 0)
-      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*custody.place),
-                          custody.shift, unit);
-  text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", contest.pairs, contest.met);
-  text += fmt::format("{:<20} {:>9} {:>11} {:>13} {:>7}\n", "method", "asked", "wrong hits", "wrong misses", "unsure");
-  for (const Score& s : contest.scores) {
-    text += fmt::format("{:<20} {:>9} {:>11} {:>13} {:>7}", s.method->name(), s.asked, s.wrong_hits, s.wrong_misses,
-                        s.unsure);
-    if (s.wrong_hits + s.wrong_misses == 0 && s.asked > 0)
-      text += fmt::format("   none wrong: at most {:.2g} of such questions (95 %)",
-                          statistics::clopper_pearson(0, s.asked).upper);
-    text += "\n";
-  }
+  for (const MaterialTransfer& transfer : process.transfers)
+    if (transfer.shift > 0)
+      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*transfer.slot),
+                          transfer.shift, unit);
+  text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", comparison.pairs, comparison.met);
+  text += methods_csv().aligned(score_rows(comparison)) +
+          "share_low, share_high: 95 % limits of the share of wrong answers\n";
   if (!process.failure.empty()) text += fmt::format("\nnot completed: {}\n", process.failure);
   return text;
 }
@@ -223,8 +215,8 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   moves_csv().write(folder, move_rows(workcell, process));
   trajectory_csv(joints).write(folder, stop_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
-  methods_csv().write(folder, score_rows(contest));
-  harness::write_file(folder / "disagreements.jsonl", disagreements_text(contest, most));
+  methods_csv().write(folder, score_rows(comparison));
+  harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
 std::vector<harness::TableDescription> run_tables() {
