@@ -81,7 +81,8 @@ std::string table_of(const std::vector<Tried>& tried) {
   std::array<std::size_t, 5> counts{};
   for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
   std::string text = fmt::format("{} completed", counts[0]);
-  for (const Cause cause : {Cause::OutOfReach, Cause::BeyondLimits, Cause::NoContact, Cause::InTheWay})
+  for (const FailureCause cause :
+       {FailureCause::OutOfReach, FailureCause::JointLimit, FailureCause::NoContact, FailureCause::InTheWay})
     text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], to_string(cause));
   return text;
 }
@@ -131,8 +132,7 @@ int run(const AreaOptions& options) {
   fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
              cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
   harness::flush_standard_output();
-  if (!options.no_pictures) harness::draw_pictures("cell_area", held);
-  return 0;
+  return options.no_pictures ? 0 : harness::draw_pictures("cell_area", held);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ int run(const ExportOptions& options) {
                            : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
                                                   : browser::gltf_binary(recording, options.rate);
   harness::write_file(options.file, text, options.force);
-  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.looks.size(), text.size(),
+  fmt::print("{}: {} stops, {} bytes: {}\n", simulator.cell().name, recording.snapshots.size(), text.size(),
              io::all_legible(options.file));
   if (recording.process.failure.empty()) return 0;
   fmt::print("not completed: {}\n", recording.process.failure);

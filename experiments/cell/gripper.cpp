@@ -67,7 +67,7 @@ std::string lines_about(const std::string& id, const std::string& origin, const 
 std::string gripper_cases(const std::string& cell_file) {
   const cell::Cell cell = cell::read_cell(cell_file, std::nullopt, {});
   const cell::Workcell workcell(cell, cell::build_model(cell), kOverhang);
-  const cell::Process process = cell::perform(workcell);
+  const cell::Process process = cell::simulate(workcell);
   const std::string name = std::filesystem::path(cell_file).stem().string();
 
   std::string text;
@@ -81,10 +81,10 @@ std::string gripper_cases(const std::string& cell_file) {
   };
   const auto standing = polygons_of(workcell.obstacles().faces);
   for (std::size_t i = 0; i < standing.size(); ++i) add(workcell.obstacles().owners[i], i, standing[i]);
-  for (const cell::Place place : {cell::Place::Storage, cell::Place::Machine}) {
-    const auto material = polygons_of(workcell.at(place).faces);
+  for (const cell::StationSlot slot : {cell::StationSlot::Storage, cell::StationSlot::Machine}) {
+    const auto material = polygons_of(workcell.at(slot).faces);
     for (std::size_t i = 0; i < material.size(); ++i)
-      add(fmt::format("material-in-{}", to_string(place)), i, material[i]);
+      add(fmt::format("material-in-{}", to_string(slot)), i, material[i]);
   }
   return text;
 }

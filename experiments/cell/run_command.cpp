@@ -53,19 +53,19 @@ int run(const RunCommandOptions& options) {
       read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
   const Workcell workcell(cell, build_model(cell), options.overhang);
   const double before = watch.lap();
-  const Process process = perform(workcell);
+  const Process process = simulate(workcell);
   const double cycle = watch.lap();
-  const Contest contest = hold_contest(workcell, process, methods, options.every_face);
+  const MethodComparison comparison = compare_methods(workcell, process, methods, options.every_face);
   const double held = watch.lap();
   fmt::print("{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the methods\n",
-             cell.name, summary(workcell, process, contest), before, cycle, held);
+             cell.name, summary(workcell, process, comparison), before, cycle, held);
   if (!options.output.empty()) {
-    write_run(options.output, workcell, process, contest);
+    write_run(options.output, workcell, process, comparison);
     harness::write_run_record(options.output, {.command = options.line,
                                                .samples_asked = process.stops.size(),
                                                .samples_done = process.stops.size(),
                                                .seconds = before + cycle + held});
-    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", contest.disagreements.size(),
+    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", comparison.disagreements.size(),
                io::all_legible(options.output));
   }
   return process.failure.empty() ? 0 : 1;

@@ -120,6 +120,14 @@ Option& Option::excludes(const std::string& other) {
   return *this;
 }
 
+Option& Option::excludes_all_but(const std::vector<std::string>& others) {
+  for (CLI::Option* other : app_->get_options())
+    if (other != declared_->option && other != app_->get_help_ptr() &&
+        std::ranges::find(others, other->get_name()) == others.end())
+      declared_->option->excludes(other);
+  return *this;
+}
+
 Option& Option::changes_results(std::function<std::string()> canonical) {
   declared_->changes_results = true;
   declared_->canonical = std::move(canonical);

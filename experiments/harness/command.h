@@ -37,6 +37,8 @@ class Option {
   Option& required();
   Option& needs(const std::string& other);
   Option& excludes(const std::string& other);
+  /// Excludes every option that was declared before, except these.
+  Option& excludes_all_but(const std::vector<std::string>& others);
   /// Declares that results depend on this option, so that runs with other values do not continue each other's
   /// checkpoints. `canonical` returns the value in its canonical form, without it, the value itself is compared.
   Option& changes_results(std::function<std::string()> canonical = {});

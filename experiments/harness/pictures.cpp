@@ -10,7 +10,7 @@
 
 namespace touchstone::harness {
 
-bool draw_pictures(const std::string& name, const OutputFolder& folder) {
+int draw_pictures(const std::string& name, const OutputFolder& folder) {
   folder.share();
   const std::string path = folder.path().string();
   const std::string script = shell_quoted((source_folder() / "experiments/report/draw.py").string());
@@ -18,12 +18,12 @@ bool draw_pictures(const std::string& name, const OutputFolder& folder) {
     const std::string interpreter(python);
     if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) != 0) continue;
     const std::string command = interpreter + " -B " + script + " " + name + " " + shell_quoted(path);
-    if (std::system(command.c_str()) == 0) return true;
+    if (std::system(command.c_str()) == 0) return 0;
     fmt::print(stderr, "touchstone: the pictures could not be drawn; the data are in {}\n", path);
-    return false;
+    return 1;
   }
   fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy; the data are in {}\n", path);
-  return false;
+  return 1;
 }
 
 }  // namespace touchstone::harness

@@ -8,8 +8,8 @@
 namespace touchstone::harness {
 
 /// Draws the data of a folder by experiments/report/pictures/<name>.py, with the first Python interpreter that has the
-/// required packages: that of Debian, else the one on the path. Returns whether the pictures were drawn; if not,
-/// reports the reason on standard error.
-bool draw_pictures(const std::string& name, const OutputFolder& folder);
+/// required packages: that of Debian, else the one on the path. Returns the exit status of a study: 0, or 1 if not all
+/// pictures could be drawn; standard error then says why.
+[[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
 
 }  // namespace touchstone::harness

@@ -64,7 +64,8 @@ int StudyRun::finish(const End& end) {
   if (options_.has_pictures && end.pictures && !options_.no_pictures) {
     std::string script = study_;
     std::ranges::replace(script, '-', '_');
-    draw_pictures(script, *held_);
+    const int drawn = draw_pictures(script, *held_);
+    return end.status != 0 ? end.status : drawn;
   }
   return end.status;
 }

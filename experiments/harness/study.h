@@ -64,6 +64,13 @@ class StudyRun {
     share_stop();
     return state;
   }
+  /// Throws as that phase would when it begins, if it cannot continue its checkpoint. For phases that come late.
+  template <class State>
+  void require_resumable(const std::string& checkpoint, std::uint64_t items, State zero) const {
+    if (!first() || !options_.resume) return;
+    const Checkpoint file(folder_ / checkpoint, {version_, options_.result_options()});
+    if (const auto held = file.read(std::move(zero))) file.refuse_more(items_done(*held), items);
+  }
   /// Runs a short phase without a checkpoint: run(control). Returns its result.
   template <class State, class Run>
   auto phase(const std::string& what, std::uint64_t items, const Run& run) {
@@ -85,7 +92,7 @@ class StudyRun {
     bool pictures = true;                 ///< whether a complete run has pictures
   };
   /// Writes run.json, prints the text, the time and the folder, reports an interruption and draws the pictures. Returns
-  /// the exit status.
+  /// the exit status: that of the study or, if that is 0, that of draw_pictures.
   int finish(const End& end);
 
  private:

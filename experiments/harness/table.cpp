@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Own code, since one declaration of columns gives the CSV file, the text for the terminal and the page that explains
+// them. A library for terminal tables would replace only `aligned`.
 #include "experiments/harness/table.h"
 
 #include <fmt/core.h>

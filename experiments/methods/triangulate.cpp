@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL triangulates. Own code only tells which triangles are inside: CGAL 5.5, that of Debian 12, has no function for
+// it.
 #include "experiments/methods/triangulate.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Boost.Math inverts the incomplete beta function; the limits follow from that and need no code of ours beyond the
+// ends.
 #include "experiments/statistics/clopper_pearson.h"
 
 #include <boost/math/special_functions/beta.hpp>

@@ -40,7 +40,7 @@ std::vector<Number> contact_numbers(const Study& study, std::size_t number, std:
   std::vector<Number> numbers{std::move(captioned_angle)};
   if (stop >= its_case.stops.size()) return numbers;
   const Stop& its_stop = its_case.stops[stop];
-  const Move& move = its_case.rehearsal.moves[its_stop.move];
+  const Move& move = its_case.path.moves[its_stop.move];
   numbers.push_back(found("first contact, certified", "°", std::abs(move.exact), true));
   numbers.push_back(found("from the sphere's centre to the " + face_words(its_stop.face) + ", a step before", "mm",
                           its_stop.before.distance, true));

@@ -17,8 +17,8 @@ const char* const kPerspective = "The cell in perspective";
 std::vector<Number> move_numbers(const CaseStudy& study, std::size_t move, AristoJoint joint, const char* what,
                                  int direction, int stated) {
   std::vector<Number> numbers{captioned(what, direction * moved(study, move, joint), stated)};
-  if (move < study.rehearsal.moves.size()) {
-    const Move& its = study.rehearsal.moves[move];
+  if (move < study.path.moves.size()) {
+    const Move& its = study.path.moves[move];
     if (its.until != Until::Facing)
       numbers.push_back(found(its.until == Until::Planned   ? "by inverse kinematics, before rounding"
                               : its.until == Until::Contact ? "first contact, certified"
@@ -59,9 +59,9 @@ std::vector<Number> detection_numbers(const Study& study, std::size_t number, st
 /// The numbers of all moves, and of the whole run.
 std::vector<Number> run_numbers(const CaseStudy& its, std::vector<Number> numbers) {
   numbers.push_back(
-      beside(found("elbow at the machine, from home", "°", its.rehearsal.net(kElbow), true), Label::Derived, 35));
+      beside(found("elbow at the machine, from home", "°", its.path.net(kElbow), true), Label::Derived, 35));
   numbers.push_back(
-      beside(found("shoulder at the machine, from home", "°", its.rehearsal.net(kShoulder), true), Label::Derived, 28));
+      beside(found("shoulder at the machine, from home", "°", its.path.net(kShoulder), true), Label::Derived, 28));
   numbers.push_back(
       found("questions along the way, sphere and face, one a degree", "", static_cast<double>(its.asked), true));
   std::uint64_t wrong = 0;

@@ -59,7 +59,7 @@ std::string face_words(std::size_t face) {
 
 CaseStudy study_case(const Layout& layout, std::size_t number) {
   CaseStudy study{layout.storage(number, kCases.at(number).storage_angle), {}, {}, {}};
-  study.rehearsal = rehearse(layout, study.storage);
+  study.path = simulate(layout, study.storage);
   const Chain chain = aristo(layout.coupling);
   Angles angles = home_pose(layout);
   bool gripped = false;
@@ -71,8 +71,8 @@ CaseStudy study_case(const Layout& layout, std::size_t number) {
   const auto in_storage = asked(material_in_storage(layout, study.storage));
   const auto at_machine = asked(material_at_machine(layout));
 
-  for (std::size_t i = 0; i < study.rehearsal.moves.size(); ++i) {
-    const Move& move = study.rehearsal.moves[i];
+  for (std::size_t i = 0; i < study.path.moves.size(); ++i) {
+    const Move& move = study.path.moves[i];
     const int sign = move.degrees < 0 ? -1 : 1;
     const auto ball_at = [&](double degrees) {
       Angles there = angles;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 #include "experiments/thesis/flowchart.h"
 #include "geometry/contact/answer.h"
 
@@ -37,14 +37,14 @@ struct Stop {
 /// One of the two case studies of chapter 6.
 struct CaseStudy {
   kinematics::Station storage;
-  kinematics::Rehearsal rehearsal;
+  kinematics::SimulatedPath path;
   std::vector<Moment> moments;  ///< home, then after each move
   std::vector<Stop> stops;
   std::uint64_t asked = 0;                             ///< pairs of ball and face, at every degree of every move
   std::array<std::uint64_t, kMethods.size()> wrong{};  ///< wrong answers of each method
 };
 
-/// Studies case 0 or 1 in a layout. If the rehearsal fails, there are no moves.
+/// Studies case 0 or 1 in a layout. If the simulation fails, there are no moves.
 [[nodiscard]] CaseStudy study_case(const kinematics::Layout& layout, std::size_t number);
 
 }  // namespace touchstone::thesis_figures

@@ -151,7 +151,7 @@ ordered_json drawn_moments(const cell::Cell& cell, const CaseStudy& study) {
   ordered_json all = ordered_json::object();
   const auto& slots = cell.storage.slots;
   kinematics::Station storage = study.storage;
-  // A rehearsal counts heights from the material's underside, a cell file from the station's deck.
+  // A simulated path counts heights from the material's underside, a cell file from the station's deck.
   storage.height -= slots[cell.material.slot].place.z();
   const Pose storage_pose = station_pose(storage);
   const Pose machine_pose = station_pose({cell.machine.azimuth(), cell.machine.radius, cell.machine.height});

@@ -26,7 +26,7 @@ std::vector<Entry> EntryList::all() && {
 }
 
 double moved(const CaseStudy& study, std::size_t move, kinematics::AristoJoint joint) {
-  const auto& moves = study.rehearsal.moves;
+  const auto& moves = study.path.moves;
   if (move >= moves.size() || moves[move].joint != joint) return std::numeric_limits<double>::quiet_NaN();
   return moves[move].degrees;
 }

@@ -250,7 +250,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
     far.push_back(found("largest radius that completes, by " + step, "mm", study.radii[run.last].radius, true));
     if (run.last + 1 < study.radii.size())
       too_far = fmt::format(" {} further: {}.", step, study.radii[run.last + 1].failure);
-    const auto out = std::ranges::find(study.radii, Outcome::OutOfReach, &Place::outcome);
+    const auto out = std::ranges::find(study.radii, Outcome::OutOfReach, &StoragePosition::outcome);
     if (out != study.radii.end()) reach_ends = out->radius;
   }
   // From the side: the centre is beside the station's axis and level with half of the material.
@@ -265,7 +265,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   entries.add("5.18", Status::WithChosen,
               fmt::format("Too close: seen from above, the storage would stand in the circle in which the robot's body "
                           "turns. At a radius of 200 mm: {}.",
-                          try_place(layout, study.plan, 1, 200, layout.storage_height[0]).failure),
+                          try_position(layout, study.plan, 1, 200, layout.storage_height[0]).failure),
               std::move(close),
               "The cell from above with the storage at a radius of 200 mm: it overlaps the circle in which the robot's "
               "body turns.");
@@ -279,7 +279,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   const auto position = [&](const CaseStudy& its, int moves) -> std::vector<Number> {
     return {found("angle", "°", its.storage.azimuth - kStorageHome, true),
             found("radius", "mm", its.storage.radius, true),
-            beside(found("moves that complete the way to the machine", "", count(its.rehearsal.moves.size()), true),
+            beside(found("moves that complete the way to the machine", "", count(its.path.moves.size()), true),
                    Label::Derived, moves)};
   };
   entries.add("5.20", Status::WithChosen,
@@ -295,7 +295,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   std::uint64_t places = 0;
   std::set<double> angles;
   const double cell = study.settings.radius_step * study.settings.angle_step / 57.29577951308232 * 1e-6;
-  for (const Place& place : study.area)
+  for (const StoragePosition& place : study.area)
     if (completes(place.outcome)) {
       complete += place.radius * cell;
       ++places;
@@ -310,7 +310,7 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
   }
   const auto both = std::ranges::count_if(study.cases, [&](const CaseStudy& its) {
     const Station& s = its.storage;
-    return completes(try_place(layout, study.plan, s.azimuth - kStorageHome, s.radius, s.height).outcome);
+    return completes(try_position(layout, study.plan, s.azimuth - kStorageHome, s.radius, s.height).outcome);
   });
   area.push_back(beside(found("of the two cases' places, those that complete", "", static_cast<double>(both), true),
                         Label::Derived, 2));
@@ -350,14 +350,14 @@ void add_process(const Study& study, EntryList& entries) {
   const auto& [first, second] = study.cases;
   const auto steps = [](const CaseStudy& its) {
     double sum = 0;
-    for (const Move& move : its.rehearsal.moves) sum += std::abs(move.degrees);
+    for (const Move& move : its.path.moves) sum += std::abs(move.degrees);
     return sum;
   };
   entries.add(
       "5.2", Status::WithChosen,
       "The process as chapter 1 tells it: the robot picks the part from the storage, loads it onto the machine, "
       "and brings it back. The moves are those of the first case; its way back is the same moves reversed.",
-      {beside(found("moves from home to the machine, first case", "", count(first.rehearsal.moves.size()), true),
+      {beside(found("moves from home to the machine, first case", "", count(first.path.moves.size()), true),
               Label::Text, 5)},
       "A flow chart: home, elbow down 3, base 149 clockwise to contact, grip, elbow up 38, base 66 back, "
       "shoulder down 28 to contact, place, mill, and back to the storage.");

@@ -130,18 +130,18 @@ const harness::Table<FarAway>& far_csv() {
 
 struct PlaceRow {
   std::string_view scan;
-  const Place* place;
+  const StoragePosition* place;
 };
 
 const harness::Table<PlaceRow>& places_csv() {
   static const harness::Table<PlaceRow> table(
       "places.csv", "a place of the storage",
       {{"scan", "what is varied", &PlaceRow::scan},
-       {"angle_deg", "of the storage", path(&PlaceRow::place, &Place::angle)},
-       {"radius_mm", "from the robot's axis", path(&PlaceRow::place, &Place::radius)},
-       {"height_mm", "of the storage", path(&PlaceRow::place, &Place::height)},
-       {"outcome", "how the process ends", path(&PlaceRow::place, &Place::outcome)},
-       {"failure", "what fails", path(&PlaceRow::place, &Place::failure)}});
+       {"angle_deg", "of the storage", path(&PlaceRow::place, &StoragePosition::angle)},
+       {"radius_mm", "from the robot's axis", path(&PlaceRow::place, &StoragePosition::radius)},
+       {"height_mm", "of the storage", path(&PlaceRow::place, &StoragePosition::height)},
+       {"outcome", "how the process ends", path(&PlaceRow::place, &StoragePosition::outcome)},
+       {"failure", "what fails", path(&PlaceRow::place, &StoragePosition::failure)}});
   return table;
 }
 
@@ -241,8 +241,8 @@ std::vector<TouchingRow> touching_rows(const Study& study) {
 
 std::vector<PlaceRow> place_rows(const Study& study) {
   std::vector<PlaceRow> rows;
-  const auto add = [&](const char* scan, const std::vector<Place>& places) {
-    for (const Place& place : places) rows.push_back({scan, &place});
+  const auto add = [&](const char* scan, const std::vector<StoragePosition>& places) {
+    for (const StoragePosition& place : places) rows.push_back({scan, &place});
   };
   add("area", study.area);
   add("radii", study.radii);
@@ -254,7 +254,7 @@ std::vector<PlaceRow> place_rows(const Study& study) {
 std::vector<MoveRow> move_rows(const Study& study) {
   std::vector<MoveRow> rows;
   for (std::size_t i = 0; i < study.cases.size(); ++i) {
-    const auto& moves = study.cases[i].rehearsal.moves;
+    const auto& moves = study.cases[i].path.moves;
     for (std::size_t m = 0; m < moves.size(); ++m) rows.push_back({i + 1, m + 1, &moves[m]});
   }
   return rows;
@@ -286,7 +286,7 @@ std::vector<JointRow> side_rows(const Study& study) {
       Station storage = study.cases[i].storage;
       storage.height = study.heights[i][place].height;
       Angles angles = home_pose(study.layout);
-      for (const Move& move : rehearse(study.layout, storage).moves) {
+      for (const Move& move : simulate(study.layout, storage).moves) {
         angles[move.joint] += move.degrees;
         if (move.until == Until::Contact) break;
       }

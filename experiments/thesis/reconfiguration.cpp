@@ -15,17 +15,17 @@ namespace {
 
 using namespace kinematics;
 
-/// By the moves, or by what the last way that was tried failed of.
-Outcome outcome_of(const Rehearsal& rehearsal) {
-  if (rehearsal.complete()) {
-    const auto contact = std::ranges::find(rehearsal.moves, Until::Contact, &Move::until);
+/// By the moves, or by why the last approach failed.
+Outcome outcome_of(const SimulatedPath& path) {
+  if (path.complete()) {
+    const auto contact = std::ranges::find(path.moves, Until::Contact, &Move::until);
     return contact->joint == kBase ? Outcome::FromSide : Outcome::FromAbove;
   }
-  switch (*rehearsal.hindrance) {
-    case Hindrance::OutOfReach: return Outcome::OutOfReach;
-    case Hindrance::JointLimit: return Outcome::JointLimit;
-    case Hindrance::InTheWay: return Outcome::InTheWay;
-    case Hindrance::NoContact: break;
+  switch (*path.cause) {
+    case FailureCause::OutOfReach: return Outcome::OutOfReach;
+    case FailureCause::JointLimit: return Outcome::JointLimit;
+    case FailureCause::InTheWay: return Outcome::InTheWay;
+    case FailureCause::NoContact: break;
   }
   return Outcome::Nothing;
 }
@@ -81,7 +81,7 @@ FloorPlan floor_plan(const std::vector<cell::ModelPart>& parts) {
   return plan;
 }
 
-Place try_place(const Layout& layout, const FloorPlan& plan, double angle, double radius, double height) {
+StoragePosition try_position(const Layout& layout, const FloorPlan& plan, double angle, double radius, double height) {
   const Station storage{kStorageHome + angle, radius, height};
   const double nearest = radius + plan.storage.min().x();
   if (nearest < plan.body)
@@ -93,11 +93,11 @@ Place try_place(const Layout& layout, const FloorPlan& plan, double angle, doubl
   if (overlap(corners_of(plan.storage, storage.azimuth, radius),
               corners_of(plan.machine, machine.azimuth, machine.radius)))
     return {angle, radius, height, Outcome::OnMachine, "seen from above, the storage would stand in the machine"};
-  const Rehearsal rehearsal = rehearse(layout, storage);
-  return {angle, radius, height, outcome_of(rehearsal), rehearsal.failure};
+  const SimulatedPath path = simulate(layout, storage);
+  return {angle, radius, height, outcome_of(path), path.failure};
 }
 
-Stretch longest_stretch(const std::vector<Place>& places) {
+Stretch longest_stretch(const std::vector<StoragePosition>& places) {
   Stretch best{1, 0};
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::size_t end = i;

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 #include "experiments/cell/model/model.h"
 
-/// The feasible places of the storage, found by rehearsing the way from home by the storage to the machine, once per
+/// The feasible places of the storage, found by simulating the path from home by the storage to the machine, once per
 /// place.
 namespace touchstone::thesis_figures {
 
@@ -41,14 +41,14 @@ struct FloorPlan {
 [[nodiscard]] FloorPlan floor_plan(const std::vector<cell::ModelPart>& parts);
 
 /// A place of the storage, and its outcome.
-struct Place {
+struct StoragePosition {
   double angle, radius, height;
   Outcome outcome;
   std::string failure;  ///< in words, with the exceeded number; empty if the way completes
 };
-/// Tries a place: checks the floor plan first, then rehearses, testing the sphere alone.
-[[nodiscard]] Place try_place(const kinematics::Layout& layout, const FloorPlan& plan, double angle, double radius,
-                              double height);
+/// Tries a place: checks the floor plan first, then simulates, testing the sphere alone.
+[[nodiscard]] StoragePosition try_position(const kinematics::Layout& layout, const FloorPlan& plan, double angle,
+                                           double radius, double height);
 
 /// A contiguous run of places that complete.
 struct Stretch {
@@ -56,6 +56,6 @@ struct Stretch {
   [[nodiscard]] bool empty() const { return first > last; }
 };
 /// Returns the longest run, the first of equal ones.
-[[nodiscard]] Stretch longest_stretch(const std::vector<Place>& places);
+[[nodiscard]] Stretch longest_stretch(const std::vector<StoragePosition>& places);
 
 }  // namespace touchstone::thesis_figures

@@ -64,7 +64,7 @@ Predictions predict(const Layout& layout) {
   Predictions predictions;
   for (std::size_t place = 0; place < kCases.size(); ++place)
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
-      const Rehearsal r = rehearse(layout, layout.storage(place, angle));
+      const SimulatedPath r = simulate(layout, layout.storage(place, angle));
       ++predictions.places;
       if (!r.complete()) continue;
       predictions.to_storage += -r.to_storage(kBase) == 150 - angle;
@@ -96,14 +96,14 @@ std::vector<Task> tasks_of(Study& study) {
 
   const Layout& layout = study.layout;
   const double height = layout.storage_height[0], first_angle = kCases[0].storage_angle;
-  const auto scan = [&](std::vector<Place>& places, std::size_t count, const auto& place_of) {
+  const auto scan = [&](std::vector<StoragePosition>& places, std::size_t count, const auto& place_of) {
     places.resize(count);
     constexpr std::size_t kBlock = 50;
     for (std::size_t begin = 0; begin < count; begin += kBlock)
       tasks.emplace_back([&study, &places, begin, end = std::min(count, begin + kBlock), place_of] {
         for (std::size_t i = begin; i < end; ++i) {
           const auto [angle, radius, its_height] = place_of(i);
-          places[i] = try_place(study.layout, study.plan, angle, radius, its_height);
+          places[i] = try_position(study.layout, study.plan, angle, radius, its_height);
         }
       });
   };

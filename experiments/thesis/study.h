@@ -32,7 +32,7 @@ struct Settings {
   int radius_scan = 1, height_scan = 2;  ///< mm, for the radii and heights at one angle
 };
 
-/// The results of rehearsals at every whole angle of the storage, from -60 to 60 degrees.
+/// The results of simulated paths at every whole angle of the storage, from -60 to 60 degrees.
 struct Predictions {
   std::uint64_t places = 0;      ///< angles, in both cases' places
   std::uint64_t to_storage = 0;  ///< of these, the base turned by 150 degrees less the angle, clockwise
@@ -66,9 +66,9 @@ struct Study {
   // Chapters 5 and 6
   std::array<CaseStudy, 2> cases;
   FloorPlan plan;
-  std::vector<Place> area;                    ///< angle by angle, radius by radius, at the chosen height
-  std::vector<Place> radii;                   ///< at case 1's angle and height
-  std::array<std::vector<Place>, 2> heights;  ///< at each case's angle and radius
+  std::vector<StoragePosition> area;                    ///< angle by angle, radius by radius, at the chosen height
+  std::vector<StoragePosition> radii;                   ///< at case 1's angle and height
+  std::array<std::vector<StoragePosition>, 2> heights;  ///< at each case's angle and radius
 
   // Known errors
   stability::AngleMap map;                  ///< around the gripper

@@ -69,11 +69,10 @@ int run_thesis(const Options& options) {
   harness::write_run_record(folder, record);
   fmt::print("{}", table(entries));
   harness::flush_standard_output();
-  if (!options.no_pictures) {
-    harness::draw_pictures("thesis", held);
-    fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
-  }
-  return 0;
+  if (options.no_pictures) return 0;
+  const int status = harness::draw_pictures("thesis", held);
+  if (status == 0) fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
+  return status;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../shapes/mesh.h"
-#include "place.h"
+#include "source_location.h"
 
 namespace touchstone {
 
@@ -24,10 +24,10 @@ enum class OnFault { Refuse, Skip };
 
 /// A mesh as read from a file, and what was left out of it.
 struct ReadMesh {
-  Mesh mesh;                          ///< what was read
-  std::vector<io::Place> places;      ///< the place in the file of each face of the mesh
-  std::vector<std::string> left_out;  ///< a message for each of the first kMostSentences parts left out
-  std::size_t parts_left_out = 0;     ///< how many parts were left out; 0 with OnFault::Refuse
+  Mesh mesh;                               ///< what was read
+  std::vector<io::SourceLocation> places;  ///< the place in the file of each face of the mesh
+  std::vector<std::string> left_out;       ///< a message for each of the first kMostSentences parts left out
+  std::size_t parts_left_out = 0;          ///< how many parts were left out; 0 with OnFault::Refuse
 };
 
 /// The most messages that are kept, so that a file full of faults does not fill the memory with them.

@@ -158,11 +158,11 @@ TEST(BrokenMeshes, SayWhereTheFacesThatAreKeptStand) {
   ASSERT_EQ(text.places.size(), 2U);
   EXPECT_EQ(text.places[0].number, 5U);
   EXPECT_EQ(text.places[1].number, 8U);
-  EXPECT_EQ(text.places[0].unit, io::Place::Unit::Line);
+  EXPECT_EQ(text.places[0].unit, io::SourceLocation::Unit::Line);
   const ReadMesh binary = skip(".stl", stl_binary(1, 0));
   ASSERT_EQ(binary.places.size(), 1U);
   EXPECT_EQ(binary.places[0].number, 84U);
-  EXPECT_EQ(binary.places[0].unit, io::Place::Unit::Byte);
+  EXPECT_EQ(binary.places[0].unit, io::SourceLocation::Unit::Byte);
 }
 
 TEST(BrokenMeshes, CountAllPartsLeftOutAndDescribeTheFirst) {

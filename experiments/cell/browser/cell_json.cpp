@@ -143,29 +143,29 @@ std::string run_json(const Recording& recording) {
   Json stops = Json::array();
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
-    const Look& look = recording.looks[i];
+    const Snapshot& snapshot = recording.snapshots[i];
     Json links = Json::array();
-    for (const Pose& pose : look.links) links.push_back(json_of(pose));
-    const auto place = [](const std::optional<Place>& p) { return p ? Json(to_string(*p)) : Json(); };
+    for (const Pose& pose : snapshot.links) links.push_back(json_of(pose));
+    const auto word = [](const std::optional<StationSlot>& p) { return p ? Json(to_string(*p)) : Json(); };
     stops.push_back({{"move", stop.move},
                      {"commanded", stop.commanded},
                      {"links", std::move(links)},
                      {"sphere", drawn(stop.sphere.center)},
-                     {"material", json_of(look.material)},
-                     {"place", place(look.place)},
-                     {"target", place(stop.target)},
-                     {"nearest", look.nearest ? Json(numbers[look.nearest->face.face]) : Json()},
-                     {"distance", look.nearest ? Json(look.nearest->distance) : Json()},
+                     {"material", json_of(snapshot.material)},
+                     {"place", word(snapshot.slot)},
+                     {"target", word(stop.target)},
+                     {"nearest", snapshot.nearest ? Json(numbers[snapshot.nearest->face.face]) : Json()},
+                     {"distance", snapshot.nearest ? Json(snapshot.nearest->distance) : Json()},
                      {"touched", stop.touched ? Json(numbers[*stop.touched]) : Json()}});
   }
 
   Json methods = Json::array(), disagreements = Json::array();
-  for (const Score& score : recording.contest.scores)
+  for (const Score& score : recording.comparison.scores)
     methods.push_back({{"name", score.method->name()},
                        {"asked", score.asked},
                        {"wrong", score.wrong_hits + score.wrong_misses},
                        {"unsure", score.unsure}});
-  for (const Disagreement& d : recording.contest.disagreements)
+  for (const Disagreement& d : recording.comparison.disagreements)
     disagreements.push_back({{"stop", d.stop},
                              {"owner", d.owner},
                              {"face", d.owner == "material" ? numbers[d.face] : d.face},

@@ -101,7 +101,7 @@ class Asset {
                               {"scale", {metre, metre, metre}},
                               {"children", Json::array()}});
     add_nodes();
-    if (recording.looks.size() > 1) add_animation();
+    if (recording.snapshots.size() > 1) add_animation();
   }
 
   /// What the JSON refers to.
@@ -128,7 +128,7 @@ class Asset {
     for (std::size_t i = 0; i < cell.robot.links.size(); ++i) {
       const std::size_t node = add_node(cell.robot.links[i].name, home[i]);
       Moving moving{node, {}};
-      for (const Look& look : recording.looks) moving.poses.push_back(look.links[i]);
+      for (const Snapshot& snapshot : recording.snapshots) moving.poses.push_back(snapshot.links[i]);
       moving_.push_back(std::move(moving));
     }
     const std::size_t storage = add_node("storage", pose_of(cell.storage)),
@@ -146,8 +146,8 @@ class Asset {
     json_["nodes"][sphere]["mesh"] = add_mesh("sphere", sphere_of(cell.gripper.sphere.radius), kSphere);
 
     Moving piece{material, {}}, ball{sphere, {}};
-    for (std::size_t i = 0; i < recording.looks.size(); ++i) {
-      piece.poses.push_back(recording.looks[i].material);
+    for (std::size_t i = 0; i < recording.snapshots.size(); ++i) {
+      piece.poses.push_back(recording.snapshots[i].material);
       ball.poses.push_back({Eigen::Matrix3d::Identity(), recording.process.stops[i].sphere.center});
     }
     moving_.push_back(std::move(piece));
@@ -214,7 +214,7 @@ class Asset {
 
   void add_animation() {
     std::vector<float> times;
-    for (std::size_t i = 0; i < recording_->looks.size(); ++i)
+    for (std::size_t i = 0; i < recording_->snapshots.size(); ++i)
       times.push_back(static_cast<float>(static_cast<double>(i) / rate_));
     const std::size_t input = add_accessor(std::span<const float>(times), kFloat, "SCALAR", 1, 0);
     json_["accessors"][input]["min"] = {times.front()};

@@ -9,7 +9,7 @@
 #include "experiments/cell/browser/setting.h"
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
-#include "experiments/cell/simulation/contest.h"
+#include "experiments/cell/simulation/method_comparison.h"
 #include "experiments/cell/simulation/process.h"
 #include "experiments/cell/simulation/workcell.h"
 #include "geometry/shapes/pose.h"
@@ -18,10 +18,10 @@
 namespace touchstone::cell::browser {
 
 /// The state of the cell at a stop, and the answer there.
-struct Look {
-  std::vector<Pose> links;     ///< as in Robot::links, in the cell
-  Pose material;               ///< in the cell
-  std::optional<Place> place;  ///< where the material is; none while the gripper holds it
+struct Snapshot {
+  std::vector<Pose> links;          ///< as in Robot::links, in the cell
+  Pose material;                    ///< in the cell
+  std::optional<StationSlot> slot;  ///< where the material is; none while the gripper holds it
   /// The exact nearest face of the target, if there is one, to the sphere's centre.
   std::optional<scene::NearestFace> nearest;
 };
@@ -30,14 +30,14 @@ struct Look {
 struct Recording {
   Cell cell;                     ///< with the setting applied
   std::vector<ModelPart> parts;  ///< of the cell
-  std::vector<Pose> places;      ///< of the material in its slot, in the cell, by Place
+  std::vector<Pose> places;      ///< of the material in its slot, in the cell, by StationSlot
   Process process;
-  std::vector<Look> looks;  ///< one for each stop
-  Contest contest;
+  std::vector<Snapshot> snapshots;  ///< one for each stop
+  MethodComparison comparison;
 };
 
 /// The options of runs that do not depend on the setting.
-struct Manner {
+struct SimulatorOptions {
   double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
   std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
 };
@@ -46,7 +46,7 @@ struct Manner {
 class Simulator {
  public:
   /// Throws what build_model throws. Cost: that of build_model and cover_arm.
-  Simulator(Cell cell, Manner manner);
+  Simulator(Cell cell, SimulatorOptions options);
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const std::vector<ModelPart>& parts() const { return parts_; }
@@ -58,7 +58,7 @@ class Simulator {
  private:
   Cell cell_;
   std::vector<ModelPart> parts_;
-  Manner manner_;
+  SimulatorOptions options_;
   std::shared_ptr<const std::vector<Covered>> arm_;
 };
 

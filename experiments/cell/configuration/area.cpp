@@ -19,18 +19,18 @@ std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& s
   return parts;
 }
 
-Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
-                const std::shared_ptr<const std::vector<Covered>>& covered, double angle, double radius,
-                double height) {
+Tried try_position(Cell cell, const std::vector<ModelPart>& parts,
+                   const std::shared_ptr<const std::vector<Covered>>& covered, double angle, double radius,
+                   double height) {
   cell.storage.angle = angle;
   cell.storage.radius = radius;
   cell.storage.height = height;
   try {
     check_reach(cell);
   } catch (const BadCell& error) {
-    return {angle, radius, height, Cause::OutOfReach, error.what()};
+    return {angle, radius, height, FailureCause::OutOfReach, error.what()};
   }
-  Process process = perform({cell, with_stand(parts, cell.storage), covered});
+  Process process = simulate({cell, with_stand(parts, cell.storage), covered});
   return {angle, radius, height, process.cause, std::move(process.failure)};
 }
 
@@ -43,8 +43,8 @@ std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector
   std::vector<Tried> tried(grid.size());
   const std::size_t heights = grid.heights.size(), radii = grid.radii.size();
   const std::uint64_t done = harness::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
-    tried[i] = try_place(cell, parts, covered, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
-                         grid.heights[i % heights]);
+    tried[i] = try_position(cell, parts, covered, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
+                            grid.heights[i % heights]);
   });
   if (done < tried.size()) return std::nullopt;
   return tried;

@@ -24,8 +24,8 @@ struct Grid {
 /// The outcome of the process with the storage at one place.
 struct Tried {
   double angle, radius, height;
-  std::optional<Cause> cause;  ///< none if the process completed
-  std::string reason;          ///< empty if the process completed
+  std::optional<FailureCause> cause;  ///< none if the process completed
+  std::string reason;                 ///< empty if the process completed
 };
 
 /// Tries every place; heights vary fastest, then radii.

@@ -48,13 +48,13 @@ int run_missed(const Options& options) {
   harness::write_run_record(folder, record);
   fmt::print("{}", kinematics::missed_table(study));
   harness::flush_standard_output();
-  if (!options.no_pictures) harness::draw_pictures("cell_missed", held);
+  const int drawn = options.no_pictures ? 0 : harness::draw_pictures("cell_missed", held);
   if (study.samples < options.samples) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", folder.string(), study.samples,
                options.samples);
     return harness::kInterrupted;
   }
-  return 0;
+  return drawn;
 }
 
 }  // namespace

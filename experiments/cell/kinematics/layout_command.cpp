@@ -47,8 +47,7 @@ int run_layout(const Options& options) {
   harness::write_run_record(folder, record);
   fmt::print("{}", kinematics::layout_table(*study));
   harness::flush_standard_output();
-  if (!options.no_pictures) harness::draw_pictures("cell_layout", held);
-  return 0;
+  return options.no_pictures ? 0 : harness::draw_pictures("cell_layout", held);
 }
 
 }  // namespace
@@ -64,6 +63,7 @@ harness::Command layout_command() {
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  command.writes(kinematics::layout_tables());
   command.runs([options] { return harness::run_alone([&] { return run_layout(*options); }); });
   return command;
 }

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
+#include <optional>
 
-#include "experiments/harness/write_file.h"
+#include "experiments/harness/table.h"
 
 namespace touchstone::kinematics {
 namespace {
@@ -22,79 +23,187 @@ std::vector<std::string> captions_of(std::size_t number) {
           "elbow up 23", "base 100 CCW", "shoulder down 14"};
 }
 
-/// In a field of CSV.
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+using harness::path;
+using harness::Table;
 
-std::string family_text(const std::vector<Member>& members) {
-  std::string text =
-      "coupling,lean_deg,elevation_deg,storage_radius_1_mm,storage_radius_2_mm,storage_height_1_mm,storage_height_2_mm,"
-      "machine_radius_mm,machine_height_mm,gap_mm,clearance_mm,captions_come_out,otherwise\n";
-  for (const Member& m : members) {
-    const std::string home = fmt::format("{},{:.6f},{:.6f}", to_string(m.coupling), m.home.lean, m.home.elevation);
-    std::string values(7, ',');
-    if (m.layout) {
-      const Layout& l = *m.layout;
-      values = fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", l.storage_radius[0],
-                           l.storage_radius[1], l.storage_height[0], l.storage_height[1], l.machine_radius,
-                           l.machine_height, l.gap, l.clearance);
-    }
-    text += fmt::format("{},{},{},{}\n", home, values, m.failure.empty() ? "yes" : "no", quoted(m.failure));
-  }
-  return text;
+/// `member`: of Layout.
+template <class Value>
+auto of_layout(Value member) {
+  return [member](const Member& row) {
+    return row.layout ? std::optional<double>(std::invoke(member, *row.layout)) : std::nullopt;
+  };
 }
 
-std::string choice_text(const LayoutStudy& study) {
-  std::string text = "name,value,unit,label,lowest,highest\n";
-  text += fmt::format("coupling,{},,C,,\n", to_string(study.chosen.coupling));
-  text += "way to the material,from the side where the shoulder can stay; else from above; else from the side,,C,,\n";
+/// Both tables of home poses.
+Table<Member> homes_csv(const char* file, const char* about) {
+  constexpr const char* kDegrees = "{:.6f}";
+  constexpr const char* kLength = "{:.4f}";
+  return {file,
+          about,
+          {{"coupling", "`serial`: the forearm turns with the upper arm; `keeps-elevation`: it does not",
+            &Member::coupling},
+           {"lean_deg", "of the upper arm at home", path(&Member::home, &LinkAngles::lean), kDegrees},
+           {"elevation_deg", "of the forearm at home", path(&Member::home, &LinkAngles::elevation), kDegrees},
+           {"storage_radius_1_mm", "of the storage in case 1, from the robot's axis",
+            of_layout([](const Layout& l) { return l.storage_radius[0]; }), kLength},
+           {"storage_radius_2_mm", "the same in case 2", of_layout([](const Layout& l) { return l.storage_radius[1]; }),
+            kLength},
+           {"storage_height_1_mm", "of the storage in case 1",
+            of_layout([](const Layout& l) { return l.storage_height[0]; }), kLength},
+           {"storage_height_2_mm", "the same in case 2", of_layout([](const Layout& l) { return l.storage_height[1]; }),
+            kLength},
+           {"machine_radius_mm", "of the machine, from the robot's axis", of_layout(&Layout::machine_radius), kLength},
+           {"machine_height_mm", "of the machine", of_layout(&Layout::machine_height), kLength},
+           {"gap_mm", "from the storage's x axis to the near side of the material", of_layout(&Layout::gap), kLength},
+           {"clearance_mm", "by which the sphere is lifted after gripping from above", of_layout(&Layout::clearance),
+            kLength},
+           {"captions_come_out", "whether the layout reproduces the captions: `yes` or `no`",
+            [](const Member& row) { return row.failure.empty() ? "yes" : "no"; }},
+           {"otherwise", "why it does not", &Member::failure}}};
+}
+
+Table<Member> family_csv() { return homes_csv("family.csv", "a home pose, and the layout that it requires"); }
+
+Table<Member> one_height_csv() {
+  return homes_csv("one_height.csv", "a home pose with one height of the storage in both cases");
+}
+
+struct ChoiceRow {
+  std::string name, value, unit;
+  std::optional<double> lowest, highest;
+};
+
+Table<ChoiceRow> choice_csv() {
+  return {"choice.csv",
+          "a chosen value",
+          {{"name", "what is chosen", &ChoiceRow::name},
+           {"value", "the value", &ChoiceRow::value},
+           {"unit", "its unit", &ChoiceRow::unit},
+           {"label", "`C`: chosen", [](const ChoiceRow&) { return "C"; }},
+           {"lowest", "the least value that alone changes no caption", &ChoiceRow::lowest, "{:.3f}"},
+           {"highest", "the greatest one", &ChoiceRow::highest, "{:.3f}"}}};
+}
+
+std::vector<ChoiceRow> choice_rows(const LayoutStudy& study) {
+  std::vector<ChoiceRow> rows{{"coupling", std::string(to_string(study.chosen.coupling)), "", {}, {}},
+                              {"way to the material",
+                               "from the side where the shoulder can stay; else from above; else from the side",
+                               "",
+                               {},
+                               {}}};
   const Chain chain = aristo(study.chosen.coupling);
   for (const Joint& joint : chain.joints())
-    text += fmt::format("limits of {} in degrees,{:g} to {:g},,C,,\n", joint.name, joint.lowest, joint.highest);
+    rows.push_back({fmt::format("limits of {} in degrees", joint.name),
+                    fmt::format("{:g} to {:g}", joint.lowest, joint.highest),
+                    "",
+                    {},
+                    {}});
   for (const Choice& c : study.choices)
-    text += fmt::format("{},{:.4g},{},C,{:.3f},{:.3f}\n", c.name, c.value, c.unit, c.lowest, c.highest);
-  return text;
+    rows.push_back({c.name, fmt::format("{:.4g}", c.value), c.unit, c.lowest, c.highest});
+  return rows;
 }
 
-std::string moves_text(const LayoutStudy& study) {
-  std::string text =
-      "case,move,caption,joint,until,degrees,exact_deg,margin_deg,contact_low_deg,contact_high_deg,kind,feature\n";
+struct MoveRow {
+  std::size_t its_case, number;
+  std::string caption;
+  const Move* move;
+};
+
+Table<MoveRow> moves_csv() {
+  const auto contact = [](const auto& get) {
+    return [get](const MoveRow& row) {
+      return row.move->contact ? std::optional(std::invoke(get, *row.move->contact)) : std::nullopt;
+    };
+  };
+  return {
+      "moves.csv",
+      "a move of one joint in a case study",
+      {{"case", "1 or 2", &MoveRow::its_case},
+       {"move", "its number", &MoveRow::number},
+       {"caption", "what the thesis's caption says", &MoveRow::caption},
+       {"joint", "the joint", [](const MoveRow& row) { return kJoints[row.move->joint]; }},
+       {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
+       {"degrees", "the result", path(&MoveRow::move, &Move::degrees)},
+       {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::move, &Move::exact), "{:.6f}"},
+       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
+       {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low), "{:.17g}"},
+       {"contact_high_deg", "its upper end", contact(&FirstContact::high), "{:.17g}"},
+       {"kind", "the kind of contact", contact(&FirstContact::kind)},
+       {"feature", "the kind of feature that is touched",
+        contact([](const FirstContact& first) { return first.feature.kind; })}}};
+}
+
+std::vector<MoveRow> move_rows(const LayoutStudy& study) {
+  std::vector<MoveRow> rows;
   for (std::size_t number = 0; number < study.cases.size(); ++number) {
     const auto captions = captions_of(number);
     const auto& moves = study.cases[number].moves;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      const Move& m = moves[i];
-      text += fmt::format("{},{},{},{},{},{},{:.6f},{:.6f}", number + 1, i + 1, quoted(captions.at(i)),
-                          kJoints[m.joint], to_string(m.until), m.degrees, m.exact, m.margin);
-      text += m.contact ? fmt::format(",{:.17g},{:.17g},{},{}\n", m.contact->low, m.contact->high,
-                                      to_string(m.contact->kind), to_string(m.contact->feature.kind))
-                        : ",,,,\n";
-    }
+    for (std::size_t i = 0; i < moves.size(); ++i) rows.push_back({number + 1, i + 1, captions.at(i), &moves[i]});
   }
-  return text;
+  return rows;
 }
 
-std::string predictions_text(const std::vector<Prediction>& predictions) {
-  std::string text =
-      "place,storage_angle_deg,storage_height_mm,elbow_to_storage,base_to_storage,shoulder_to_storage,lift,"
-      "base_to_machine,net_elbow,net_shoulder,least_margin_deg,otherwise\n";
-  for (const Prediction& p : predictions) {
-    const Rehearsal& r = p.rehearsal;
-    text += fmt::format("{},{:g},{:g}", p.place + 1, p.angle, p.height);
-    if (!r.complete()) {
-      text += fmt::format(",,,,,,,,,{}\n", quoted(r.failure));
-      continue;
-    }
-    const double margin = std::ranges::min_element(r.moves, {}, &Move::margin)->margin;
-    const auto lift = std::ranges::find(r.moves, Until::Cleared, &Move::until);
-    text += fmt::format(",{},{},{},{},{},{},{},{:.6f},\n", r.to_storage(kElbow), r.to_storage(kBase),
-                        r.to_storage(kShoulder), lift == r.moves.end() ? 0 : lift->degrees,
-                        r.net(kBase) - r.to_storage(kBase), r.net(kElbow), r.net(kShoulder), margin);
-  }
-  return text;
+/// `get`: a function of a path, which must be complete.
+template <class Get>
+auto of_path(Get get) {
+  return [get](const Prediction& row) { return row.path.complete() ? std::optional(get(row.path)) : std::nullopt; };
 }
 
-std::string poses_text(const LayoutStudy& study) {
-  std::string text = "case,moment,point,out_mm,up_mm\n";
+/// Both tables of predictions.
+Table<Prediction> predictions_csv(const char* file, const char* about) {
+  const auto to_storage = [](AristoJoint joint) {
+    return of_path([joint](const SimulatedPath& path) { return path.to_storage(joint); });
+  };
+  const auto net = [](AristoJoint joint) {
+    return of_path([joint](const SimulatedPath& path) { return path.net(joint); });
+  };
+  return {file,
+          about,
+          {{"place", "the case whose radius the storage has", [](const Prediction& p) { return p.place + 1; }},
+           {"storage_angle_deg", "the angle of the storage", &Prediction::angle, "{:g}"},
+           {"storage_height_mm", "its height", &Prediction::height, "{:g}"},
+           {"elbow_to_storage", "degrees of the elbow until contact in the storage", to_storage(kElbow)},
+           {"base_to_storage", "the same of the base", to_storage(kBase)},
+           {"shoulder_to_storage", "the same of the shoulder", to_storage(kShoulder)},
+           {"lift", "degrees by which the shoulder lifts the material", of_path([](const SimulatedPath& path) {
+              const auto lift = std::ranges::find(path.moves, Until::Cleared, &Move::until);
+              return lift == path.moves.end() ? 0 : lift->degrees;
+            })},
+           {"base_to_machine", "degrees of the base from the storage to the machine",
+            of_path([](const SimulatedPath& path) { return path.net(kBase) - path.to_storage(kBase); })},
+           {"net_elbow", "the sum of all moves of the elbow", net(kElbow)},
+           {"net_shoulder", "the same of the shoulder", net(kShoulder)},
+           {"least_margin_deg", "the least change of an angle that changes its degrees",
+            of_path([](const SimulatedPath& path) {
+              return std::ranges::min_element(path.moves, {}, &Move::margin)->margin;
+            }),
+            "{:.6f}"},
+           {"otherwise", "why there are no moves", path(&Prediction::path, &SimulatedPath::failure)}}};
+}
+
+Table<Prediction> angles_csv() { return predictions_csv("angles.csv", "a whole angle of the storage"); }
+
+Table<Prediction> heights_csv() { return predictions_csv("heights.csv", "a height of the storage"); }
+
+struct PoseRow {
+  std::size_t its_case;
+  const char *moment, *point;
+  Eigen::Vector3d at;
+};
+
+Table<PoseRow> poses_csv() {
+  return {"poses.csv",
+          "a point of the arm at a moment",
+          {{"case", "1 or 2", &PoseRow::its_case},
+           {"moment", "`home`, or contact in the `storage` or at the `machine`", &PoseRow::moment},
+           {"point", "the joint, the flange or the sphere's centre", &PoseRow::point},
+           {"out_mm", "its distance from the robot's axis, in the plane of the arm",
+            [](const PoseRow& row) { return row.at.x(); }, "{:.4f}"},
+           {"up_mm", "its height", [](const PoseRow& row) { return row.at.z(); }, "{:.4f}"}}};
+}
+
+std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
+  std::vector<PoseRow> rows;
   const Layout& layout = study.chosen;
   const Chain chain = aristo(layout.coupling);
   for (std::size_t number = 0; number < study.cases.size(); ++number) {
@@ -103,14 +212,11 @@ std::string poses_text(const LayoutStudy& study) {
       Angles in_plane = angles;
       in_plane[kBase] = 0;
       const auto frames = chain.frames(in_plane);
-      const auto point = [&](const char* name, const Eigen::Vector3d& at) {
-        text += fmt::format("{},{},{},{:.4f},{:.4f}\n", number + 1, moment, name, at.x(), at.z());
-      };
-      point("shoulder", frames[kShoulder].translation);
-      point("elbow", frames[kElbow].translation);
-      point("wrist", frames[kWristPitch].translation);
-      point("flange", frames.back().translation);
-      point("sphere", chain.place(in_plane, sphere_center(layout)));
+      rows.push_back({number + 1, moment, "shoulder", frames[kShoulder].translation});
+      rows.push_back({number + 1, moment, "elbow", frames[kElbow].translation});
+      rows.push_back({number + 1, moment, "wrist", frames[kWristPitch].translation});
+      rows.push_back({number + 1, moment, "flange", frames.back().translation});
+      rows.push_back({number + 1, moment, "sphere", chain.place(in_plane, sphere_center(layout))});
     };
     draw("home");
     int contacts = 0;
@@ -119,13 +225,13 @@ std::string poses_text(const LayoutStudy& study) {
       if (m.until == Until::Contact) draw(++contacts == 1 ? "storage" : "machine");
     }
   }
-  return text;
+  return rows;
 }
 
 /// Returns the number of predictions that satisfy what the captions imply for every angle.
 std::size_t kept(const std::vector<Prediction>& predictions) {
   return static_cast<std::size_t>(std::ranges::count_if(predictions, [](const Prediction& p) {
-    const Rehearsal& r = p.rehearsal;
+    const SimulatedPath& r = p.path;
     return r.complete() && r.to_storage(kBase) == kStorageHome + p.angle && r.net(kBase) == kMachineAzimuth &&
            r.net(kElbow) == 35 && r.net(kShoulder) == 28;
   }));
@@ -134,13 +240,19 @@ std::size_t kept(const std::vector<Prediction>& predictions) {
 }  // namespace
 
 void write_layout(const std::filesystem::path& folder, const LayoutStudy& study) {
-  harness::write_file(folder / "family.csv", family_text(study.grid));
-  harness::write_file(folder / "one_height.csv", family_text(study.one_height));
-  harness::write_file(folder / "choice.csv", choice_text(study));
-  harness::write_file(folder / "moves.csv", moves_text(study));
-  harness::write_file(folder / "angles.csv", predictions_text(study.angles));
-  harness::write_file(folder / "heights.csv", predictions_text(study.heights));
-  harness::write_file(folder / "poses.csv", poses_text(study));
+  family_csv().write(folder, study.grid);
+  one_height_csv().write(folder, study.one_height);
+  choice_csv().write(folder, choice_rows(study));
+  moves_csv().write(folder, move_rows(study));
+  angles_csv().write(folder, study.angles);
+  heights_csv().write(folder, study.heights);
+  poses_csv().write(folder, pose_rows(study));
+}
+
+std::vector<harness::TableDescription> layout_tables() {
+  return {family_csv().description(), one_height_csv().description(), choice_csv().description(),
+          moves_csv().description(),  angles_csv().description(),     heights_csv().description(),
+          poses_csv().description()};
 }
 
 std::string layout_table(const LayoutStudy& study) {

@@ -14,14 +14,14 @@ constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up 
 constexpr std::uint64_t kGrid = 2 * kGridReach / kGridStep + 1, kLine = 2 * kGridReach + 1;
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
-Rehearsal rehearse_case(const Layout& layout, std::size_t number) {
-  return rehearse(layout, layout.storage(number, kCases[number].storage_angle));
+SimulatedPath simulate_case(const Layout& layout, std::size_t number) {
+  return simulate(layout, layout.storage(number, kCases[number].storage_angle));
 }
 
 /// Empty where both cases come out as captioned.
 std::string failure_of(const Layout& layout) {
   for (std::size_t i = 0; i < kCases.size(); ++i)
-    if (const std::string d = difference(rehearse_case(layout, i), kCases[i]); !d.empty())
+    if (const std::string d = difference(simulate_case(layout, i), kCases[i]); !d.empty())
       return "case " + std::to_string(i + 1) + ": " + d;
   return "";
 }
@@ -100,7 +100,7 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
 
   study.chosen = chosen_layout();
   const Layout& layout = study.chosen;
-  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(rehearse_case(layout, i));
+  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(simulate_case(layout, i));
   study.choices.push_back(choice_of(layout, "storage height", "mm", layout.storage_height[0], [](Layout& l, double by) {
     for (double& height : l.storage_height) height += by;
   }));
@@ -115,13 +115,13 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
   for (std::size_t place = 0; place < kCases.size(); ++place) {
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
       const Station storage = layout.storage(place, angle);
-      study.angles.push_back({place, 0.0 + angle, storage.height, rehearse(layout, storage)});
+      study.angles.push_back({place, 0.0 + angle, storage.height, simulate(layout, storage)});
       if (stopped()) return std::nullopt;
     }
     for (int step = -kLargestHeightStep; step <= kLargestHeightStep; ++step) {
       Station storage = layout.storage(place, kCases[place].storage_angle);
       storage.height += step * kHeightStep;
-      study.heights.push_back({place, kCases[place].storage_angle, storage.height, rehearse(layout, storage)});
+      study.heights.push_back({place, kCases[place].storage_angle, storage.height, simulate(layout, storage)});
       if (stopped()) return std::nullopt;
     }
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 
 /// The computations of `touchstone cell layout`: the layouts that reproduce the captioned angles, the chosen layout,
@@ -33,14 +33,14 @@ struct Choice {
 struct Prediction {
   std::size_t place;  ///< whose radius it has: 0 or 1, as in Layout
   double angle, height;
-  Rehearsal rehearsal;
+  SimulatedPath path;
 };
 
 struct LayoutStudy {
   std::vector<Member> grid;        ///< leans and elevations by 5 degrees
   std::vector<Member> one_height;  ///< elevations by 1 degree: those with one height of the storage in both cases
   Layout chosen;
-  std::vector<Rehearsal> cases;  ///< in the chosen layout
+  std::vector<SimulatedPath> cases;  ///< in the chosen layout
   std::vector<Choice> choices;
   std::vector<Prediction> angles;   ///< for every whole angle from -60 to 60, both places
   std::vector<Prediction> heights;  ///< both cases' storage raised and lowered by 10 mm and more

@@ -16,7 +16,7 @@ struct Assumptions {
 /// Returns the layout for a coupling and a home pose in which every captioned angle of both cases results half a degree
 /// from the next. The places of storage and machine, the gap and the clearance follow; radii and heights of the storage
 /// generally differ between the cases. Returns nothing if the sphere would have to be behind the base's axis, or the
-/// arm would have to sink when it should be lifted. Does not check for obstacles; rehearse does.
+/// arm would have to sink when it should be lifted. Does not check for obstacles; `simulate` does.
 [[nodiscard]] std::optional<Layout> solve_layout(Coupling coupling, const LinkAngles& home,
                                                  const Assumptions& assumptions = {});
 

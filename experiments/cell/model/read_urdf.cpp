@@ -40,7 +40,7 @@ class Sentences : public console_bridge::OutputHandler {
 };
 
 /// The link or joint that is being read, after the file and its line.
-struct Place {
+struct XmlLocation {
   std::string where;
 
   [[noreturn]] void bad(const std::string& reason) const { throw BadCell(where + ": " + reason); }
@@ -58,12 +58,13 @@ class UrdfReader {
   [[nodiscard]] Robot robot(const urdf::ModelInterface& model) const {
     Robot robot;
     robot.name = model.getName();
-    require_legible(place("robot", robot.name), robot.name);
+    require_legible(location("robot", robot.name), robot.name);
     robot.urdf = file_;
     for (urdf::LinkConstSharedPtr at = model.getRoot(); at;) {
       robot.links.push_back(link(*at));
       if (at->child_joints.empty()) break;
-      if (at->child_joints.size() > 1) place("link", at->name).bad("has more than one child; a serial arm is expected");
+      if (at->child_joints.size() > 1)
+        location("link", at->name).bad("has more than one child; a serial arm is expected");
       robot.joints.push_back(joint(*at->child_joints.front()));
       at = at->child_links.front();
     }
@@ -72,53 +73,53 @@ class UrdfReader {
   }
 
  private:
-  [[nodiscard]] Place place(const char* kind, const std::string& name) const {
+  [[nodiscard]] XmlLocation location(const char* kind, const std::string& name) const {
     const auto line = lines_.find({kind, name});
     const std::string at = line == lines_.end() ? "" : fmt::format("line {}: ", line->second);
     return {fmt::format("{}: {}{} {}", file_, at, kind, name)};
   }
 
   /// Names reach terminals, pages and files of JSON. An entity like `&#233;` becomes a lone byte in urdfdom.
-  static void require_legible(const Place& place, const std::string& name) {
-    if (io::all_legible(name) != name) place.bad("the name has a control character, or is not UTF-8");
+  static void require_legible(const XmlLocation& location, const std::string& name) {
+    if (io::all_legible(name) != name) location.bad("the name has a control character, or is not UTF-8");
   }
 
-  [[nodiscard]] double length(const Place& place, double metres) const {
-    return workloads::converted(place.finite(metres), workloads::find_unit("m"), context_.unit);
+  [[nodiscard]] double length(const XmlLocation& location, double metres) const {
+    return workloads::converted(location.finite(metres), workloads::find_unit("m"), context_.unit);
   }
 
-  [[nodiscard]] Eigen::Vector3d vector(const Place& place, const urdf::Vector3& metres) const {
-    return {length(place, metres.x), length(place, metres.y), length(place, metres.z)};
+  [[nodiscard]] Eigen::Vector3d vector(const XmlLocation& location, const urdf::Vector3& metres) const {
+    return {length(location, metres.x), length(location, metres.y), length(location, metres.z)};
   }
 
-  [[nodiscard]] Pose pose(const Place& place, const urdf::Pose& given) const {
+  [[nodiscard]] Pose pose(const XmlLocation& location, const urdf::Pose& given) const {
     constexpr double kNear = 1e-9;
     const urdf::Rotation& q = given.rotation;
     Eigen::Matrix3d rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
     const Eigen::Matrix3d whole = rotation.array().round();
-    if (!rotation.allFinite()) place.bad("a number is not finite");
+    if (!rotation.allFinite()) location.bad("a number is not finite");
     if ((rotation - whole).cwiseAbs().maxCoeff() < kNear) rotation = whole;
-    return {rotation, vector(place, given.position)};
+    return {rotation, vector(location, given.position)};
   }
 
-  [[nodiscard]] MeshFile mesh(const Place& place, const urdf::Mesh& given) const {
+  [[nodiscard]] MeshFile mesh(const XmlLocation& location, const urdf::Mesh& given) const {
     constexpr std::array<std::string_view, 5> kUnits{"m", "cm", "mm", "inch", "foot"};
     const std::filesystem::path path = context_.mesh_folder / given.filename;
-    if (!std::filesystem::is_regular_file(path)) place.bad("mesh: there is no file " + path.string());
+    if (!std::filesystem::is_regular_file(path)) location.bad("mesh: there is no file " + path.string());
     for (const std::string_view name : kUnits) {
       const workloads::Unit unit = workloads::find_unit(name);
       const double metres = static_cast<double>(unit.micrometres) / 1e6;
       if (given.scale.x == metres && given.scale.y == metres && given.scale.z == metres)
         return {path, unit, context_.unit};
     }
-    place.bad(fmt::format("mesh: the scale {} {} {} is not that of a unit of length in metres", given.scale.x,
-                          given.scale.y, given.scale.z));
+    location.bad(fmt::format("mesh: the scale {} {} {} is not that of a unit of length in metres", given.scale.x,
+                             given.scale.y, given.scale.z));
   }
 
-  [[nodiscard]] decltype(Solid::shape) shape(const Place& place, const urdf::Geometry& geometry) const {
+  [[nodiscard]] decltype(Solid::shape) shape(const XmlLocation& location, const urdf::Geometry& geometry) const {
     const auto positive = [&](double metres) {
-      if (!(metres > 0)) place.bad(fmt::format("a size must be positive, is {}", metres));
-      return length(place, metres);
+      if (!(metres > 0)) location.bad(fmt::format("a size must be positive, is {}", metres));
+      return length(location, metres);
     };
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
@@ -131,20 +132,20 @@ class UrdfReader {
         const double half = positive(given.length) / 2;
         return Cylinder{2, {0, 0, -half}, {0, 0, half}, positive(given.radius), sides_};
       }
-      case urdf::Geometry::MESH: return mesh(place, static_cast<const urdf::Mesh&>(geometry));
+      case urdf::Geometry::MESH: return mesh(location, static_cast<const urdf::Mesh&>(geometry));
       case urdf::Geometry::SPHERE: break;
     }
-    place.bad("a sphere has no planar faces");
+    location.bad("a sphere has no planar faces");
   }
 
   [[nodiscard]] Link link(const urdf::Link& given) const {
     Link link{given.name, {}};
-    if (!is_name(given.name)) place("link", given.name).bad("a name must be of letters, digits, '-' and '_'");
+    if (!is_name(given.name)) location("link", given.name).bad("a name must be of letters, digits, '-' and '_'");
     const auto add = [&](const auto& elements, const char* kind) {
       for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& element = *elements[i];
         std::string name = element.name.empty() ? fmt::format("{}{}", kind, i) : element.name;
-        const Place part{place("link", given.name).where + ": " + name};
+        const XmlLocation part{location("link", given.name).where + ": " + name};
         if (!is_name(name)) part.bad("a name must be of letters, digits, '-' and '_'");
         if (!element.geometry) part.bad("has no geometry");
         link.parts.push_back({std::move(name), {shape(part, *element.geometry), pose(part, element.origin)}});
@@ -163,27 +164,28 @@ class UrdfReader {
   }
 
   [[nodiscard]] Joint joint(const urdf::Joint& given) const {
-    const Place place = this->place("joint", given.name);
-    require_legible(place, given.name);
-    Joint joint{given.name, Joint::Kind::Fixed, pose(place, given.parent_to_joint_origin_transform), {0, 0, 1}, 0, 0,
+    const XmlLocation location = this->location("joint", given.name);
+    require_legible(location, given.name);
+    Joint joint{given.name, Joint::Kind::Fixed, pose(location, given.parent_to_joint_origin_transform), {0, 0, 1}, 0, 0,
                 0};
-    if (given.mimic) place.bad("mimics another joint; couplings are given in the cell file");
+    if (given.mimic) location.bad("mimics another joint; couplings are given in the cell file");
     if (given.type == urdf::Joint::FIXED) return joint;
     if (given.type != urdf::Joint::REVOLUTE && given.type != urdf::Joint::CONTINUOUS)
-      place.bad("is neither revolute, continuous nor fixed");
+      location.bad("is neither revolute, continuous nor fixed");
     joint.kind = Joint::Kind::Revolute;
-    joint.axis = Eigen::Vector3d(place.finite(given.axis.x), place.finite(given.axis.y), place.finite(given.axis.z));
-    if (joint.axis.isZero(0)) place.bad("has no axis");
+    joint.axis =
+        Eigen::Vector3d(location.finite(given.axis.x), location.finite(given.axis.y), location.finite(given.axis.z));
+    if (joint.axis.isZero(0)) location.bad("has no axis");
     joint.axis /= joint.axis.norm();
     if (given.type == urdf::Joint::CONTINUOUS) {
       joint.lower = -360;
       joint.upper = 360;
       return joint;
     }
-    joint.lower = degrees(place.finite(given.limits->lower));
-    joint.upper = degrees(place.finite(given.limits->upper));
+    joint.lower = degrees(location.finite(given.limits->lower));
+    joint.upper = degrees(location.finite(given.limits->upper));
     if (joint.lower > joint.upper)
-      place.bad(fmt::format("limits are crossed: lower {} and upper {} degrees", joint.lower, joint.upper));
+      location.bad(fmt::format("limits are crossed: lower {} and upper {} degrees", joint.lower, joint.upper));
     return joint;
   }
 

@@ -16,24 +16,20 @@
 namespace touchstone::cell {
 namespace {
 
-/// Why a process cannot go on.
-struct Failed : std::runtime_error {
-  Failed(Cause why, const std::string& text) : std::runtime_error(text), cause(why) {}
-  Cause cause;
-};
+using kinematics::Approach;
+using kinematics::SimulationFailure;
 
-enum class Way { SideWithoutShoulder, Above, Side };
 enum class Order { ElbowFirst, BaseFirst };
 
-class Performance {
+class ProcessSimulation {
  public:
-  explicit Performance(const Workcell& workcell)
+  explicit ProcessSimulation(const Workcell& workcell)
       : workcell_(&workcell),
         arm_(&workcell.arm()),
         step_(workcell.cell().step),
         angles_(workcell.arm().home),
         turned_(angles_.size(), 0) {
-    process.custody.push_back({0, Place::Storage, 0});
+    process.transfers.push_back({0, StationSlot::Storage, 0});
   }
 
   void start() { stop(std::nullopt, 0); }
@@ -41,10 +37,10 @@ class Performance {
   void begin(Phase phase) { phase_ = phase; }
 
   /// Until the sphere touches the material there, or its virtual copy.
-  void come_upon(Place place, Way way, Order order) {
-    const Workplace& at = workcell_->at(place);
-    target_ = place;
-    above_ = way == Way::Above;
+  void come_upon(StationSlot slot, Approach approach, Order order) {
+    const Workplace& at = workcell_->at(slot);
+    target_ = slot;
+    above_ = approach == Approach::Above;
     if (above_) {
       if (order == Order::BaseFirst) face(at);
       come_down(at);
@@ -55,9 +51,9 @@ class Performance {
     const double beside = clockwise(target) ? at.left + radius : at.right - radius;
     const auto commands =
         workcell_->plane().inverse({std::sqrt(at.out * at.out + beside * beside), (at.bottom + at.top) / 2});
-    if (!commands) throw Failed(Cause::OutOfReach, "the side of the material is out of reach");
-    if (std::abs(commands->shoulder - arm_->home[kShoulder]) >= step_ / 2 && way == Way::SideWithoutShoulder)
-      throw Failed(Cause::OutOfReach, "the shoulder would have to move");
+    if (!commands) throw SimulationFailure(FailureCause::OutOfReach, "the side of the material is out of reach");
+    if (std::abs(commands->shoulder - arm_->home[kShoulder]) >= step_ / 2 && approach == Approach::SideWithoutShoulder)
+      throw SimulationFailure(FailureCause::OutOfReach, "the shoulder would have to move");
     move_to(kShoulder, commands->shoulder);
     move_to(kElbow, commands->elbow);
     move_until_contact(kBase, steps_to(kBase, target));
@@ -66,7 +62,7 @@ class Performance {
   /// By the shoulder, else by the elbow.
   void lift() {
     if (!lift_by(kShoulder) && !lift_by(kElbow))
-      throw Failed(Cause::OutOfReach, "no lift by shoulder or elbow clears the material");
+      throw SimulationFailure(FailureCause::OutOfReach, "no lift by shoulder or elbow clears the material");
     left_behind();
   }
 
@@ -74,8 +70,8 @@ class Performance {
     hand_over(std::nullopt);
     target_.reset();
   }
-  void release(Place place) {
-    hand_over(place);
+  void release(StationSlot slot) {
+    hand_over(slot);
     leaving_ = true;
   }
 
@@ -97,7 +93,7 @@ class Performance {
     if (above_) lift();
   }
   void come_down_again() {
-    target_ = Place::Machine;
+    target_ = StationSlot::Machine;
     go_down();
   }
 
@@ -144,7 +140,7 @@ class Performance {
     const double r = arm_->sphere.radius, beside = std::max({0.0, at.right, -at.left});
     const auto commands =
         workcell_->plane().inverse({at.out, at.top + (beside < r ? std::sqrt(r * r - beside * beside) : 0)});
-    if (!commands) throw Failed(Cause::OutOfReach, "the upper face of the material is out of reach");
+    if (!commands) throw SimulationFailure(FailureCause::OutOfReach, "the upper face of the material is out of reach");
     move_to(kElbow, commands->elbow);
     face(at);
     shoulder_down_ = commands->shoulder;
@@ -186,34 +182,36 @@ class Performance {
     try {
       return arm_->chain.arc(angles_, joint, degrees, arm_->sphere.center);
     } catch (const std::out_of_range& beyond) {
-      throw Failed(Cause::BeyondLimits, fmt::format("{}: {}", what(joint, degrees), beyond.what()));
+      throw SimulationFailure(FailureCause::JointLimit, fmt::format("{}: {}", what(joint, degrees), beyond.what()));
     }
   }
 
   /// The material that is in the way of the arm: not what it comes upon or leaves.
   [[nodiscard]] Workcell::Material obstacle() const {
-    const auto place = process.custody.back().place;
-    return place == target_ ? std::nullopt : place;
+    const auto slot = process.transfers.back().slot;
+    return slot == target_ ? std::nullopt : slot;
   }
 
-  void require_free_arc(Moved joint, double degrees, std::optional<Place> material) const {
+  void require_free_arc(Moved joint, double degrees, std::optional<StationSlot> material) const {
     const kinematics::Arc way = arc(joint, degrees);
     const double radius = arm_->sphere.radius;
     if (const auto contact = kinematics::first_contact(way, radius, workcell_->obstacles().faces))
-      throw Failed(Cause::InTheWay, fmt::format("{}: after {:.2f} degrees the sphere touches {}", what(joint, degrees),
-                                                contact->high, workcell_->obstacles().owners[contact->face]));
+      throw SimulationFailure(FailureCause::InTheWay,
+                              fmt::format("{}: after {:.2f} degrees the sphere touches {}", what(joint, degrees),
+                                          contact->high, workcell_->obstacles().owners[contact->face]));
     if (!material) return;
     if (const auto contact = kinematics::first_contact(way, radius, workcell_->at(*material).faces))
-      throw Failed(Cause::InTheWay, fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
-                                                what(joint, degrees), contact->high, to_string(*material)));
+      throw SimulationFailure(FailureCause::InTheWay,
+                              fmt::format("{}: after {:.2f} degrees the sphere touches the material in the {}",
+                                          what(joint, degrees), contact->high, to_string(*material)));
   }
 
   /// Looks at the arm as it is. True if the sphere touches the target.
   bool stop(std::optional<Moved> joint, double turned) {
-    const std::string hindrance = workcell_->hindrance(angles_, obstacle(), process.balls);
-    if (!hindrance.empty())
-      throw Failed(Cause::InTheWay,
-                   joint ? fmt::format("{}: {}", what(*joint, turned), hindrance) : "at home " + hindrance);
+    const std::string obstacle_name = workcell_->touched_obstacle(angles_, obstacle(), process.balls);
+    if (!obstacle_name.empty())
+      throw SimulationFailure(FailureCause::InTheWay, joint ? fmt::format("{}: {}", what(*joint, turned), obstacle_name)
+                                                            : "at home " + obstacle_name);
     const Ball sphere = arm_->sphere_at(angles_);
     const auto touched = target_ ? workcell_->touched(sphere, *target_) : std::nullopt;
     process.stops.push_back({process.moves.size(), angles_, sphere, target_, touched});
@@ -245,8 +243,9 @@ class Performance {
     const auto contact =
         kinematics::first_contact(arc(joint, degrees(most)), arm_->sphere.radius, workcell_->at(*target_).faces);
     if (!contact)
-      throw Failed(Cause::NoContact, fmt::format("{}: the sphere does not touch the material in the {}",
-                                                 what(joint, degrees(most)), to_string(*target_)));
+      throw SimulationFailure(FailureCause::NoContact,
+                              fmt::format("{}: the sphere does not touch the material in the {}",
+                                          what(joint, degrees(most)), to_string(*target_)));
     const long sign = most < 0 ? -1 : 1, steps = sign * static_cast<long>(std::ceil(contact->high / step_));
     require_free_arc(joint, degrees(steps), obstacle());
     const long from = turned_[joint];
@@ -259,8 +258,9 @@ class Performance {
                                std::min(left, step_ - left), contact});
       return;
     }
-    throw Failed(Cause::NoContact, fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}",
-                                               what(joint, degrees(steps)), step_, contact->high));
+    throw SimulationFailure(FailureCause::NoContact,
+                            fmt::format("{}: steps of {:g} degrees pass over the contact at {:.2f}",
+                                        what(joint, degrees(steps)), step_, contact->high));
   }
 
   void left_behind() {
@@ -268,8 +268,8 @@ class Performance {
     leaving_ = false;
   }
 
-  void hand_over(std::optional<Place> to) {
-    const auto from = process.custody.back().place;
+  void hand_over(std::optional<StationSlot> to) {
+    const auto from = process.transfers.back().slot;
     const Pose flange = arm_->link_poses(angles_).back();
     double shift = 0;
     if (from) {
@@ -277,7 +277,7 @@ class Performance {
     } else {
       shift = (workcell_->at(*to).pose.translation - (flange.rotation * held_ + flange.translation)).norm();
     }
-    process.custody.push_back({process.stops.size() - 1, to, shift});
+    process.transfers.push_back({process.stops.size() - 1, to, shift});
   }
 
   const Workcell* workcell_;
@@ -286,7 +286,7 @@ class Performance {
   kinematics::Angles angles_;
   std::vector<long> turned_;  // from home, in steps
   Phase phase_ = Phase::ToStorage;
-  std::optional<Place> target_;  // what the sphere comes for or leaves
+  std::optional<StationSlot> target_;  // what the sphere comes for or leaves
   bool leaving_ = false;
   bool above_ = false;                              // it has come from there
   double shoulder_down_ = 0;                        // the command that inverse kinematics has for the upper face
@@ -296,82 +296,82 @@ class Performance {
 /// A way of doing what there are several ways of.
 struct Attempt {
   const char* name;
-  std::function<void(Performance&)> go;
+  std::function<void(ProcessSimulation&)> go;
 };
 
 /// Leaves it at the first attempt that comes out.
-void first_of(const std::vector<Attempt>& attempts, Performance& performance) {
+void first_of(const std::vector<Attempt>& attempts, ProcessSimulation& simulation) {
   std::string failures;
-  Cause cause = Cause::OutOfReach;
+  FailureCause cause = FailureCause::OutOfReach;
   for (const Attempt& attempt : attempts) {
-    Performance tried = performance;
+    ProcessSimulation tried = simulation;
     try {
       attempt.go(tried);
-      performance = std::move(tried);
+      simulation = std::move(tried);
       return;
-    } catch (const Failed& failed) {
+    } catch (const SimulationFailure& failed) {
       cause = std::max(cause, failed.cause);
       failures += fmt::format("{}{}: {}", failures.empty() ? "" : "; ", attempt.name, failed.what());
     }
   }
-  throw Failed(cause, failures);
+  throw SimulationFailure(cause, failures);
 }
 
-Attempt upon(const char* name, Place place, Way way, Order order) {
-  return {name, [=](Performance& p) { p.come_upon(place, way, order); }};
+Attempt upon(const char* name, StationSlot slot, Approach approach, Order order) {
+  return {name, [=](ProcessSimulation& p) { p.come_upon(slot, approach, order); }};
 }
 
-void run(Performance& performance) {
-  performance.start();
-  performance.begin(Phase::ToStorage);
-  first_of({upon("from the side", Place::Storage, Way::SideWithoutShoulder, Order::ElbowFirst),
-            upon("from above", Place::Storage, Way::Above, Order::ElbowFirst),
-            upon("from the side, shoulder moved", Place::Storage, Way::Side, Order::ElbowFirst),
-            upon("from above, base first", Place::Storage, Way::Above, Order::BaseFirst),
-            upon("from the side, base first", Place::Storage, Way::Side, Order::BaseFirst)},
-           performance);
-  performance.grip();
+void run(ProcessSimulation& simulation) {
+  simulation.start();
+  simulation.begin(Phase::ToStorage);
+  first_of({upon("from the side", StationSlot::Storage, Approach::SideWithoutShoulder, Order::ElbowFirst),
+            upon("from above", StationSlot::Storage, Approach::Above, Order::ElbowFirst),
+            upon("from the side, shoulder moved", StationSlot::Storage, Approach::Side, Order::ElbowFirst),
+            upon("from above, base first", StationSlot::Storage, Approach::Above, Order::BaseFirst),
+            upon("from the side, base first", StationSlot::Storage, Approach::Side, Order::BaseFirst)},
+           simulation);
+  simulation.grip();
 
-  performance.begin(Phase::ToMachine);
-  performance.lift_if_above();
-  first_of({upon("from above", Place::Machine, Way::Above, Order::ElbowFirst),
-            upon("from above, base first", Place::Machine, Way::Above, Order::BaseFirst)},
-           performance);
-  performance.release(Place::Machine);
+  simulation.begin(Phase::ToMachine);
+  simulation.lift_if_above();
+  first_of({upon("from above", StationSlot::Machine, Approach::Above, Order::ElbowFirst),
+            upon("from above, base first", StationSlot::Machine, Approach::Above, Order::BaseFirst)},
+           simulation);
+  simulation.release(StationSlot::Machine);
 
-  performance.begin(Phase::Withdraw);
-  performance.lift();
+  simulation.begin(Phase::Withdraw);
+  simulation.lift();
 
-  performance.begin(Phase::ToPiece);
-  performance.come_down_again();
-  performance.grip();
+  simulation.begin(Phase::ToPiece);
+  simulation.come_down_again();
+  simulation.grip();
 
-  performance.begin(Phase::BackToStorage);
-  performance.lift();
-  first_of({upon("from above, base first", Place::Storage, Way::Above, Order::BaseFirst),
-            upon("from the side, base first", Place::Storage, Way::Side, Order::BaseFirst),
-            upon("from above", Place::Storage, Way::Above, Order::ElbowFirst),
-            upon("from the side", Place::Storage, Way::Side, Order::ElbowFirst)},
-           performance);
-  performance.release(Place::Storage);
+  simulation.begin(Phase::BackToStorage);
+  simulation.lift();
+  first_of({upon("from above, base first", StationSlot::Storage, Approach::Above, Order::BaseFirst),
+            upon("from the side, base first", StationSlot::Storage, Approach::Side, Order::BaseFirst),
+            upon("from above", StationSlot::Storage, Approach::Above, Order::ElbowFirst),
+            upon("from the side", StationSlot::Storage, Approach::Side, Order::ElbowFirst)},
+           simulation);
+  simulation.release(StationSlot::Storage);
 
-  performance.begin(Phase::ToHome);
-  performance.lift_if_above();
+  simulation.begin(Phase::ToHome);
+  simulation.lift_if_above();
   first_of({{"base first",
-             [](Performance& p) {
+             [](ProcessSimulation& p) {
                p.go_home({kBase, kElbow, kShoulder});
              }},
             {"shoulder first",
-             [](Performance& p) {
+             [](ProcessSimulation& p) {
                p.draw_aside();
                p.go_home({kShoulder, kElbow, kBase});
              }},
             {"elbow first",
-             [](Performance& p) {
+             [](ProcessSimulation& p) {
                p.draw_aside();
                p.go_home({kElbow, kShoulder, kBase});
              }}},
-           performance);
+           simulation);
 }
 
 }  // namespace
@@ -382,25 +382,15 @@ std::string_view to_string(Phase phase) {
   return words[static_cast<std::size_t>(phase)];
 }
 
-std::string_view to_string(Until until) {
-  constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
-  return words[static_cast<std::size_t>(until)];
-}
-
-std::string_view to_string(Cause cause) {
-  constexpr std::array<std::string_view, 4> words{"out-of-reach", "beyond-limits", "no-contact", "in-the-way"};
-  return words[static_cast<std::size_t>(cause)];
-}
-
-Process perform(const Workcell& workcell) {
-  Performance performance(workcell);
+Process simulate(const Workcell& workcell) {
+  ProcessSimulation simulation(workcell);
   try {
-    run(performance);
-  } catch (const Failed& failed) {
-    performance.process.failure = failed.what();
-    performance.process.cause = failed.cause;
+    run(simulation);
+  } catch (const SimulationFailure& failed) {
+    simulation.process.failure = failed.what();
+    simulation.process.cause = failed.cause;
   }
-  return std::move(performance.process);
+  return std::move(simulation.process);
 }
 
 }  // namespace touchstone::cell

@@ -10,6 +10,7 @@
 
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/kinematics/chain.h"
+#include "experiments/cell/kinematics/simulation_terms.h"
 #include "experiments/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
@@ -27,14 +28,8 @@ inline constexpr std::size_t kPhases = 6;
 /// `to-storage`, `to-machine`, ...
 [[nodiscard]] std::string_view to_string(Phase phase);
 
-/// The rule for how far a joint moves.
-enum class Until {
-  Planned,  ///< by the whole number of steps nearest to the result of inverse kinematics, or to home
-  Facing,   ///< by the whole number of steps after which the base faces a place best
-  Contact,  ///< until the sphere touches its target
-  Cleared,  ///< until the sphere has risen by the clearance
-};
-[[nodiscard]] std::string_view to_string(Until until);
+using kinematics::FailureCause;
+using kinematics::Until;
 
 /// One completed move of one joint.
 struct Move {
@@ -52,34 +47,26 @@ struct Stop {
   std::size_t move;  ///< the number of the move; that of the first move for the stop before it
   kinematics::Angles commanded;
   Ball sphere;
-  std::optional<Place> target;  ///< the place of the material, real or virtual, that the sphere approaches or leaves
+  std::optional<StationSlot> target;   ///< of the material, real or virtual, that the sphere approaches or leaves
   std::optional<std::size_t> touched;  ///< the lowest face of the target that it touches
 };
 
 /// The place of the material from a stop on; numbers of stops are ascending.
-struct Custody {
+struct MaterialTransfer {
   std::size_t stop;
-  std::optional<Place> place;  ///< none while the gripper holds it
+  std::optional<StationSlot> slot;  ///< none while the gripper holds it
   double shift;  ///< of its frame's origin, from its place in the gripper to where it is put; 0 when gripped
 };
-
-/// The reason why a process ended early; if several approaches failed, the last of their causes in this order.
-enum class Cause {
-  OutOfReach,    ///< inverse kinematics has no solution, or no lift clears the material
-  BeyondLimits,  ///< a joint would have to turn beyond its limits
-  NoContact,     ///< the sphere does not touch its target, or steps skip the contact
-  InTheWay,      ///< sphere or arm touch something else
-};
-/// `out-of-reach`, `beyond-limits`, ...
-[[nodiscard]] std::string_view to_string(Cause cause);
 
 struct Process {
   std::vector<Move> moves;
   std::vector<Stop> stops;
-  std::vector<Custody> custody;  ///< the first is at stop 0, in storage
-  std::string failure;           ///< why it ended early; the members above hold everything until then
-  std::optional<Cause> cause;    ///< set if there is a failure
-  std::uint64_t balls = 0;       ///< the number of obstacle queries: of the sphere, and of the balls that cover the arm
+  std::vector<MaterialTransfer> transfers;  ///< the first is at stop 0, in storage
+  std::string failure;                      ///< why it ended early; the members above hold everything until then
+  /// Set if there is a failure; if several approaches failed, the last of their causes in the order of FailureCause.
+  /// OutOfReach also if no lift clears the material.
+  std::optional<FailureCause> cause;
+  std::uint64_t balls = 0;  ///< the number of obstacle queries: of the sphere, and of the balls that cover the arm
 };
 
 /// Runs the process: home, storage, grip, lift, machine, place, milling, pick, storage, home.
@@ -102,6 +89,6 @@ struct Process {
 ///      certified contact lies within the last step.
 /// Gripped material moves with the flange; it does not count as an obstacle and is not tested against obstacles. If (1)
 /// or (2) cannot be kept, or a step skips a contact, `failure` names the move, the angle in degrees, and the obstacle.
-[[nodiscard]] Process perform(const Workcell& workcell);
+[[nodiscard]] Process simulate(const Workcell& workcell);
 
 }  // namespace touchstone::cell

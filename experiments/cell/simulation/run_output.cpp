@@ -11,7 +11,6 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
-#include "experiments/statistics/clopper_pearson.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::cell {
@@ -25,10 +24,10 @@ const std::string& joint_name(const Workcell& workcell, Moved joint) {
 
 /// Returns where the material is at a stop: a place, or `gripper`.
 std::string_view holder(const Process& process, std::size_t stop) {
-  std::optional<Place> place;
-  for (const Custody& custody : process.custody)
-    if (custody.stop == 0 || custody.stop < stop) place = custody.place;
-  return place ? to_string(*place) : "gripper";
+  std::optional<StationSlot> slot;
+  for (const MaterialTransfer& transfer : process.transfers)
+    if (transfer.stop == 0 || transfer.stop < stop) slot = transfer.slot;
+  return slot ? to_string(*slot) : "gripper";
 }
 
 /// The move that a stop belongs to; none of the first one, and of the last ones of a run that failed within a move.
@@ -133,9 +132,9 @@ std::vector<StopRow> stop_rows(const Workcell& workcell, const Process& process)
   return rows;
 }
 
-std::vector<ScoreRow> score_rows(const Contest& contest) {
+std::vector<ScoreRow> score_rows(const MethodComparison& comparison) {
   std::vector<ScoreRow> rows;
-  for (const Score& score : contest.scores)
+  for (const Score& score : comparison.scores)
     rows.push_back({&score, harness::rate(score.wrong_hits + score.wrong_misses, score.asked)});
   return rows;
 }
@@ -165,10 +164,10 @@ std::string trajectory_json(const Workcell& workcell, const Process& process) {
   return whole.dump(1) + "\n";
 }
 
-std::string disagreements_text(const Contest& contest, std::size_t most) {
+std::string disagreements_text(const MethodComparison& comparison, std::size_t most) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most, contest.disagreements.size()); ++i) {
-    const Disagreement& d = contest.disagreements[i];
+  for (std::size_t i = 0; i < std::min(most, comparison.disagreements.size()); ++i) {
+    const Disagreement& d = comparison.disagreements[i];
     std::vector<std::string> tags{"cell", d.owner};
     for (const std::string& method : d.methods) tags.push_back("fails:" + method);
     const auto answer = cases::PartialAnswer::of(exact::answer(d.sphere, d.polygon), "exact");
@@ -179,7 +178,7 @@ std::string disagreements_text(const Contest& contest, std::size_t most) {
 
 }  // namespace
 
-std::string summary(const Workcell& workcell, const Process& process, const Contest& contest) {
+std::string summary(const Workcell& workcell, const Process& process, const MethodComparison& comparison) {
   std::string text;
   for (const Move& m : process.moves) {
     text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
@@ -198,33 +197,26 @@ std::string summary(const Workcell& workcell, const Process& process, const Cont
       "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls of "
       "spheres and covers were asked of the obstacles\n",
       process.stops.size(), balls, overhang, unit, process.balls);
-  for (const Custody& custody : process.custody)
-    if (custody.shift > 0)
-      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*custody.place),
-                          custody.shift, unit);
-  text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", contest.pairs, contest.met);
-  text += fmt::format("{:<20} {:>9} {:>11} {:>13} {:>7}\n", "method", "asked", "wrong hits", "wrong misses", "unsure");
-  for (const Score& s : contest.scores) {
-    text += fmt::format("{:<20} {:>9} {:>11} {:>13} {:>7}", s.method->name(), s.asked, s.wrong_hits, s.wrong_misses,
-                        s.unsure);
-    if (s.wrong_hits + s.wrong_misses == 0 && s.asked > 0)
-      text += fmt::format("   none wrong: at most {:.2g} of such questions (95 %)",
-                          statistics::clopper_pearson(0, s.asked).upper);
-    text += "\n";
-  }
+  for (const MaterialTransfer& transfer : process.transfers)
+    if (transfer.shift > 0)
+      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*transfer.slot),
+                          transfer.shift, unit);
+  text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", comparison.pairs, comparison.met);
+  text += methods_csv().aligned(score_rows(comparison)) +
+          "share_low, share_high: 95 % limits of the share of wrong answers\n";
   if (!process.failure.empty()) text += fmt::format("\nnot completed: {}\n", process.failure);
   return text;
 }
 
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
-               const Contest& contest, std::size_t most) {
+               const MethodComparison& comparison, std::size_t most) {
   std::vector<std::string> joints;
   for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
   moves_csv().write(folder, move_rows(workcell, process));
   trajectory_csv(joints).write(folder, stop_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
-  methods_csv().write(folder, score_rows(contest));
-  harness::write_file(folder / "disagreements.jsonl", disagreements_text(contest, most));
+  methods_csv().write(folder, score_rows(comparison));
+  harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
 std::vector<harness::TableDescription> run_tables() {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/simulation/contest.h"
+#include "experiments/cell/simulation/method_comparison.h"
 #include "experiments/harness/table.h"
 
 namespace touchstone::cell {
 
 /// Returns the output of `touchstone cell run`: the moves, the numbers of tests made and skipped, the methods, and how
 /// it ended.
-[[nodiscard]] std::string summary(const Workcell& workcell, const Process& process, const Contest& contest);
+[[nodiscard]] std::string summary(const Workcell& workcell, const Process& process, const MethodComparison& comparison);
 
 /// Writes the results of a run:
 ///  - moves.csv: one line per move, with its certified contact;
@@ -23,7 +23,7 @@ namespace touchstone::cell {
 ///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
 /// Throws std::runtime_error if a file cannot be written.
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
-               const Contest& contest, std::size_t most = 1000);
+               const MethodComparison& comparison, std::size_t most = 1000);
 
 [[nodiscard]] std::vector<harness::TableDescription> run_tables();
 

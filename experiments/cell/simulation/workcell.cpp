@@ -59,7 +59,7 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
 
 }  // namespace
 
-std::string_view to_string(Place place) { return place == Place::Storage ? "storage" : "machine"; }
+std::string_view to_string(StationSlot slot) { return slot == StationSlot::Storage ? "storage" : "machine"; }
 
 Pose pose_of(const Station& station) {
   const double c = workloads::cosine(station.azimuth()), s = workloads::sine(station.azimuth());
@@ -108,11 +108,12 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
     }
   }
   obstacles_.owners.insert(obstacles_.owners.end(), owners_of_polygons.begin(), owners_of_polygons.end());
-  for (const Place place : {Place::Storage, Place::Machine})
-    material_.push_back(scene_.add(fmt::format("the material in the {}", to_string(place)), at(place).faces));
+  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+    material_.push_back(scene_.add(fmt::format("the material in the {}", to_string(slot)), at(slot).faces));
 }
 
-std::string Workcell::hindrance(const kinematics::Angles& commanded, Material material, std::uint64_t& balls) const {
+std::string Workcell::touched_obstacle(const kinematics::Angles& commanded, Material material,
+                                       std::uint64_t& balls) const {
   std::vector<std::uint32_t> numbers = standing_;
   if (material) numbers.push_back(material_[static_cast<std::size_t>(*material)]);
   const scene::Scene::Objects objects(numbers);
@@ -136,8 +137,8 @@ std::string Workcell::hindrance(const kinematics::Angles& commanded, Material ma
   return "";
 }
 
-std::optional<std::size_t> Workcell::touched(const Ball& ball, Place place) const {
-  const auto faces = scene_.touched(ball, {{material_[static_cast<std::size_t>(place)]}});
+std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot) const {
+  const auto faces = scene_.touched(ball, {{material_[static_cast<std::size_t>(slot)]}});
   if (faces.empty()) return std::nullopt;
   return faces.front().face;
 }

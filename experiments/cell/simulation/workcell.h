@@ -18,12 +18,12 @@
 
 namespace touchstone::cell {
 
-/// The places of a piece of material: its slot of the storage and that of the machine. At the empty place the sphere is
+/// The slots for a piece of material: that of the storage and that of the machine. At the empty slot the sphere is
 /// lowered onto an invisible copy of the material, the virtual material.
-enum class Place { Storage, Machine };
-[[nodiscard]] std::string_view to_string(Place place);
+enum class StationSlot { Storage, Machine };
+[[nodiscard]] std::string_view to_string(StationSlot slot);
 
-/// One of the two places, in the cell.
+/// One of the two slots, in the cell.
 struct Workplace {
   double azimuth,
       out;  ///< of the point that the arm faces: degrees counter-clockwise, and distance from the base's axis
@@ -63,20 +63,20 @@ class Workcell {
   [[nodiscard]] const Cell& cell() const { return cell_; }
   [[nodiscard]] const Arm& arm() const { return arm_; }
   [[nodiscard]] const PlanarArm& plane() const { return plane_; }
-  [[nodiscard]] const Workplace& at(Place place) const { return places_[static_cast<std::size_t>(place)]; }
+  [[nodiscard]] const Workplace& at(StationSlot slot) const { return places_[static_cast<std::size_t>(slot)]; }
   [[nodiscard]] const Obstacles& obstacles() const { return obstacles_; }
 
   [[nodiscard]] const std::vector<Covered>& covered() const { return *covered_; }
 
   /// The place of the material that is an obstacle, if any.
-  using Material = std::optional<Place>;
+  using Material = std::optional<StationSlot>;
 
   /// Names the obstacle that the sphere touches at a stop, besides its target, or that a part of the arm may touch;
   /// empty if nothing is touched. Adds the number of tested balls to `balls`.
-  [[nodiscard]] std::string hindrance(const kinematics::Angles& commanded, Material material,
-                                      std::uint64_t& balls) const;
+  [[nodiscard]] std::string touched_obstacle(const kinematics::Angles& commanded, Material material,
+                                             std::uint64_t& balls) const;
   /// Returns the lowest face of the material at a place that a ball touches.
-  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, Place place) const;
+  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot) const;
 
  private:
   Cell cell_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// nlohmann's JSON library parses. Own code handles what the library does not report: equal keys, of which it keeps the
+// last; numbers beyond the finite doubles, which it refuses; and deep nesting, which it does not limit.
 #include "experiments/harness/json/strict_json.h"
 
 #include <algorithm>

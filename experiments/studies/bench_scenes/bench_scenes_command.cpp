@@ -116,8 +116,9 @@ int measure_scenes(const SceneOptions& options) {
   fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
              options.settings.repetitions, options.settings.seed, seconds, options.output);
   harness::flush_standard_output();
-  if (!stop && !options.no_pictures) harness::draw_pictures("bench_scenes", held);
-  return exit_status(options, results, stop);
+  const int drawn = stop || options.no_pictures ? 0 : harness::draw_pictures("bench_scenes", held);
+  const int status = exit_status(options, results, stop);
+  return status != 0 ? status : drawn;
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct Options : harness::StudyOptions {
 // Raised when sample n of a seed changes, or the form of what is kept.
 constexpr int kVersion = 2;
 
+constexpr const char* kSearchCheckpoint = "search-checkpoint.json";
+
 /// The phases of one run; their results are those of the first process.
 class Run {
  public:
@@ -38,6 +40,7 @@ class Run {
                   methods::find_method(options.oracle)} {}
 
   int operator()() {
+    if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
     const std::string pace = sample();
     draw();
     if (options_.search > 0) search();
@@ -89,7 +92,7 @@ class Run {
 
   void search() {
     onsets_ = run_.phase(
-        "search", "search-checkpoint.json", options_.search, no_onsets(settings_),
+        "search", kSearchCheckpoint, options_.search, no_onsets(settings_),
         [&](const auto& control, Onsets& onsets) { run_onsets(settings_, options_.search, control, onsets); });
     run_.phase<WorstCases>("climbs", climb_count(settings_),
                            [&](const auto& control) { return run_climbs(settings_, control, onsets_, worst_); });

@@ -43,13 +43,6 @@ harness::Table<Row> counts_table() {
   return {"soak.csv", "a family of cases and a way of asking", columns};
 }
 
-std::string stage_headings() {
-  std::string text;
-  for (std::size_t stage = 0; stage < filtered::kStages; ++stage)
-    text += fmt::format(" {:>13}", to_string(static_cast<filtered::Stage>(stage)));
-  return text;
-}
-
 std::string verdict(const Tally& tally) {
   const auto limits = statistics::clopper_pearson(tally.differing(), tally.cases());
   if (tally.differing() == 0)
@@ -74,14 +67,7 @@ void write_differences(const std::filesystem::path& folder, const Tally& tally) 
 }
 
 std::string table(const Tally& tally) {
-  std::string text =
-      fmt::format("{:<9} {:<10} {:>11}{} {:>11}\n", "asked", "family", "cases", stage_headings(), "differences");
-  for (const auto& [family, way, outcomes] : rows_of(tally)) {
-    text += fmt::format("{:<9} {:<10} {:>11}", way, family, outcomes.cases);
-    for (const std::uint64_t count : outcomes.by_stage) text += fmt::format(" {:>13}", count);
-    text += fmt::format(" {:>11}\n", outcomes.differences);
-  }
-  return text + "Stages: the slowest that a case reached.\n" + verdict(tally);
+  return counts_table().aligned(rows_of(tally)) + "Stages: the slowest that a case reached.\n" + verdict(tally);
 }
 
 }  // namespace touchstone::soak

@@ -88,7 +88,8 @@ harness::Command soak_command() {
   command.whole("--from", options->from, "The index of the first case").changes_results();
   harness::declare_study(command, *options, "--samples",
                          "The number of cases; case i depends on the seed and on i alone");
-  command.flag("--print", options->print, "Only print the cases, as `judge` takes them").excludes("--resume");
+  command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
+      .excludes_all_but({"--from", "--samples", "--seed"});
   command.writes(tables());
   const auto compare = harness::study_runner("soak", kVersion, *options,
                                              [options](harness::StudyRun& run) { return run_cases(run, *options); });

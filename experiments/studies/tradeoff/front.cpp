@@ -29,8 +29,8 @@ std::optional<Nanoseconds> nanoseconds(std::size_t method, QueryKind kind, std::
   Nanoseconds sum{0, 0, 0};
   int lists = 0;
   for (const Timing& t : timings) {
-    if (t.balls != Balls::Near || t.kind != kind || t.place.placement != placement) continue;
-    if (family && t.place.family != *family) continue;
+    if (t.balls != Balls::Near || t.kind != kind || t.group.placement != placement) continue;
+    if (family && t.group.family != *family) continue;
     const auto q = timing::quartiles(t.methods[method].nanoseconds);
     sum = {sum.lower + q.lower, sum.median + q.median, sum.upper + q.upper};
     ++lists;

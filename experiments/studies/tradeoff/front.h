@@ -54,7 +54,7 @@ struct ParetoEntry {
 /// marked Off has a better one that is not Off.
 void mark_front(std::vector<ParetoEntry>& entries);
 
-/// Returns the methods by one measure in one place, or in all places of a placement together (no family: the means of
+/// Returns the methods by one measure in one group, or in all groups of a placement together (no family: the means of
 /// the families' quartiles, which assumes that noise affects all of them alike). Omits methods that were not timed, or
 /// that answer less than half of the questions.
 [[nodiscard]] std::vector<ParetoEntry> pareto_entries(Measure measure, std::optional<workloads::Family> family,

@@ -157,8 +157,8 @@ const harness::Table<TimingRow>& timings_table() {
   constexpr const char* kFormat = "{:.1f}";
   static const harness::Table<TimingRow> table(
       "timings.csv", "a list of questions and a method",
-      {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->place.family; }},
-       {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->place.placement; }},
+      {{"family", "the family of polygons", [](const TimingRow& row) { return row.timing->group.family; }},
+       {"placement", "on the lattice, or rotated", [](const TimingRow& row) { return row.timing->group.placement; }},
        {"balls", "where the balls are", harness::path(&TimingRow::timing, &Timing::balls)},
        {"question", "contact, or the whole answer", [](const TimingRow& row) { return to_string(row.timing->kind); }},
        {"method", "the method", harness::path(&TimingRow::measured, &timing::Measured::name)},

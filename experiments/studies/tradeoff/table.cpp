@@ -27,7 +27,7 @@ std::string percent(double share) {
   return share < 0.0095 ? statistics::percent_to_digits(share, 2) : statistics::percent_to_places(share, 1);
 }
 
-/// The mean over all places of a placement; how many were asked, in the list of the fewest and of the most.
+/// The mean over all groups of a placement; how many were asked, in the list of the fewest and of the most.
 struct Times {
   double nanoseconds = 0;
   std::size_t lists = 0, fewest = 0, most = 0;
@@ -37,7 +37,7 @@ Times times_of(std::size_t method, Balls balls, QueryKind kind, Placement placem
                const std::vector<Timing>& timings) {
   Times times;
   for (const Timing& t : timings) {
-    if (t.balls != balls || t.kind != kind || t.place.placement != placement) continue;
+    if (t.balls != balls || t.kind != kind || t.group.placement != placement) continue;
     const timing::Measured& measured = t.methods[method];
     times.nanoseconds += timing::quartiles(measured.nanoseconds).median;
     times.fewest = times.lists == 0 ? measured.queries : std::min(times.fewest, measured.queries);

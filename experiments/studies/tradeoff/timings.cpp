@@ -18,7 +18,7 @@ using workloads::BallPlace;
 using workloads::PlacedOutline;
 using workloads::Random;
 
-constexpr std::size_t kPolygons = 16;                      // of each place
+constexpr std::size_t kPolygons = 16;                      // of each group
 constexpr std::uint64_t kStream = std::uint64_t{1} << 41;  // beyond those that the workloads draw from
 
 BallPlace draw_near_place(Random& random, workloads::Placement placement) {
@@ -62,10 +62,10 @@ std::string_view to_string(Balls balls) { return balls == Balls::Near ? "near" :
 
 std::string_view to_string(QueryKind kind) { return kind == QueryKind::Contact ? "contact" : "answer"; }
 
-Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count) {
+Queries draw_queries(const PolygonGroup& group, std::uint64_t seed, std::size_t count) {
   workloads::Workload workload;
-  workload.family = place.family;
-  workload.placement = place.placement;
+  workload.family = group.family;
+  workload.placement = group.placement;
   std::vector<PlacedOutline> outlines;
   Queries queries;
   for (std::uint64_t i = 0; i < kPolygons; ++i) {
@@ -81,16 +81,16 @@ Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count) 
 }
 
 std::uint64_t list_count(const TimingSettings& settings) {
-  return settings.places.size() * kBalls.size() * kTimedKinds.size();
+  return settings.groups.size() * kBalls.size() * kTimedKinds.size();
 }
 
 std::vector<Timing> measure_timings(const TimingSettings& settings, const std::atomic<bool>& stop,
                                     const harness::Progress& progress) {
   std::vector<Timing> timings;
   std::uint64_t done = 0;
-  for (const Place& place : settings.places) {
+  for (const PolygonGroup& group : settings.groups) {
     if (stop) break;
-    const Queries queries = draw_queries(place, settings.seed, settings.queries);
+    const Queries queries = draw_queries(group, settings.seed, settings.queries);
     std::vector<Prepared> prepared(settings.methods.size());
     for (std::size_t m = 0; m < prepared.size(); ++m)
       for (const Polygon& polygon : queries.polygons) prepared[m].push_back(settings.methods[m]->prepare(polygon));
@@ -101,10 +101,10 @@ std::vector<Timing> measure_timings(const TimingSettings& settings, const std::a
         for (std::size_t m = 0; m < prepared.size(); ++m)
           benchmark.candidates.push_back(candidate(*settings.methods[m], prepared[m], queries.of(balls), kind));
         timing::Result result = timing::measure(
-            std::string(to_string(place.family)), benchmark, settings.repetitions, stop, [](std::uint64_t) {},
+            std::string(to_string(group.family)), benchmark, settings.repetitions, stop, [](std::uint64_t) {},
             kSecondsOfList);
         if (stop) return timings;
-        timings.push_back({place, balls, kind, std::move(result.candidates)});
+        timings.push_back({group, balls, kind, std::move(result.candidates)});
         progress(++done);
       }
     }

@@ -26,7 +26,7 @@ inline constexpr std::array kTimedKinds{cases::QueryKind::Contact, cases::QueryK
 [[nodiscard]] std::string_view to_string(cases::QueryKind question);
 
 /// A family of polygons in a placement, for which timings and fronts are computed.
-struct Place {
+struct PolygonGroup {
   workloads::Family family;
   workloads::Placement placement;
 };
@@ -45,11 +45,11 @@ struct Queries {
 };
 
 /// Draws a list, a function of its arguments alone. It has fewer balls if the family has none of a kind.
-[[nodiscard]] Queries draw_queries(const Place& place, std::uint64_t seed, std::size_t count);
+[[nodiscard]] Queries draw_queries(const PolygonGroup& group, std::uint64_t seed, std::size_t count);
 
 struct TimingSettings {
   std::vector<const cases::Method*> methods;
-  std::vector<Place> places;
+  std::vector<PolygonGroup> groups;
   std::uint64_t seed = 1;
   std::size_t queries = 1;  ///< in each list
   unsigned repetitions = 1;
@@ -57,7 +57,7 @@ struct TimingSettings {
 
 /// The times of one list.
 struct Timing {
-  Place place;
+  PolygonGroup group;
   Balls balls;
   cases::QueryKind kind;
   std::vector<timing::Measured> methods;  ///< in the order of the settings

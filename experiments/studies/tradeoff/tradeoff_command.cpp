@@ -27,15 +27,15 @@ int redraw(const Options& options) {
     if (!std::filesystem::exists(folder / file))
       throw harness::UsageError("--redraw", fmt::format("{} has no {}; run the study first", options.output, file));
   const harness::OutputFolder held(folder, "touchstone tradeoff --redraw", {.force = true});
-  return harness::draw_pictures("tradeoff", held) ? 0 : 1;
+  return harness::draw_pictures("tradeoff", held);
 }
 
-std::vector<Place> places_of(const std::vector<workloads::Family>& families) {
-  std::vector<Place> places;
+std::vector<PolygonGroup> groups_of(const std::vector<workloads::Family>& families) {
+  std::vector<PolygonGroup> groups;
   for (const auto family : families)
     for (const auto placement : {workloads::Placement::LatticeFrame, workloads::Placement::Rotated})
-      places.push_back({family, placement});
-  return places;
+      groups.push_back({family, placement});
+  return groups;
 }
 
 // Raised when sample n of a seed changes, or the form of what is kept.
@@ -45,7 +45,7 @@ constexpr int kVersion = 3;
 int run_tradeoff(harness::StudyRun& run, const Options& options) {
   const Settings settings{methods::find_methods(options.methods), workloads::find_families(options.families),
                           options.samples, options.seed, options.threads};
-  const TimingSettings timed{settings.methods, places_of(settings.families), options.seed, options.queries,
+  const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
                              options.repetitions};
   const Errors errors = run.phase("errors", "checkpoint.json", settings.samples, no_errors(settings),
                                   [&](const auto& control, Errors& sum) { measure_errors(settings, control, sum); });
@@ -96,7 +96,8 @@ harness::Command tradeoff_command() {
   command.whole("--repetitions", options->repetitions, "The number of turns of each method on a list", 1, 100'000);
   harness::declare_study(command, *options, "--samples",
                          "Samples of each family, placement and threshold: for the errors");
-  command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output");
+  command.flag("--redraw", options->redraw, "Do not measure; only draw pictures of the results in --output")
+      .excludes_all_but({"--output"});
   command.writes(tables());
   const auto measure = harness::study_runner("tradeoff", kVersion, *options,
                                              [options](harness::StudyRun& run) { return run_tradeoff(run, *options); });

@@ -17,7 +17,7 @@ class ByteReader {
   ByteReader(const MeshSource& source, std::size_t position, std::endian order)
       : source_(source), position_(std::min(position, source.bytes.size())), reversed_(order != std::endian::native) {}
 
-  [[nodiscard]] Place place() const { return {Place::Unit::Byte, position_}; }
+  [[nodiscard]] SourceLocation place() const { return {SourceLocation::Unit::Byte, position_}; }
   [[nodiscard]] std::size_t bytes_left() const { return source_.bytes.size() - position_; }
 
   template <class Number>

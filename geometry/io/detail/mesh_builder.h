@@ -58,7 +58,7 @@ class MeshBuilder {
   }
 
   /// Adds a face whose corners are vertex numbers of the file. Reports a fault if there are fewer than three.
-  void add_face(Place place, std::span<const std::int64_t> corners) {
+  void add_face(SourceLocation place, std::span<const std::int64_t> corners) {
     if (corners.size() < 3)
       source_.broken(place, "a face needs at least 3 vertices, this one has " + std::to_string(corners.size()));
     std::vector<std::uint32_t> face;
@@ -75,7 +75,7 @@ class MeshBuilder {
   [[nodiscard]] std::size_t vertices_so_far() const { return number_in_mesh_.size(); }
 
   /// Records a part that is ignored because the format does not define it. Only the first one is kept.
-  void pass_over(Place place, const std::string& reason) {
+  void pass_over(SourceLocation place, const std::string& reason) {
     if (passed_over_.empty()) passed_over_ = sentence(source_.name, place, reason);
   }
   [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
@@ -91,7 +91,7 @@ class MeshBuilder {
         places_[kept++] = places_[i];
       }
     mesh_.faces.resize(kept);
-    places_.resize(kept, Place{});
+    places_.resize(kept, SourceLocation{});
     return {std::move(mesh_), std::move(places_), std::move(left_out_), parts_left_out_};
   }
 
@@ -103,7 +103,7 @@ class MeshBuilder {
     if (parts_left_out_++ < kMostSentences) left_out_.emplace_back(fault.what());
   }
 
-  void renumber(Place place, std::vector<std::uint32_t>& face) const {
+  void renumber(SourceLocation place, std::vector<std::uint32_t>& face) const {
     for (std::uint32_t& corner : face) {
       const std::int64_t number = first_number_ + corner;
       if (corner >= number_in_mesh_.size()) out_of_range(place, number);
@@ -113,7 +113,7 @@ class MeshBuilder {
     }
   }
 
-  [[noreturn]] void out_of_range(Place place, std::int64_t number) const {
+  [[noreturn]] void out_of_range(SourceLocation place, std::int64_t number) const {
     source_.broken(place, "vertex " + std::to_string(number) +
                               " is out of range: " + std::to_string(vertices_so_far()) +
                               " vertices were read, numbered from " + std::to_string(first_number_));
@@ -123,7 +123,7 @@ class MeshBuilder {
   OnFault on_fault_;
   std::int64_t first_number_;
   Mesh mesh_;
-  std::vector<Place> places_;                  // of the faces
+  std::vector<SourceLocation> places_;         // of the faces
   std::vector<std::uint32_t> number_in_mesh_;  // by number in the file
   std::string passed_over_;                    // a message
   std::vector<std::string> left_out_;

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/io/place.h"
 #include "geometry/io/read_mesh.h"
+#include "geometry/io/source_location.h"
 
 namespace touchstone::io {
 
@@ -22,12 +22,12 @@ struct MeshSource {
   std::string bytes;
 
   /// Reports a fault of one part. The reader may continue with the next part.
-  [[noreturn]] void broken(Place place, const std::string& reason) const {
+  [[noreturn]] void broken(SourceLocation place, const std::string& reason) const {
     throw BrokenMesh(sentence(name, place, reason));
   }
 
   /// Reports a fault after which the reader cannot tell where the next part begins.
-  [[noreturn]] void lost(Place place, const std::string& reason) const {
+  [[noreturn]] void lost(SourceLocation place, const std::string& reason) const {
     throw StructureLost(sentence(name, place, reason));
   }
 
@@ -38,7 +38,7 @@ struct MeshSource {
   }
 
   /// Returns the point. Reports a fault if a coordinate is infinite or not a number.
-  [[nodiscard]] const Eigen::Vector3d& finite(Place place, const Eigen::Vector3d& point) const {
+  [[nodiscard]] const Eigen::Vector3d& finite(SourceLocation place, const Eigen::Vector3d& point) const {
     if (!point.allFinite()) broken(place, "a coordinate is not a finite number");
     return point;
   }

@@ -197,7 +197,7 @@ class TextValues {
   }
   void pass_element(const Element&) {}
 
-  [[nodiscard]] Place place() const { return lines_.place(); }
+  [[nodiscard]] SourceLocation place() const { return lines_.place(); }
   double take_number(Scalar) { return lines_.take_number(); }
   std::int64_t take_count(const Property& list) { return lines_.take_count(written(*list.count_type)); }
   void take_corners(const Property& list, std::int64_t count, std::vector<std::int64_t>& corners) {
@@ -231,7 +231,7 @@ class BinaryValues {
       skip(property.type, property.count_type ? take_count(property) : 1);
   }
 
-  [[nodiscard]] Place place() const { return bytes_.place(); }
+  [[nodiscard]] SourceLocation place() const { return bytes_.place(); }
 
   double take_number(Scalar type) {
     switch (type) {
@@ -248,7 +248,7 @@ class BinaryValues {
   }
 
   std::int64_t take_count(const Property& list) {
-    const Place count_place = place();
+    const SourceLocation count_place = place();
     const std::int64_t count = take_whole(*list.count_type);
     if (count < 0) source_.lost(count_place, "the count " + std::to_string(count) + " is negative");
     if (static_cast<std::uint64_t>(count) > bytes_.bytes_left() / size_of(list.type))
@@ -266,7 +266,7 @@ class BinaryValues {
  private:
   std::int64_t take_whole(Scalar type) {
     constexpr double kLimit = 1e15;  // integers up to here are exact doubles
-    const Place number_place = place();
+    const SourceLocation number_place = place();
     const double value = take_number(type);
     if (!(std::abs(value) < kLimit) || value != std::floor(value))
       source_.lost(number_place, "a count or vertex number is not an integer");
@@ -279,7 +279,7 @@ class BinaryValues {
 
 template <class Values>
 Eigen::Vector3d take_vertex(const MeshSource& source, const Element& element, Values& values) {
-  const Place place = values.place();
+  const SourceLocation place = values.place();
   Eigen::Vector3d point;
   for (const Property& property : element.properties)
     if (const auto axis = axis_of(property))
@@ -309,7 +309,7 @@ void read_elements(const MeshSource& source, const Header& header, Values values
     if (element.properties.empty()) continue;  // takes no space in the file, whatever its count
     for (std::int64_t i = 0; i < element.count; ++i) {
       values.begin_element(element, i);
-      const Place place = values.place();
+      const SourceLocation place = values.place();
       if (element.name == "vertex")
         builder.add_vertex([&] { return take_vertex(source, element, values); });
       else if (element.name == "face")

@@ -20,7 +20,7 @@ constexpr std::size_t kFacetBytes = 12 * sizeof(float) + sizeof(std::uint16_t);
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-void add_triangle(MeshBuilder& builder, Place place, const Triangle& triangle) {
+void add_triangle(MeshBuilder& builder, SourceLocation place, const Triangle& triangle) {
   const auto first = static_cast<std::int64_t>(builder.vertices_so_far());
   for (const Eigen::Vector3d& point : triangle) builder.add_vertex([&] { return point; });
   builder.add_face(place, std::array{first, first + 1, first + 2});
@@ -40,16 +40,17 @@ bool is_binary(const MeshSource& source) {
 
 void read_binary(const MeshSource& source, MeshBuilder& builder) {
   if (source.bytes.size() < kHeaderBytes)
-    source.lost({Place::Unit::Byte, source.bytes.size()}, "the file is truncated within its header of 84 bytes");
+    source.lost({SourceLocation::Unit::Byte, source.bytes.size()},
+                "the file is truncated within its header of 84 bytes");
   ByteReader bytes(source, kTitleBytes, std::endian::little);
   const auto count = bytes.take<std::uint32_t>();
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Place facet = bytes.place();
+    const SourceLocation facet = bytes.place();
     if (bytes.bytes_left() < kFacetBytes)
       source.lost(facet, "the file is truncated: facet " + std::to_string(i) + " of " + std::to_string(count) +
                              " is not complete");
     bytes.skip(3 * sizeof(float));
-    std::array<Place, 3> places;
+    std::array<SourceLocation, 3> places;
     Triangle triangle;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       places[corner] = bytes.place();
@@ -98,7 +99,7 @@ class StatementReader {
 };
 
 void read_facet(const MeshSource& source, StatementReader& statements, MeshBuilder& builder) {
-  const Place place = statements.line().place();
+  const SourceLocation place = statements.line().place();
   statements.pass("facet");
   statements.pass("outer");
   Triangle triangle;

@@ -46,7 +46,9 @@ class TextReader {
     return false;
   }
 
-  [[nodiscard]] Place place() const { return {Place::Unit::Line, std::max<std::size_t>(line_number_, 1)}; }
+  [[nodiscard]] SourceLocation place() const {
+    return {SourceLocation::Unit::Line, std::max<std::size_t>(line_number_, 1)};
+  }
   [[nodiscard]] bool line_is_done() const { return rest_.empty(); }
   /// Returns the position of the byte after the current line.
   [[nodiscard]] std::size_t position() const { return position_; }

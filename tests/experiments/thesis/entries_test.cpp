@@ -112,7 +112,7 @@ TEST(Entries, HaveEveryCountThatACaptionStates) {
 TEST(Entries, DifferWhereAMoveHasTheWrongSign) {
   Study study = begun();
   for (const char* id : {"6.4", "6.5", "table 6.1"}) EXPECT_TRUE(entry_of(entries_of(study), id).agrees()) << id;
-  study.cases[0].rehearsal.moves[0].degrees *= -1;
+  study.cases[0].path.moves[0].degrees *= -1;
   const std::vector<Entry> entries = entries_of(study);
   for (const char* id : {"6.4", "6.5", "table 6.1"}) EXPECT_FALSE(entry_of(entries, id).agrees()) << id;
   EXPECT_EQ(entry_of(entries, "6.4").status_words(), "differs");
@@ -129,7 +129,7 @@ TEST(Entries, DifferInALayoutThatIsOff) {
     EXPECT_EQ(entry_of(entries, id).status_words(), "differs") << id;
 }
 
-// Where a case cannot be rehearsed at all there are no moves, and nothing agrees by accident.
+// Where a case cannot be simulated there are no moves, and nothing agrees by accident.
 TEST(Entries, DifferWhereACaseFails) {
   kinematics::Layout layout = kinematics::chosen_layout();
   layout.storage_radius[1] = 900;

@@ -85,7 +85,7 @@ TEST(CaseStudy, StopsAtTheFirstStepThatTouches) {
       EXPECT_TRUE(stop.thesis_at);
       EXPECT_FALSE(stop.thesis_before);
     }
-    EXPECT_EQ(its.moments.size(), its.rehearsal.moves.size() + 1);
+    EXPECT_EQ(its.moments.size(), its.path.moves.size() + 1);
     EXPECT_FALSE(its.moments[its.stops[0].move].gripped);
     EXPECT_TRUE(its.moments[its.stops[0].move + 1].gripped);
     EXPECT_EQ(its.asked % 6, 0U);
@@ -95,8 +95,9 @@ TEST(CaseStudy, StopsAtTheFirstStepThatTouches) {
   EXPECT_EQ(face_words(begun().cases[0].stops[1].face), "upper face");
 }
 
-// The arm of the cell's file, by which pictures are drawn, and that of the rehearsals hold the sphere in one place.
-TEST(DrawnCell, HoldsTheSphereWhereTheRehearsalHasIt) {
+// The arm of the cell's file, by which pictures are drawn, and that of the simulated paths hold the sphere in one
+// place.
+TEST(DrawnCell, HoldsTheSphereWhereTheSimulatedPathHasIt) {
   for (const CaseStudy& its : begun().cases) {
     const auto drawn = drawn_moments(begun().cell, its);
     for (const Moment& moment : its.moments) {
@@ -147,7 +148,7 @@ TEST(Reconfiguration, SaysWhatIsExceededAndWhatWouldFit) {
   const Study& study = begun();
   const double height = study.layout.storage_height[0];
   const auto tried = [&](double angle, double radius) {
-    return try_place(study.layout, study.plan, angle, radius, height);
+    return try_position(study.layout, study.plan, angle, radius, height);
   };
   EXPECT_EQ(tried(1, 487.8).outcome, Outcome::FromSide);
   EXPECT_EQ(tried(1, 487.8).failure, "");
@@ -166,7 +167,7 @@ TEST(Reconfiguration, SaysWhatIsExceededAndWhatWouldFit) {
 
 TEST(Reconfiguration, FindsTheLongestRun) {
   const auto places = [](const std::string& marks) {
-    std::vector<Place> all;
+    std::vector<StoragePosition> all;
     for (const char mark : marks) all.push_back({0, 0, 0, mark == '+' ? Outcome::FromSide : Outcome::OutOfReach, ""});
     return all;
   };

@@ -154,7 +154,7 @@ TEST(Gltf, AnimationIsTheRun) {
   for (const PlainJson& channel : animation["channels"]) {
     const PlainJson& sampler = animation["samplers"].at(channel["sampler"].get<std::size_t>());
     const std::vector<float> times = values<float>(glb, sampler["input"]);
-    ASSERT_EQ(times.size(), run.looks.size());
+    ASSERT_EQ(times.size(), run.snapshots.size());
     EXPECT_TRUE(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end());
     const std::string name = glb.gltf["nodes"].at(channel["target"]["node"].get<std::size_t>())["name"];
     const std::vector<float> output = values<float>(glb, sampler["output"]);
@@ -173,12 +173,12 @@ TEST(Gltf, AnimationIsTheRun) {
   }
   EXPECT_EQ(places.count("Base"), 0U) << "the base stands still";
   for (const char* name : {"Axis1", "Axis6", "material", "sphere"}) ASSERT_EQ(places.count(name), 1U) << name;
-  for (std::size_t i = 0; i < run.looks.size(); ++i)
+  for (std::size_t i = 0; i < run.snapshots.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
       EXPECT_EQ(places["sphere"][3 * i + k], static_cast<float>(run.process.stops[i].sphere.center[axis]));
-      EXPECT_EQ(places["Axis6"][3 * i + k], static_cast<float>(run.looks[i].links.back().translation[axis]));
-      EXPECT_EQ(places["material"][3 * i + k], static_cast<float>(run.looks[i].material.translation[axis]));
+      EXPECT_EQ(places["Axis6"][3 * i + k], static_cast<float>(run.snapshots[i].links.back().translation[axis]));
+      EXPECT_EQ(places["material"][3 * i + k], static_cast<float>(run.snapshots[i].material.translation[axis]));
     }
 }
 

@@ -67,7 +67,7 @@ TEST(RunJson, IsWhatTheProcessSays) {
     EXPECT_EQ(json["stops"][i]["target"].is_null(), !stop.target.has_value());
   }
   EXPECT_EQ(json["methods"][0],
-            Json({{"name", "filtered"}, {"asked", run.contest.scores[0].asked}, {"wrong", 0}, {"unsure", 0}}));
+            Json({{"name", "filtered"}, {"asked", run.comparison.scores[0].asked}, {"wrong", 0}, {"unsure", 0}}));
 }
 
 // A face that is named by a wrong number would be coloured though the sphere is elsewhere. Scenes count triangles
@@ -112,7 +112,7 @@ TEST(RunJson, FollowsTheMaterial) {
   const Recording& run = recording();
   const Json json = Json::parse(run_json(run));
   std::string places;
-  for (std::size_t i = 0; i < run.looks.size(); ++i) {
+  for (std::size_t i = 0; i < run.snapshots.size(); ++i) {
     const Json& place = json["stops"][i]["place"];
     const std::string word = place.is_null() ? "gripper" : place.get<std::string>();
     if (i == 0 || place != json["stops"][i - 1]["place"]) places += word + " ";
@@ -120,21 +120,21 @@ TEST(RunJson, FollowsTheMaterial) {
   EXPECT_EQ(places, "storage gripper machine gripper storage ");
   // From the stop on at which it is gripped, where it lay, it is fixed to the flange.
   const auto in_flange = [&](std::size_t i) -> Eigen::Vector3d {
-    const Pose& flange = run.looks[i].links.back();
-    return flange.rotation.transpose() * (run.looks[i].material.translation - flange.translation);
+    const Pose& flange = run.snapshots[i].links.back();
+    return flange.rotation.transpose() * (run.snapshots[i].material.translation - flange.translation);
   };
   Eigen::Vector3d held = Eigen::Vector3d::Zero();
   std::size_t last = 0;
-  for (const cell::Custody& custody : run.process.custody) {
-    EXPECT_EQ(run.looks[custody.stop].place, custody.place);
-    if (custody.place) {
-      for (std::size_t i = last; i < custody.stop; ++i) EXPECT_LT((in_flange(i) - held).norm(), 1e-9) << i;
-      last = custody.stop;
+  for (const cell::MaterialTransfer& transfer : run.process.transfers) {
+    EXPECT_EQ(run.snapshots[transfer.stop].slot, transfer.slot);
+    if (transfer.slot) {
+      for (std::size_t i = last; i < transfer.stop; ++i) EXPECT_LT((in_flange(i) - held).norm(), 1e-9) << i;
+      last = transfer.stop;
       continue;
     }
-    const Pose& before = run.looks[custody.stop - 1].material;
-    EXPECT_LT((run.looks[custody.stop].material.translation - before.translation).norm(), 1e-9);
-    held = in_flange(last = custody.stop);
+    const Pose& before = run.snapshots[transfer.stop - 1].material;
+    EXPECT_LT((run.snapshots[transfer.stop].material.translation - before.translation).norm(), 1e-9);
+    held = in_flange(last = transfer.stop);
   }
 }
 

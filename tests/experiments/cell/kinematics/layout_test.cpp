@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/workloads/degrees.h"
 
@@ -13,20 +13,20 @@ namespace {
 
 using namespace kinematics;
 
-Rehearsal rehearse_case(const Layout& layout, std::size_t number) {
-  return rehearse(layout, layout.storage(number, kCases[number].storage_angle));
+SimulatedPath simulate_case(const Layout& layout, std::size_t number) {
+  return simulate(layout, layout.storage(number, kCases[number].storage_angle));
 }
 
-std::vector<int> degrees_of(const Rehearsal& rehearsal) {
+std::vector<int> degrees_of(const SimulatedPath& path) {
   std::vector<int> degrees;
-  for (const Move& move : rehearsal.moves) degrees.push_back(move.degrees);
+  for (const Move& move : path.moves) degrees.push_back(move.degrees);
   return degrees;
 }
 
 // The captions of Figs 6.4 to 6.17 and 6.20 to 6.29, with the lift of 11 degrees that they leave out.
 TEST(ChosenLayout, BringsOutTheCaptionedAnglesOfBothCases) {
   const Layout layout = chosen_layout();
-  const Rehearsal first = rehearse_case(layout, 0), second = rehearse_case(layout, 1);
+  const SimulatedPath first = simulate_case(layout, 0), second = simulate_case(layout, 1);
   EXPECT_EQ(degrees_of(first), (std::vector{-3, -149, 38, 66, 28})) << first.failure;
   EXPECT_EQ(degrees_of(second), (std::vector{12, -183, 25, -11, 23, 100, 14})) << second.failure;
   EXPECT_EQ(difference(first, kCases[0]), "");
@@ -38,7 +38,7 @@ TEST(ChosenLayout, BringsOutTheCaptionedAnglesOfBothCases) {
 TEST(ChosenLayout, KeepsEveryRoundedAngleNearlyHalfADegreeFromTheNext) {
   const Layout layout = chosen_layout();
   for (std::size_t number = 0; number < kCases.size(); ++number)
-    for (const Move& move : rehearse_case(layout, number).moves) {
+    for (const Move& move : simulate_case(layout, number).moves) {
       EXPECT_GE(move.margin, 0.48);
       if (!move.contact) continue;
       EXPECT_LE(move.contact->high - move.contact->low, 1e-12);
@@ -59,12 +59,12 @@ TEST(ChosenLayout, PredictsTheBaseMovesAndTheNetAnglesAtTheMachine) {
   const Layout layout = chosen_layout();
   for (std::size_t place = 0; place < 2; ++place)
     for (int angle = -60; angle <= 60; ++angle) {
-      const Rehearsal rehearsal = rehearse(layout, layout.storage(place, angle));
-      ASSERT_TRUE(rehearsal.complete()) << angle << ": " << rehearsal.failure;
-      EXPECT_EQ(rehearsal.to_storage(kBase), -(150 - angle)) << angle;
-      EXPECT_EQ(rehearsal.net(kBase) - rehearsal.to_storage(kBase), 67 - angle) << angle;
-      EXPECT_EQ(rehearsal.net(kElbow), 35) << angle;
-      EXPECT_EQ(rehearsal.net(kShoulder), 28) << angle;
+      const SimulatedPath path = simulate(layout, layout.storage(place, angle));
+      ASSERT_TRUE(path.complete()) << angle << ": " << path.failure;
+      EXPECT_EQ(path.to_storage(kBase), -(150 - angle)) << angle;
+      EXPECT_EQ(path.net(kBase) - path.to_storage(kBase), 67 - angle) << angle;
+      EXPECT_EQ(path.net(kElbow), 35) << angle;
+      EXPECT_EQ(path.net(kShoulder), 28) << angle;
     }
 }
 
@@ -75,52 +75,52 @@ TEST(ChosenLayout, PredictsTheNetAnglesForOtherHeightsOfTheStorage) {
     for (const double raised : {-120.0, -37.0, 13.0, 88.0}) {
       Station storage = layout.storage(place, kCases[place].storage_angle);
       storage.height += raised;
-      const Rehearsal rehearsal = rehearse(layout, storage);
-      ASSERT_TRUE(rehearsal.complete()) << raised << ": " << rehearsal.failure;
-      EXPECT_EQ(rehearsal.net(kElbow), 35) << raised;
-      EXPECT_EQ(rehearsal.net(kShoulder), 28) << raised;
-      EXPECT_EQ(rehearsal.net(kBase), kMachineAzimuth) << raised;
+      const SimulatedPath path = simulate(layout, storage);
+      ASSERT_TRUE(path.complete()) << raised << ": " << path.failure;
+      EXPECT_EQ(path.net(kElbow), 35) << raised;
+      EXPECT_EQ(path.net(kShoulder), 28) << raised;
+      EXPECT_EQ(path.net(kBase), kMachineAzimuth) << raised;
     }
 }
 
 // Half a degree from the next: what moves an angle by more than that flips the caption, and is named.
-TEST(Rehearsal, TellsWhichCaptionFlips) {
+TEST(SimulatedPath, TellsWhichCaptionFlips) {
   Layout layout = chosen_layout();
   layout.machine_height += 5;
-  EXPECT_EQ(difference(rehearse_case(layout, 0), kCases[0]), "move 3: elbow +39 where the caption says elbow +38");
+  EXPECT_EQ(difference(simulate_case(layout, 0), kCases[0]), "move 3: elbow +39 where the caption says elbow +38");
   layout = chosen_layout();
   layout.gap += 8;
   EXPECT_EQ(
-      difference(rehearse_case(layout, 0), kCases[0]),
+      difference(simulate_case(layout, 0), kCases[0]),
       "from above: shoulder +66: the sphere touches nothing; from the side: base -149: the sphere touches nothing");
   layout = chosen_layout();
   layout.clearance -= 4;
-  EXPECT_EQ(difference(rehearse_case(layout, 1), kCases[1]),
+  EXPECT_EQ(difference(simulate_case(layout, 1), kCases[1]),
             "move 4: shoulder -10 where the caption says shoulder -11");
 }
 
-TEST(Rehearsal, NamesWhatIsInTheWayAndWhatIsOutOfReach) {
+TEST(SimulatedPath, NamesWhatIsInTheWayAndWhatIsOutOfReach) {
   const Layout layout = chosen_layout();
   Station storage = layout.storage(1, -33);
   storage.radius = 2000;
-  EXPECT_EQ(rehearse(layout, storage).failure,
+  EXPECT_EQ(simulate(layout, storage).failure,
             "from above: the upper face of the material is out of reach; "
             "from the side: the side of the material is out of reach");
   Layout blocked = layout;  // the machine's material stands where the sphere goes by
   blocked.machine_radius = layout.storage_radius[0];
   blocked.machine_height = layout.storage_height[0];
-  const Rehearsal rehearsal = rehearse_case(blocked, 0);
-  EXPECT_TRUE(rehearsal.failure.starts_with("from above: base -149: the sphere touches the material at the machine"))
-      << rehearsal.failure;
+  const SimulatedPath path = simulate_case(blocked, 0);
+  EXPECT_TRUE(path.failure.starts_with("from above: base -149: the sphere touches the material at the machine"))
+      << path.failure;
 }
 
 // A ball so small that a step of the base passes over the side of the material.
-TEST(Rehearsal, NoticesThatStepsPassOverAContact) {
+TEST(SimulatedPath, NoticesThatStepsPassOverAContact) {
   Layout layout = chosen_layout();
   layout.gap -= layout.sphere_radius - 0.5;
   layout.sphere_radius = 0.5;
-  EXPECT_TRUE(rehearse_case(layout, 0).failure.find("steps of 1 degree pass over the contact") != std::string::npos)
-      << rehearse_case(layout, 0).failure;
+  EXPECT_TRUE(simulate_case(layout, 0).failure.find("steps of 1 degree pass over the contact") != std::string::npos)
+      << simulate_case(layout, 0).failure;
 }
 
 TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {
@@ -132,7 +132,7 @@ TEST(SolveLayout, BringsOutTheCaptionsFromOtherHomesToo) {
         ASSERT_TRUE(layout.has_value());
         EXPECT_NEAR(layout->storage_height[0], layout->storage_height[1], 1e-6);
         for (std::size_t number = 0; number < kCases.size(); ++number)
-          EXPECT_EQ(difference(rehearse_case(*layout, number), kCases[number]), "")
+          EXPECT_EQ(difference(simulate_case(*layout, number), kCases[number]), "")
               << to_string(coupling) << ' ' << lean << ' ' << elevation;
         ++out;
       }

@@ -17,7 +17,7 @@
 namespace touchstone::cell_simulation_tests {
 namespace {
 
-using cell::Cause;
+using cell::FailureCause;
 
 std::vector<cell::Tried> tried(const cell::Grid& grid, unsigned threads = 1) {
   static const cell::Cell cell = cell::read_cell(kAristo);
@@ -34,7 +34,7 @@ TEST(Area, ThePlacesOfBothCaseStudiesAreInIt) {
 
 TEST(Area, SaysWhyThereIsNoPlaceElsewhere) {
   const auto far = tried({{1}, {900}, {412}})[0];
-  EXPECT_EQ(far.cause, Cause::OutOfReach);
+  EXPECT_EQ(far.cause, FailureCause::OutOfReach);
   EXPECT_NE(far.reason.find(
                 "storage.radius: too far: material in slot \"A\" is 910.965 from the second joint, where the "
                 "arm holds its sphere 103.149 to 703.149 away; at this height the arm reaches all slots from above "
@@ -45,10 +45,10 @@ TEST(Area, SaysWhyThereIsNoPlaceElsewhere) {
   EXPECT_NE(high.reason.find("at this height the arm reaches it from above at no radius"), std::string::npos)
       << high.reason;
   const auto in_machine = tried({{67}, {626}, {500}})[0];
-  EXPECT_EQ(in_machine.cause, Cause::InTheWay);
+  EXPECT_EQ(in_machine.cause, FailureCause::InTheWay);
   EXPECT_NE(in_machine.reason.find("machine/"), std::string::npos) << in_machine.reason;
   const auto in_base = tried({{1}, {60}, {412}})[0];
-  EXPECT_EQ(in_base.cause, Cause::InTheWay);
+  EXPECT_EQ(in_base.cause, FailureCause::InTheWay);
   EXPECT_NE(in_base.reason.find("at home Base/pedestal comes within"), std::string::npos) << in_base.reason;
 }
 
@@ -62,7 +62,8 @@ TEST(Area, TheRadiiThatARefusalNamesAreThoseWithinReach) {
         << reason;
     const auto within = tried({{1}, {least, (least + most) / 2, most}, {height}}),
                beyond = tried({{1}, {most + 10}, {height}});
-    for (const cell::Tried& place : within) EXPECT_NE(place.cause, Cause::OutOfReach) << height << ' ' << place.reason;
+    for (const cell::Tried& place : within)
+      EXPECT_NE(place.cause, FailureCause::OutOfReach) << height << ' ' << place.reason;
     EXPECT_NE(beyond[0].reason.find("from above: the upper face of the material is out of reach"), std::string::npos)
         << height << ' ' << beyond[0].reason;
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/cell/simulation/cells.h"
@@ -17,8 +17,8 @@ namespace touchstone::cell_simulation_tests {
 namespace {
 
 using cell::Phase;
-using cell::Place;
 using cell::Process;
+using cell::StationSlot;
 using cell::Until;
 
 /// What a joint was moved by in these phases, in sum.
@@ -46,7 +46,7 @@ bool touches(const Ball& ball, const scene::Faces& faces) {
 
 TEST(Process, TheCaptionsOfBothCaseStudiesComeOutToTheDegree) {
   using enum cell::Moved;
-  const Process first = cell::perform(aristo()), second = cell::perform(aristo(kSecondCase));
+  const Process first = cell::simulate(aristo()), second = cell::simulate(aristo(kSecondCase));
   EXPECT_EQ(first.failure + second.failure, "");
   const std::vector<std::pair<cell::Moved, double>> one{
       {kElbow, -3}, {kBase, -149}, {kElbow, 38}, {kBase, 66}, {kShoulder, 28}};
@@ -57,17 +57,15 @@ TEST(Process, TheCaptionsOfBothCaseStudiesComeOutToTheDegree) {
 }
 
 // The same moves by the cell's faces and by the layout that was solved for, which knows of no more than the material.
-TEST(Process, ItsMovesAreThoseOfTheLayoutsRehearsal) {
+TEST(Process, ItsMovesAreThoseOfTheLayoutsSimulatedPath) {
   const kinematics::Layout layout = kinematics::chosen_layout();
   for (std::size_t number = 0; number < kinematics::kCases.size(); ++number) {
-    const auto rehearsal =
-        kinematics::rehearse(layout, layout.storage(number, kinematics::kCases[number].storage_angle));
-    const Process process = cell::perform(aristo(number == 0 ? std::vector<std::string>{} : kSecondCase));
-    ASSERT_GE(process.moves.size(), rehearsal.moves.size());
-    for (std::size_t i = 0; i < rehearsal.moves.size(); ++i) {
-      EXPECT_EQ(process.moves[i].degrees, rehearsal.moves[i].degrees) << "case " << number + 1 << ", move " << i + 1;
-      EXPECT_NEAR(process.moves[i].exact, rehearsal.moves[i].exact, 1e-9)
-          << "case " << number + 1 << ", move " << i + 1;
+    const auto path = kinematics::simulate(layout, layout.storage(number, kinematics::kCases[number].storage_angle));
+    const Process process = cell::simulate(aristo(number == 0 ? std::vector<std::string>{} : kSecondCase));
+    ASSERT_GE(process.moves.size(), path.moves.size());
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      EXPECT_EQ(process.moves[i].degrees, path.moves[i].degrees) << "case " << number + 1 << ", move " << i + 1;
+      EXPECT_NEAR(process.moves[i].exact, path.moves[i].exact, 1e-9) << "case " << number + 1 << ", move " << i + 1;
     }
   }
 }
@@ -78,7 +76,7 @@ TEST(Process, TheBaseTurnsAsTheCaptionsImplyForEveryAngleOfTheStorage) {
     for (const bool second : {false, true}) {
       const std::string at = "storage.angle=" + std::to_string(angle);
       const cell::Workcell workcell = aristo(second ? std::vector{kSecondCase[1], at} : std::vector{at});
-      const Process process = cell::perform(workcell);
+      const Process process = cell::simulate(workcell);
       if (angle >= 48 && !process.failure.empty()) {
         EXPECT_NE(process.failure.find("machine/"), std::string::npos) << at;
         if (second || process.moves.back().phase < Phase::ToMachine) continue;
@@ -101,20 +99,20 @@ TEST(Process, ItEndsAtHomeWithTheMaterialBackInItsSlot) {
                               {"storage.radius=420"},
                               {"step=0.5"}}) {
     const cell::Workcell workcell = aristo(changes);
-    const Process process = cell::perform(workcell);
+    const Process process = cell::simulate(workcell);
     ASSERT_EQ(process.failure, "") << (changes.empty() ? "" : changes[0]);
     EXPECT_EQ(process.stops.back().commanded, workcell.arm().home);
-    ASSERT_EQ(process.custody.size(), 5U);
-    EXPECT_EQ(process.custody[1].place, std::nullopt);
-    EXPECT_EQ(process.custody[2].place, Place::Machine);
-    EXPECT_EQ(process.custody[3].place, std::nullopt);
-    EXPECT_EQ(process.custody[4].place, Place::Storage);
+    ASSERT_EQ(process.transfers.size(), 5U);
+    EXPECT_EQ(process.transfers[1].slot, std::nullopt);
+    EXPECT_EQ(process.transfers[2].slot, StationSlot::Machine);
+    EXPECT_EQ(process.transfers[3].slot, std::nullopt);
+    EXPECT_EQ(process.transfers[4].slot, StationSlot::Storage);
   }
 }
 
 TEST(Process, StopsAreOneStepOfOneJointApart) {
   const cell::Workcell workcell = aristo({"step=0.5"});
-  const Process process = cell::perform(workcell);
+  const Process process = cell::simulate(workcell);
   for (std::size_t i = 1; i < process.stops.size(); ++i) {
     const auto& before = process.stops[i - 1].commanded;
     const auto& after = process.stops[i].commanded;
@@ -131,7 +129,7 @@ TEST(Process, StopsAreOneStepOfOneJointApart) {
 TEST(Process, AMoveUntilContactEndsAtTheFirstStopThatTouchesExactly) {
   for (const auto& changes : {std::vector<std::string>{}, kSecondCase}) {
     const cell::Workcell workcell = aristo(changes);
-    const Process process = cell::perform(workcell);
+    const Process process = cell::simulate(workcell);
     std::size_t contacts = 0;
     for (std::size_t i = 1; i < process.stops.size(); ++i) {
       const cell::Stop& stop = process.stops[i];
@@ -155,7 +153,7 @@ TEST(Process, AMoveUntilContactEndsAtTheFirstStopThatTouchesExactly) {
 }
 
 TEST(Process, WhatIsInTheWayIsNamedWithTheMoveAndTheAngle) {
-  const auto failure = [](const std::vector<std::string>& changes) { return cell::perform(aristo(changes)).failure; };
+  const auto failure = [](const std::vector<std::string>& changes) { return cell::simulate(aristo(changes)).failure; };
   const std::string in_the_way =
       failure({R"(machine.parts[6]={"name":"wall","box":{"from":[-160,-20,-400],"to":[-120,20,400]}})"});
   EXPECT_NE(in_the_way.find("from the side: to-storage base -149: after 79.94 degrees the sphere touches machine/wall"),
@@ -173,7 +171,7 @@ TEST(Process, WhatIsInTheWayIsNamedWithTheMoveAndTheAngle) {
 TEST(Process, ALimitOfAJointIsNamed) {
   cell::Cell cell = cell::read_cell(kAristo);
   cell.robot.joints[0].lower = -140;
-  const Process process = cell::perform({cell, cell::build_model(cell), covered_aristo()});
+  const Process process = cell::simulate({cell, cell::build_model(cell), covered_aristo()});
   EXPECT_NE(process.failure.find("to-storage base -149: joint base: -149 degrees are beyond its limits, -140 to 90"),
             std::string::npos)
       << process.failure;
@@ -181,10 +179,10 @@ TEST(Process, ALimitOfAJointIsNamed) {
 
 TEST(Process, WhatWasDoneBeforeAFailureIsKept) {
   const Process process =
-      cell::perform(aristo({R"(machine.parts[6]={"name":"lid","box":{"from":[-60,-60,50],"to":[60,60,60]}})"}));
+      cell::simulate(aristo({R"(machine.parts[6]={"name":"lid","box":{"from":[-60,-60,50],"to":[60,60,60]}})"}));
   EXPECT_NE(process.failure.find("machine/lid"), std::string::npos) << process.failure;
   ASSERT_EQ(process.moves.size(), 2U);
-  EXPECT_EQ(process.custody.size(), 2U);
+  EXPECT_EQ(process.transfers.size(), 2U);
   EXPECT_EQ(process.stops.size(), 153U);
 }
 

@@ -355,6 +355,21 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
+TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {
+  for (const std::vector<std::string>& option :
+       {{"--threads", "1"}, {"--output", "folder"}, {"--force"}, std::vector<std::string>{"--resume"}}) {
+    std::vector<std::string> words{"--samples", "1", "--print"};
+    words.insert(words.end(), option.begin(), option.end());
+    try {
+      run_command(words);
+      ADD_FAILURE() << option.front();
+    } catch (const harness::UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(option.front() + " excludes --print"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(SoakCommand, EndsWithTheSameBytesInTwoPartsAsInOne) {
   const Scratch scratch;
   const std::string parts = (scratch.path / "parts").string(), one = (scratch.path / "one").string();

@@ -267,6 +267,8 @@ TEST(TradeoffCommand, WrongOptionsAreErrorsThatNameThem) {
   EXPECT_NE(complaint({"--repetitions", "0"}).find("--repetitions"), std::string::npos);
   EXPECT_NE(complaint({"--output", "/dev/null/folder", "--samples", "1"}).find("/dev/null/folder"), std::string::npos);
   EXPECT_NE(complaint({"--redraw", "--output", "/nowhere"}).find("--redraw"), std::string::npos);
+  EXPECT_NE(complaint({"--redraw", "--samples", "5"}).find("--samples excludes --redraw"), std::string::npos);
+  EXPECT_NE(complaint({"--redraw", "--no-pictures"}).find("--no-pictures excludes --redraw"), std::string::npos);
 }
 
 // Interrupted once its folder is there: it ends early, says so in words, status and record, and keeps what it has.

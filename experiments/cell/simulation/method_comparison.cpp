@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cell/simulation/contest.h"
+#include "experiments/cell/simulation/method_comparison.h"
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ namespace touchstone::cell {
 namespace {
 
 /// A face as every method has prepared it.
-struct Contested {
+struct PreparedFace {
   std::string owner;
   std::size_t number;
   Polygon polygon;
@@ -24,8 +24,8 @@ struct Contested {
   std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;  // one a method, when it is first asked
 };
 
-std::vector<Contested> contested(const scene::Faces& faces, const std::vector<std::string>& owners) {
-  std::vector<Contested> all;
+std::vector<PreparedFace> prepared(const scene::Faces& faces, const std::vector<std::string>& owners) {
+  std::vector<PreparedFace> all;
   const auto add = [&](const Polygon& polygon) {
     const touchstone::Box box = scene::lifted_box(polygon, filtered::PreparedPolygon(polygon));
     all.push_back({owners.size() == 1 ? owners.front() : owners[all.size()], all.size(), polygon, box, {}});
@@ -42,25 +42,25 @@ bool meets(const Ball& ball, const touchstone::Box& box) {
          (ball.center.array() + reach >= box.low.array()).all();
 }
 
-class Jury {
+class Comparer {
  public:
-  Jury(const std::vector<const cases::Method*>& methods, bool every_face) : every_face_(every_face) {
+  Comparer(const std::vector<const cases::Method*>& methods, bool every_face) : every_face_(every_face) {
     for (const cases::Method* method : methods) result.scores.push_back({method});
   }
 
-  void hear(std::size_t stop, const Ball& sphere, std::vector<Contested>& faces) {
-    for (Contested& face : faces) {
+  void compare(std::size_t stop, const Ball& sphere, std::vector<PreparedFace>& faces) {
+    for (PreparedFace& face : faces) {
       ++result.pairs;
       const bool met = meets(sphere, face.box);
       if (met) ++result.met;
-      if (met || every_face_) hear(stop, sphere, face, met);
+      if (met || every_face_) compare(stop, sphere, face, met);
     }
   }
 
-  Contest result;
+  MethodComparison result;
 
  private:
-  void hear(std::size_t stop, const Ball& sphere, Contested& face, bool met) {
+  void compare(std::size_t stop, const Ball& sphere, PreparedFace& face, bool met) {
     cases::PartialAnswer truth;
     truth.contact = met && exact::contact(sphere, face.polygon);
     face.prepared.resize(result.scores.size());
@@ -88,25 +88,25 @@ class Jury {
 
 }  // namespace
 
-Contest hold_contest(const Workcell& workcell, const Process& process, const std::vector<const cases::Method*>& methods,
-                     bool every_face) {
+MethodComparison compare_methods(const Workcell& workcell, const Process& process,
+                                 const std::vector<const cases::Method*>& methods, bool every_face) {
   const Obstacles& obstacles = workcell.obstacles();
-  std::vector<Contested> standing = contested(obstacles.faces, obstacles.owners);
-  std::vector<std::vector<Contested>> material;
-  for (const Place place : {Place::Storage, Place::Machine})
-    material.push_back(contested(workcell.at(place).faces, {"material"}));
+  std::vector<PreparedFace> standing = prepared(obstacles.faces, obstacles.owners);
+  std::vector<std::vector<PreparedFace>> material;
+  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+    material.push_back(prepared(workcell.at(slot).faces, {"material"}));
 
-  Jury jury(methods, every_face);
-  auto custody = process.custody.begin();
+  Comparer comparer(methods, every_face);
+  auto transfer = process.transfers.begin();
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
-    while (custody + 1 != process.custody.end() && (custody + 1)->stop < i) ++custody;
-    jury.hear(i, stop.sphere, standing);
-    for (const Place place : {Place::Storage, Place::Machine})
-      if (custody->place == place || stop.target == place)
-        jury.hear(i, stop.sphere, material[static_cast<std::size_t>(place)]);
+    while (transfer + 1 != process.transfers.end() && (transfer + 1)->stop < i) ++transfer;
+    comparer.compare(i, stop.sphere, standing);
+    for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+      if (transfer->slot == slot || stop.target == slot)
+        comparer.compare(i, stop.sphere, material[static_cast<std::size_t>(slot)]);
   }
-  return std::move(jury.result);
+  return std::move(comparer.result);
 }
 
 }  // namespace touchstone::cell

@@ -8,7 +8,7 @@
 namespace touchstone::io {
 
 /// A line of a text file (from 1) or a byte of a binary one (from 0).
-struct Place {
+struct SourceLocation {
   /// The unit that the number counts.
   enum class Unit { Line, Byte };
   Unit unit;           ///< lines or bytes
@@ -16,6 +16,6 @@ struct Place {
 };
 
 /// Returns `arm.stl: line 12: reason`.
-[[nodiscard]] std::string sentence(const std::string& file, Place place, const std::string& reason);
+[[nodiscard]] std::string sentence(const std::string& file, SourceLocation place, const std::string& reason);
 
 }  // namespace touchstone::io

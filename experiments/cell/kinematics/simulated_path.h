@@ -7,19 +7,11 @@
 
 #include "experiments/cell/first_contact/first_contact.h"
 #include "experiments/cell/kinematics/layout.h"
+#include "experiments/cell/kinematics/simulation_terms.h"
 
 namespace touchstone::kinematics {
 
-/// The rule for how far a joint moves.
-enum class Until {
-  Planned,  ///< by the whole number of degrees nearest to the result of inverse kinematics
-  Facing,   ///< until the base faces a station, which takes a whole number of degrees here
-  Contact,  ///< by steps of 1 degree until the sphere touches the material that it approaches
-  Cleared,  ///< by steps of 1 degree until the sphere has risen by the clearance
-};
-[[nodiscard]] std::string_view to_string(Until until);
-
-/// One completed move of one joint.
+/// One completed move of one joint, in steps of 1 degree.
 struct Move {
   AristoJoint joint;
   Until until;
@@ -29,27 +21,20 @@ struct Move {
   double margin;  ///< degrees by which `exact` may change before `degrees` does; 1 if nothing is rounded
 };
 
-/// The reason why an approach failed.
-enum class Hindrance {
-  OutOfReach,  ///< the arm cannot reach the material
-  JointLimit,
-  InTheWay,   ///< the sphere touches an obstacle
-  NoContact,  ///< the sphere misses what it should touch, steps skip the contact, or no lift clears the material
-};
-
-/// The way from home to the storage and to the machine, as in the thesis's case studies.
-struct Rehearsal {
+/// The path from home to the storage and to the machine, as in the thesis's case studies.
+struct SimulatedPath {
   std::vector<Move> moves;
-  std::string failure;                 ///< why no approach succeeded, naming the moves; then there are no moves
-  std::optional<Hindrance> hindrance;  ///< set in that case: the reason of the last approach
+  std::string failure;  ///< why no approach succeeded, naming the moves; then there are no moves
+  /// Set in that case: the cause of the last approach. NoContact also if no lift clears the material.
+  std::optional<FailureCause> cause;
 
-  [[nodiscard]] bool complete() const { return !hindrance; }
+  [[nodiscard]] bool complete() const { return !cause; }
   /// Return the sum of a joint's moves until the sphere first touched the material, and the sum of all its moves.
   [[nodiscard]] int to_storage(AristoJoint joint) const;
   [[nodiscard]] int net(AristoJoint joint) const;
 };
 
-/// Simulates the way for any angle, radius and height of the storage by one rule: takes the first of these approaches
+/// Simulates the path for any angle, radius and height of the storage by one rule: takes the first of these approaches
 /// that succeeds: from the side without moving the shoulder, from above, from the side.
 ///
 /// From above: the elbow moves to the angle that inverse kinematics gives for the sphere on the upper face, in whole
@@ -58,9 +43,9 @@ struct Rehearsal {
 /// material, and the base turns towards the storage until the sphere touches the side. The machine is then approached
 /// from above, carrying the gripped material. No other contact may happen: first_contact checks the whole arc of every
 /// move.
-[[nodiscard]] Rehearsal rehearse(const Layout& layout, const Station& storage);
+[[nodiscard]] SimulatedPath simulate(const Layout& layout, const Station& storage);
 
-/// Returns how the captions of a case differ from a rehearsal; empty if they agree to the degree.
-[[nodiscard]] std::string difference(const Rehearsal& rehearsal, const Captions& captions);
+/// Returns how the captions of a case differ from a simulated path; empty if they agree to the degree.
+[[nodiscard]] std::string difference(const SimulatedPath& path, const Captions& captions);
 
 }  // namespace touchstone::kinematics

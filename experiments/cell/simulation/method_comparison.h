@@ -32,7 +32,7 @@ struct Disagreement {
   std::vector<std::string> methods;  ///< the names of these methods
 };
 
-struct Contest {
+struct MethodComparison {
   std::vector<Score> scores;                ///< in the order of the methods
   std::uint64_t pairs = 0;                  ///< pairs of a stop and a face that is present at it
   std::uint64_t met = 0;                    ///< of these: the boxes of sphere and face meet, so they can touch
@@ -45,7 +45,7 @@ struct Contest {
 /// The exact answer is that of `exact` if the boxes of the ball and of the lifted face meet, otherwise no. Methods are
 /// asked only about pairs that meet; with `every_face` about all faces, as one would without boxes, so that errors that
 /// a box would hide count, too. Cost: 20 us per pair that meets, for `exact`, plus that of each method.
-[[nodiscard]] Contest hold_contest(const Workcell& workcell, const Process& process,
-                                   const std::vector<const cases::Method*>& methods, bool every_face);
+[[nodiscard]] MethodComparison compare_methods(const Workcell& workcell, const Process& process,
+                                               const std::vector<const cases::Method*>& methods, bool every_face);
 
 }  // namespace touchstone::cell

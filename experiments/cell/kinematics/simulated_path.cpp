@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/cell/kinematics/rehearsal.h"
+#include "experiments/cell/kinematics/simulated_path.h"
 
 #include <fmt/core.h>
 
@@ -13,22 +13,14 @@
 namespace touchstone::kinematics {
 namespace {
 
-/// Why a way cannot go on.
-struct Failed : std::runtime_error {
-  Failed(Hindrance by, const std::string& words) : std::runtime_error(words), hindrance(by) {}
-  Hindrance hindrance;
-};
-
-enum class Way { SideWithoutShoulder, Above, Side };
-
 std::string_view name_of(AristoJoint joint) {
   constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
   return names.at(joint);
 }
 
-class Performance {
+class PathSimulation {
  public:
-  Performance(const Layout& layout, const Station& storage)
+  PathSimulation(const Layout& layout, const Station& storage)
       : layout_(layout), storage_(storage), chain_(aristo(layout.coupling)), arm_(layout), angles_(home_pose(layout)) {
     obstacles_.polygons = material_in_storage(layout, storage);
     faces_of_storage_ = obstacles_.polygons.size();
@@ -36,8 +28,8 @@ class Performance {
   }
 
   /// Until the material is gripped and clear of the storage. False: the shoulder would have to move, and must not.
-  [[nodiscard]] bool pick(Way way) {
-    if (way == Way::Above) {
+  [[nodiscard]] bool pick(Approach approach) {
+    if (approach == Approach::Above) {
       come_down_at(storage_, rise_over_edge());
       grip();
       lift();
@@ -46,9 +38,9 @@ class Performance {
     const double beside = layout_.sphere_radius - layout_.gap;
     const auto commands = arm_.inverse(
         {std::sqrt(storage_.radius * storage_.radius + beside * beside), storage_.height + layout_.side / 2});
-    if (!commands) throw Failed(Hindrance::OutOfReach, "the side of the material is out of reach");
+    if (!commands) throw SimulationFailure(FailureCause::OutOfReach, "the side of the material is out of reach");
     if (std::abs(commands->shoulder) >= 0.5) {
-      if (way == Way::SideWithoutShoulder) return false;
+      if (approach == Approach::SideWithoutShoulder) return false;
       move_as_planned(kShoulder, commands->shoulder);
     }
     move_as_planned(kElbow, commands->elbow);
@@ -58,7 +50,7 @@ class Performance {
   }
   void place() { come_down_at(layout_.machine(), layout_.sphere_radius); }
 
-  Rehearsal rehearsal;
+  SimulatedPath path;
 
  private:
   /// Relative to home.
@@ -74,7 +66,8 @@ class Performance {
     try {
       return chain_.arc(angles_, joint, degrees, sphere_center(layout_));
     } catch (const std::out_of_range& beyond) {
-      throw Failed(Hindrance::JointLimit, fmt::format("{} {:+}: {}", name_of(joint), degrees, beyond.what()));
+      throw SimulationFailure(FailureCause::JointLimit,
+                              fmt::format("{} {:+}: {}", name_of(joint), degrees, beyond.what()));
     }
   }
 
@@ -84,13 +77,14 @@ class Performance {
 
   void require_free(AristoJoint joint, int degrees) const {
     if (const auto contact = first_contact(arc(joint, degrees), layout_.sphere_radius, obstacles_))
-      throw Failed(Hindrance::InTheWay, fmt::format("{} {:+}: the sphere touches {} after {:.2f} degrees",
-                                                    name_of(joint), degrees, touched(*contact), contact->high));
+      throw SimulationFailure(FailureCause::InTheWay,
+                              fmt::format("{} {:+}: the sphere touches {} after {:.2f} degrees", name_of(joint),
+                                          degrees, touched(*contact), contact->high));
   }
 
   void record(const Move& move) {
     angles_[move.joint] += move.degrees;
-    rehearsal.moves.push_back(move);
+    path.moves.push_back(move);
   }
 
   void move_as_planned(AristoJoint joint, double target) {
@@ -105,14 +99,16 @@ class Performance {
     const Arc way = arc(joint, most);
     const auto contact = first_contact(way, layout_.sphere_radius, obstacles_);
     if (!contact)
-      throw Failed(Hindrance::NoContact, fmt::format("{} {:+}: the sphere touches nothing", name_of(joint), most));
+      throw SimulationFailure(FailureCause::NoContact,
+                              fmt::format("{} {:+}: the sphere touches nothing", name_of(joint), most));
     if ((contact->face < faces_of_storage_) != in_storage)
-      throw Failed(Hindrance::InTheWay,
-                   fmt::format("{} {:+}: the sphere touches {}", name_of(joint), most, touched(*contact)));
+      throw SimulationFailure(FailureCause::InTheWay,
+                              fmt::format("{} {:+}: the sphere touches {}", name_of(joint), most, touched(*contact)));
     const auto stop = stepped_contact(way, layout_.sphere_radius, 1, obstacles_);
     if (!stop || stop->degrees != std::ceil(contact->high))
-      throw Failed(Hindrance::NoContact, fmt::format("{} {:+}: steps of 1 degree pass over the contact at {:.2f}",
-                                                     name_of(joint), most, contact->high));
+      throw SimulationFailure(FailureCause::NoContact,
+                              fmt::format("{} {:+}: steps of 1 degree pass over the contact at {:.2f}", name_of(joint),
+                                          most, contact->high));
     const int degrees = static_cast<int>(stop->stop) * (most < 0 ? -1 : 1);
     const double left = stop->degrees - contact->low;
     return {joint, Until::Contact, degrees, std::copysign(contact->low, most), contact, std::min(left, 1 - left)};
@@ -122,7 +118,7 @@ class Performance {
   void come_down_at(const Station& station, double rise) {
     const bool in_storage = faces_of_storage_ > 0;
     const auto commands = arm_.inverse({station.radius, station.height + layout_.side + rise});
-    if (!commands) throw Failed(Hindrance::OutOfReach, "the upper face of the material is out of reach");
+    if (!commands) throw SimulationFailure(FailureCause::OutOfReach, "the upper face of the material is out of reach");
     move_as_planned(kElbow, commands->elbow);
     const int turn = static_cast<int>(std::lround(station.azimuth - commanded(kBase)));
     require_free(kBase, turn);
@@ -143,7 +139,7 @@ class Performance {
     const auto clear = [&](double up) { return arm_.reach({shoulder - up, elbow}).up >= from + layout_.clearance; };
     int degrees = 0;
     while (!clear(degrees))
-      if (++degrees > 90) throw Failed(Hindrance::NoContact, "shoulder: no lift clears the storage");
+      if (++degrees > 90) throw SimulationFailure(FailureCause::NoContact, "shoulder: no lift clears the storage");
     double low = std::max(0, degrees - 1), high = degrees;
     for (int i = 0; i < 60; ++i) (clear((low + high) / 2) ? high : low) = (low + high) / 2;
     require_free(kShoulder, -degrees);
@@ -161,12 +157,7 @@ class Performance {
 
 }  // namespace
 
-std::string_view to_string(Until until) {
-  constexpr std::array<std::string_view, 4> words{"planned", "facing", "contact", "cleared"};
-  return words[static_cast<std::size_t>(until)];
-}
-
-int Rehearsal::to_storage(AristoJoint joint) const {
+int SimulatedPath::to_storage(AristoJoint joint) const {
   int sum = 0;
   for (const Move& move : moves) {
     if (move.joint == joint) sum += move.degrees;
@@ -175,42 +166,42 @@ int Rehearsal::to_storage(AristoJoint joint) const {
   return sum;
 }
 
-int Rehearsal::net(AristoJoint joint) const {
+int SimulatedPath::net(AristoJoint joint) const {
   int sum = 0;
   for (const Move& move : moves)
     if (move.joint == joint) sum += move.degrees;
   return sum;
 }
 
-Rehearsal rehearse(const Layout& layout, const Station& storage) {
-  Rehearsal none;
-  for (const Way way : {Way::SideWithoutShoulder, Way::Above, Way::Side}) {
-    Performance performance(layout, storage);
+SimulatedPath simulate(const Layout& layout, const Station& storage) {
+  SimulatedPath none;
+  for (const Approach approach : {Approach::SideWithoutShoulder, Approach::Above, Approach::Side}) {
+    PathSimulation simulation(layout, storage);
     try {
-      if (!performance.pick(way)) continue;
-      performance.place();
-      return std::move(performance.rehearsal);
-    } catch (const Failed& failed) {
-      if (way == Way::Above) none.failure = fmt::format("from above: {}", failed.what());
-      if (way == Way::Side) none.failure += fmt::format("; from the side: {}", failed.what());
-      none.hindrance = failed.hindrance;
+      if (!simulation.pick(approach)) continue;
+      simulation.place();
+      return std::move(simulation.path);
+    } catch (const SimulationFailure& failed) {
+      if (approach == Approach::Above) none.failure = fmt::format("from above: {}", failed.what());
+      if (approach == Approach::Side) none.failure += fmt::format("; from the side: {}", failed.what());
+      none.cause = failed.cause;
     }
   }
   return none;
 }
 
-std::string difference(const Rehearsal& rehearsal, const Captions& captions) {
-  if (!rehearsal.complete()) return rehearsal.failure;
+std::string difference(const SimulatedPath& path, const Captions& captions) {
+  if (!path.complete()) return path.failure;
   std::vector<std::pair<AristoJoint, int>> expected{{kElbow, captions.elbow}, {kBase, captions.base}};
   if (captions.shoulder != 0) expected.emplace_back(kShoulder, captions.shoulder);
   if (captions.lift != 0) expected.emplace_back(kShoulder, captions.lift);
   expected.emplace_back(kElbow, captions.elbow_to_machine);
   expected.emplace_back(kBase, captions.base_to_machine);
   expected.emplace_back(kShoulder, captions.shoulder_to_machine);
-  if (rehearsal.moves.size() != expected.size())
-    return fmt::format("{} moves where the captions name {}", rehearsal.moves.size(), expected.size());
+  if (path.moves.size() != expected.size())
+    return fmt::format("{} moves where the captions name {}", path.moves.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const Move& move = rehearsal.moves[i];
+    const Move& move = path.moves[i];
     if (move.joint != expected[i].first || move.degrees != expected[i].second)
       return fmt::format("move {}: {} {:+} where the caption says {} {:+}", i + 1, name_of(move.joint), move.degrees,
                          name_of(expected[i].first), expected[i].second);

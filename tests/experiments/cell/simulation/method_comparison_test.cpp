@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods along a run, beside the exact answers.
-#include "experiments/cell/simulation/contest.h"
+#include "experiments/cell/simulation/method_comparison.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@
 namespace touchstone::cell_simulation_tests {
 namespace {
 
-using cell::Contest;
-using cell::Place;
+using cell::MethodComparison;
 using cell::Process;
+using cell::StationSlot;
 
-const cell::Score& score(const Contest& contest, std::string_view name) {
-  return *std::ranges::find_if(contest.scores, [&](const cell::Score& s) { return s.method->name() == name; });
+const cell::Score& score(const MethodComparison& comparison, std::string_view name) {
+  return *std::ranges::find_if(comparison.scores, [&](const cell::Score& s) { return s.method->name() == name; });
 }
 
 /// A block with a notch from above, and a run that lowers the sphere into it without touching anything: beside the
@@ -29,70 +29,70 @@ const std::vector<std::string> kNotched{
 
 Process into_the_notch(const cell::Workcell& workcell) {
   Process process;
-  process.custody.push_back({0, Place::Storage, 0});
-  const cell::Workplace& at = workcell.at(Place::Storage);
+  process.transfers.push_back({0, StationSlot::Storage, 0});
+  const cell::Workplace& at = workcell.at(StationSlot::Storage);
   for (int i = 0; i <= 49; ++i) {
     const Eigen::Vector3d local{0, 20, 60.0 - i};  // in the plane of the side
     const Eigen::Vector3d center = at.pose.rotation * local + at.pose.translation;
-    process.stops.push_back({0, workcell.arm().home, {center, 6}, Place::Storage, {}});
+    process.stops.push_back({0, workcell.arm().home, {center, 6}, StationSlot::Storage, {}});
   }
   return process;
 }
 
-TEST(Contest, CountsWhatTheThesissMethodGetsWrongInANotch) {
+TEST(MethodComparison, CountsWhatTheThesissMethodGetsWrongInANotch) {
   const cell::Workcell workcell = aristo(kNotched);
   const Process process = into_the_notch(workcell);
   for (const cell::Stop& stop : process.stops)
-    for (const Polygon& face : workcell.at(Place::Storage).faces.polygons)
+    for (const Polygon& face : workcell.at(StationSlot::Storage).faces.polygons)
       ASSERT_FALSE(exact::contact(stop.sphere, face));
-  const Contest contest = cell::hold_contest(
+  const MethodComparison comparison = cell::compare_methods(
       workcell, process, methods::find_methods({"filtered", "fast", "thesis", "thesis-signed"}), false);
   for (const char* right : {"filtered", "fast", "thesis-signed"}) {
-    EXPECT_EQ(score(contest, right).wrong_hits + score(contest, right).wrong_misses, 0U) << right;
-    EXPECT_EQ(score(contest, right).asked, contest.met) << right;
+    EXPECT_EQ(score(comparison, right).wrong_hits + score(comparison, right).wrong_misses, 0U) << right;
+    EXPECT_EQ(score(comparison, right).asked, comparison.met) << right;
   }
   // With the centre at heights of 10 to 40, within the notch of the side's outline.
-  const cell::Score& thesis = score(contest, "thesis");
+  const cell::Score& thesis = score(comparison, "thesis");
   EXPECT_GE(thesis.wrong_hits, 30U);
   EXPECT_EQ(thesis.wrong_misses, 0U);
   EXPECT_EQ(thesis.wrong_hits, thesis.stops);
-  EXPECT_EQ(contest.disagreements.size(), thesis.wrong_hits);
-  for (const cell::Disagreement& d : contest.disagreements) {
+  EXPECT_EQ(comparison.disagreements.size(), thesis.wrong_hits);
+  for (const cell::Disagreement& d : comparison.disagreements) {
     EXPECT_EQ(d.owner, "material");
     EXPECT_EQ(d.methods, std::vector<std::string>{"thesis"});
     EXPECT_FALSE(exact::contact(d.sphere, d.polygon));
   }
 }
 
-TEST(Contest, BoxesHideNothingFromARightMethod) {
+TEST(MethodComparison, BoxesHideNothingFromARightMethod) {
   const cell::Workcell workcell = aristo(kSecondCase);
-  const Process process = cell::perform(workcell);
+  const Process process = cell::simulate(workcell);
   ASSERT_EQ(process.failure, "");
   const auto methods = methods::find_methods({"filtered", "exact"});
-  const Contest culled = cell::hold_contest(workcell, process, methods, false);
+  const MethodComparison culled = cell::compare_methods(workcell, process, methods, false);
   EXPECT_GT(culled.met, 4U);
   EXPECT_LT(culled.met * 100, culled.pairs);
   // `exact`, asked of all faces at every 25th stop, agrees with the boxes.
   Process some = process;
   some.stops.clear();
   for (std::size_t i = 0; i < process.stops.size(); i += 25) some.stops.push_back(process.stops[i]);
-  const Contest all = cell::hold_contest(workcell, some, methods::find_methods({"filtered"}), true);
+  const MethodComparison all = cell::compare_methods(workcell, some, methods::find_methods({"filtered"}), true);
   EXPECT_EQ(all.scores[0].asked, all.pairs);
   EXPECT_EQ(all.scores[0].wrong_hits + all.scores[0].wrong_misses, 0U);
   for (const cell::Score& each : culled.scores) EXPECT_EQ(each.wrong_hits + each.wrong_misses + each.unsure, 0U);
 }
 
-TEST(Contest, TheMaterialIsAskedAboutWhereItIsAndWhereItsCopyIs) {
+TEST(MethodComparison, TheMaterialIsAskedAboutWhereItIsAndWhereItsCopyIs) {
   const cell::Workcell workcell = aristo();
   Process process;
-  process.custody = {{0, Place::Storage, 0}, {1, std::nullopt, 0}, {3, Place::Machine, 0}};
+  process.transfers = {{0, StationSlot::Storage, 0}, {1, std::nullopt, 0}, {3, StationSlot::Machine, 0}};
   const Ball far{{0, 0, 2000}, 1};
   for (int i = 0; i < 6; ++i) process.stops.push_back({0, workcell.arm().home, far, {}, {}});
-  process.stops[3].target = Place::Machine;  // its virtual copy
-  const Contest contest = cell::hold_contest(workcell, process, {}, false);
+  process.stops[3].target = StationSlot::Machine;  // its virtual copy
+  const MethodComparison comparison = cell::compare_methods(workcell, process, {}, false);
   const std::size_t standing = workcell.obstacles().owners.size();
   // Stops 0 and 1 in storage, 2 with the gripper, 3 its copy, 4 and 5 at the machine: five times six faces.
-  EXPECT_EQ(contest.pairs, 6 * standing + 5 * 6);
+  EXPECT_EQ(comparison.pairs, 6 * standing + 5 * 6);
 }
 
 }  // namespace
