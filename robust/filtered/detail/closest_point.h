@@ -46,7 +46,7 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // underflow on a step and on the components of its direction is smaller than the slack in the two units of the result.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// The feature's point closest to the centre, a coordinate at a time. `Edges` are those of a prepared polygon
+/// Computes each coordinate of the feature's point closest to the centre. `Edges` are those of a prepared polygon
 /// (ExactEdges) or of a triangle (ExactTriangle).
 ///
 /// Requires that each component of a direction has a small relative error, except for lifts and kNormalError: then a

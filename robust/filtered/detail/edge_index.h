@@ -13,8 +13,8 @@
 
 namespace touchstone::filtered {
 
-/// The edges of a prepared polygon in its plane. A query looks at all of them, four at a time, or walks a hierarchy of
-/// boxes, which is built when the first query needs it. Several threads may query at once.
+/// The edges of a prepared polygon in its plane. A query looks at all of them, or walks a hierarchy of boxes, which is
+/// built when the first query needs it. Several threads may query at once.
 class EdgeIndex {
  public:
   using Edge = EdgeTree::Edge;

@@ -85,7 +85,7 @@ class ExactEdges {
     static constexpr double kNormalError = 0;
   };
 
-  /// Returns the edge. The last one is kept, because several signs are asked of the same edge in a row.
+  /// Returns the edge. Keeps the last one, because callers compute several signs of the same edge in a row.
   [[nodiscard]] const EdgeView& edge_view(std::size_t edge) const {
     if (!kept_ || kept_edge_ != edge) {
       kept_.emplace(computed_view(edge));

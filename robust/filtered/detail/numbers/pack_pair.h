@@ -7,7 +7,7 @@
 #pragma clang fp reassociate(off)  // as in double_double.h
 #endif
 
-/// The error-free transformations of double_double.h, of four doubles at a time.
+/// The error-free transformations of double_double.h, each for four doubles.
 ///
 /// Requires what those require. Source: [dekker1971], [joldes2017].
 namespace touchstone::filtered {
