@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/filtered.h"
 
+#include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/prepared.h"
@@ -9,7 +10,17 @@ namespace touchstone::filtered {
 namespace {
 
 NoCounts uncounted;
-using Once = PreparedPolygon::Once;
+
+/// Asks a polygon that is queried once.
+template <auto kernel>
+auto ask_once(const Ball& ball, const Polygon& polygon) {
+  const PreparedPolygon::Parts parts = [&polygon] {
+    const FloatingPointState nearest;
+    return PreparedPolygon::Parts(polygon, EdgeIndex::Use::Once);
+  }();
+  return (kernels().plain.*kernel)(required(ball), parts, uncounted);
+}
+using Table = KernelTable<NoCounts>;
 
 }  // namespace
 
@@ -51,16 +62,14 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon, StageCounts& cou
   return kernels().counted.answer(required(ball), parts_of(polygon), counts);
 }
 
-bool contact(const Ball& ball, const Polygon& polygon) { return contact(ball, PreparedPolygon(polygon, Once())); }
-Relation relation(const Ball& ball, const Polygon& polygon) { return relation(ball, PreparedPolygon(polygon, Once())); }
-PlaneSide plane_side(const Ball& ball, const Polygon& polygon) {
-  return plane_side(ball, PreparedPolygon(polygon, Once()));
-}
-PointLocation foot(const Ball& ball, const Polygon& polygon) { return foot(ball, PreparedPolygon(polygon, Once())); }
+bool contact(const Ball& ball, const Polygon& polygon) { return ask_once<&Table::contact>(ball, polygon); }
+Relation relation(const Ball& ball, const Polygon& polygon) { return ask_once<&Table::relation>(ball, polygon); }
+PlaneSide plane_side(const Ball& ball, const Polygon& polygon) { return ask_once<&Table::plane_side>(ball, polygon); }
+PointLocation foot(const Ball& ball, const Polygon& polygon) { return ask_once<&Table::foot>(ball, polygon); }
 std::vector<std::size_t> edges_hit(const Ball& ball, const Polygon& polygon) {
-  return edges_hit(ball, PreparedPolygon(polygon, Once()));
+  return ask_once<&Table::edges_hit>(ball, polygon);
 }
-Answer answer(const Ball& ball, const Polygon& polygon) { return answer(ball, PreparedPolygon(polygon, Once())); }
+Answer answer(const Ball& ball, const Polygon& polygon) { return ask_once<&Table::answer>(ball, polygon); }
 
 bool contact(const Ball& ball, const Triangle& triangle) {
   return kernels().plain.triangle_contact(view_of(required(ball), required(triangle)), uncounted);

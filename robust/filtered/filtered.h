@@ -59,10 +59,7 @@ class PreparedPolygon {
   /// stage, and no single one takes longer than others of its kind. Cost: 1 to 3 us per vertex.
   void complete() const;
 
-  struct Parts;    ///< internal
-  struct Once {};  ///< internal
-  /// Prepares the polygon for a single query. Internal: the functions below that take a Polygon use it.
-  PreparedPolygon(const Polygon& polygon, Once);
+  struct Parts;  ///< internal
 
  private:
   friend const Parts& parts_of(const PreparedPolygon& polygon);

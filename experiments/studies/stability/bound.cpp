@@ -117,11 +117,12 @@ struct InFrame {
   double height, height_error, size, along, across;
 };
 
-[[gnu::noinline]] InFrame quantities_in_frame(const Ball& ball, const filtered::Frame& frame, std::size_t edge) {
-  const filtered::HeightQuery height(ball, frame);
-  const filtered::FrameQuery query(height, frame);
+[[gnu::noinline]] InFrame quantities_in_frame(const Ball& ball, const filtered::PreparedPolygon::Parts& parts,
+                                              std::size_t edge) {
+  const filtered::HeightQuery height(ball, *parts.frame);
+  const filtered::FrameQuery query(height, *parts.frame);
   InFrame result{height.height, height.height_error, height.size, 0, 0};
-  for (const auto& leaf : frame.edges.leaves()) {
+  for (const auto& leaf : parts.edges->all_leaves()) {
     const auto here = std::span(leaf.edge).first(leaf.count);
     const auto lane = static_cast<std::size_t>(std::ranges::find(here, edge) - here.begin());
     if (lane == leaf.count) continue;
@@ -284,7 +285,7 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
   const filtered::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
     const Environment environment(frame.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
-    return quantities_in_frame(ball, frame, edge);
+    return quantities_in_frame(ball, parts_of(prepared_), edge);
   }();
   const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.exponent);
   const RationalVector direction = lifted_[polygon_.next(edge)] - lifted_[edge];

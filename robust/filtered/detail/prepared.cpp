@@ -99,10 +99,6 @@ PreparedPolygon::PreparedPolygon(const Polygon& polygon) {
   const FloatingPointState nearest;
   parts_ = std::make_unique<const Parts>(polygon);
 }
-PreparedPolygon::PreparedPolygon(const Polygon& polygon, Once) {
-  const FloatingPointState nearest;
-  parts_ = std::make_unique<const Parts>(polygon, EdgeIndex::Use::Once);
-}
 PreparedPolygon::PreparedPolygon(PreparedPolygon&&) noexcept = default;
 PreparedPolygon& PreparedPolygon::operator=(PreparedPolygon&&) noexcept = default;
 PreparedPolygon::~PreparedPolygon() = default;

@@ -34,7 +34,7 @@ class Signs {
 
 std::vector<EdgeTree::Edge> edges_of(const EdgeIndex& index, std::size_t count) {
   std::vector<EdgeTree::Edge> edges(count);
-  for (const EdgeTree::Leaf& leaf : index.is_scanned() ? index.leaves() : index.tree().leaves())
+  for (const EdgeTree::Leaf& leaf : index.all_leaves())
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane)
       edges[leaf.edge[lane]] = {leaf.start_x[lane],     leaf.start_y[lane],     leaf.end_x[lane], leaf.end_y[lane],
                                 leaf.direction_x[lane], leaf.direction_y[lane], leaf.length[lane]};
@@ -47,8 +47,8 @@ struct Framed {
   std::vector<EdgeTree::Edge> edges;
 };
 
-/// The frame and its edges with every number displaced by a share of what bounds.h allows: those that move the foot, the
-/// vertices and the height in the worst way for this centre together, all others at random.
+/// The frame and its edges with every number displaced by a share of what bounds.h allows: those that move the foot,
+/// the vertices and the height in the worst way for this centre together, all others at random.
 Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double share, Signs& signs) {
   using filtered::bounds::kUnit, filtered::bounds::kFramePoint, filtered::bounds::kFrameDirection,
       filtered::bounds::kFrameLength;
