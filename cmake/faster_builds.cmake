@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-# Uses a faster linker and a compiler cache where they are installed. Neither changes what is built.
+# Uses a faster linker and a compiler cache where they are installed, and lets g++ take more memory before it collects
+# what it no longer needs. None of these changes what is built.
 option(TOUCHSTONE_FASTER_BUILDS "Use mold or lld, and ccache, where they are installed" ${PROJECT_IS_TOP_LEVEL})
 if(NOT TOUCHSTONE_FASTER_BUILDS)
   return()
 endif()
+
+# In kB. g++ begins at 128 MB, which precompiled headers fill: 8 % of the time goes into collecting, which saves
+# 50 MB.
+add_compile_options("$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>")
 
 find_program(TOUCHSTONE_MOLD mold)
 find_program(TOUCHSTONE_LLD ld.lld)
@@ -15,7 +20,8 @@ endif()
 
 find_program(TOUCHSTONE_CCACHE ccache)
 if(TOUCHSTONE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Without this ccache compiles every file that uses precompiled headers again.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${TOUCHSTONE_CCACHE})
+  # Without CCACHE_SLOPPINESS, ccache compiles every file that uses precompiled headers again.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      CCACHE_IGNOREOPTIONS=--param=ggc-* ${TOUCHSTONE_CCACHE})
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()

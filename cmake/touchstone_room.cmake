@@ -7,7 +7,7 @@
 # files at -O3, because they are timed or because a study waits for them.
 function(touchstone_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "CGAL" "" "STANDS_ON;OPTIMISED;SOURCES")
-  add_library(touchstone_${name} STATIC ${room_SOURCES} ${room_OPTIMISED})
+  add_library(touchstone_${name} STATIC ${room_SOURCES})
   set(libraries touchstone_options Eigen3::Eigen)
   if(room_CGAL)
     list(PREPEND libraries touchstone_cgal)
@@ -19,15 +19,23 @@ function(touchstone_room name)
     target_link_libraries(touchstone_${name} PUBLIC touchstone_${lower})
   endforeach()
 
+  set(headers <algorithm> <array> <cmath> <filesystem> <functional> <optional> <string> <vector> <Eigen/Core>
+              <Eigen/Geometry>)
   set(options "")
   if(room_SOURCES)
     set(options $<$<CONFIG:Release>:-O1>)
     target_compile_options(touchstone_${name} PRIVATE ${options})
-    set_source_files_properties(${room_OPTIMISED} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>
-                                SKIP_PRECOMPILE_HEADERS ON)
   endif()
-  precompile_headers(touchstone_${name} <algorithm> <array> <cmath> <filesystem> <functional> <optional> <string> <vector>
-                     <Eigen/Core> <Eigen/Geometry> OPTIONS ${options} LIBRARIES ${libraries})
+  precompile_headers(touchstone_${name} ${headers} OPTIONS ${options} LIBRARIES ${libraries})
+  if(room_SOURCES AND room_OPTIMISED)
+    # Objects of their own, because precompiled headers serve one level of optimisation.
+    add_library(touchstone_${name}_optimised OBJECT ${room_OPTIMISED})
+    target_link_libraries(touchstone_${name}_optimised PRIVATE $<TARGET_PROPERTY:touchstone_${name},LINK_LIBRARIES>)
+    precompile_headers(touchstone_${name}_optimised ${headers} LIBRARIES ${libraries})
+    target_sources(touchstone_${name} PRIVATE $<TARGET_OBJECTS:touchstone_${name}_optimised>)
+  else()
+    target_sources(touchstone_${name} PRIVATE ${room_OPTIMISED})
+  endif()
 
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   list(JOIN room_STANDS_ON " " lower)

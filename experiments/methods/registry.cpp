@@ -22,8 +22,7 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_fast_mpfr(list);
     add_interval(list);
     add_rational(list);
-    add_cgal_inexact(list);
-    add_cgal_epeck(list);
+    add_cgal_kernels(list);
     add_thesis(list);
     add_engines(list);
     return list;

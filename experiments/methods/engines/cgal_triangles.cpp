@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// All that asks CGAL's kernels about triangles, because each file that includes them takes 6 s longer to compile.
+#include "experiments/methods/engines/cgal_triangles.h"
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
 #include <type_traits>
+#include <vector>
 
 #include "experiments/methods/engines/engines.h"
 #include "experiments/methods/engines/triangle_method.h"
@@ -23,9 +27,14 @@ typename Kernel::Triangle_3 triangle(const Triangle& t) {
 }
 
 template <class Kernel>
+bool is_within(const typename Kernel::Point_3& center, const typename Kernel::Triangle_3& triangle,
+               const typename Kernel::FT& radius) {
+  return CGAL::squared_distance(center, triangle) <= radius * radius;
+}
+
+template <class Kernel>
 std::optional<bool> by_distance(const Ball& ball, const Triangle& t) {
-  const typename Kernel::FT radius = ball.radius;
-  return CGAL::squared_distance(point<Kernel>(ball.center), triangle<Kernel>(t)) <= radius * radius;
+  return is_within<Kernel>(point<Kernel>(ball.center), triangle<Kernel>(t), ball.radius);
 }
 
 /// CGAL's sphere is a surface: it does not intersect a triangle in its interior.
@@ -59,5 +68,45 @@ void add_cgal_triangles(MethodList& list) {
   list.push_back(triangle_method("cgal-epeck-intersect", "CGAL's do_intersect over EPECK; loops are not lifted",
                                  by_intersection<Epeck>));
 }
+
+namespace cgal {
+
+bool cartesian_contact(const Ball& ball, const Triangle& t) {
+  return is_within<Double>(point<Double>(ball.center), triangle<Double>(t), ball.radius);
+}
+
+bool epick_contact(const Ball& ball, const Triangle& t) {
+  const Epick::Sphere_3 sphere(point<Epick>(ball.center), ball.radius * ball.radius);
+  return sphere.has_on_bounded_side(point<Epick>(t.a)) || CGAL::do_intersect(sphere, triangle<Epick>(t));
+}
+
+bool epeck_contact(const Ball& ball, const Triangle& t) {
+  return is_within<Epeck>(point<Epeck>(ball.center), triangle<Epeck>(t), ball.radius);
+}
+
+struct EpeckQueries::Objects {
+  std::vector<Epeck::Point_3> centers;
+  std::vector<Epeck::Triangle_3> triangles;
+  std::vector<Epeck::FT> radii;
+};
+
+EpeckQueries::EpeckQueries() : objects_(std::make_unique<Objects>()) {}
+EpeckQueries::EpeckQueries(EpeckQueries&&) noexcept = default;
+EpeckQueries& EpeckQueries::operator=(EpeckQueries&&) noexcept = default;
+EpeckQueries::~EpeckQueries() = default;
+
+void EpeckQueries::clear() { *objects_ = {}; }
+
+void EpeckQueries::add(const Ball& ball, const Triangle& t) {
+  objects_->centers.push_back(point<Epeck>(ball.center));
+  objects_->triangles.push_back(triangle<Epeck>(t));
+  objects_->radii.emplace_back(ball.radius);
+}
+
+bool EpeckQueries::contact(std::size_t i) const {
+  return is_within<Epeck>(objects_->centers[i], objects_->triangles[i], objects_->radii[i]);
+}
+
+}  // namespace cgal
 
 }  // namespace touchstone::methods

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "experiments/methods/engines/cgal_triangles.h"
 #include "experiments/methods/ericson.h"
 #include "experiments/statistics/percent.h"
-#include "experiments/studies/bench/cgal.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast_triangle.h"
@@ -46,8 +46,11 @@ std::vector<bool> truths(const TriangleQueries& queries, std::size_t count) {
 /// EPECK's objects are made before each repetition, so that none knows its exact value yet.
 timing::Candidate prepared_epeck(const std::shared_ptr<const TriangleQueries>& queries,
                                  const std::shared_ptr<const std::vector<bool>>& truth) {
-  const auto objects = std::make_shared<cgal::EpeckQueries>();
-  const auto make = [queries, objects](std::size_t count) { objects->make(std::span(*queries).first(count)); };
+  const auto objects = std::make_shared<methods::cgal::EpeckQueries>();
+  const auto make = [queries, objects](std::size_t count) {
+    objects->clear();
+    for (std::size_t i = 0; i < count; ++i) objects->add((*queries)[i].ball, (*queries)[i].triangle);
+  };
   const auto ask = [objects](std::size_t count) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += objects->contact(i);
@@ -94,9 +97,9 @@ timing::Benchmark draw(workloads::TriangleFamily family, const Settings& setting
       timing::Comparison{
           "fast", family == workloads::TriangleFamily::Random ? std::optional(timing::Goal{1, false}) : std::nullopt});
   if (const auto goal = goal_of_epeck(family)) {
-    const auto cartesian = [](const Ball& b, const Triangle& t) { return cgal::cartesian_contact(b, t); };
-    const auto epick = [](const Ball& b, const Triangle& t) { return cgal::epick_contact(b, t); };
-    const auto epeck = [](const Ball& b, const Triangle& t) { return cgal::epeck_contact(b, t); };
+    const auto cartesian = [](const Ball& b, const Triangle& t) { return methods::cgal::cartesian_contact(b, t); };
+    const auto epick = [](const Ball& b, const Triangle& t) { return methods::cgal::epick_contact(b, t); };
+    const auto epeck = [](const Ball& b, const Triangle& t) { return methods::cgal::epeck_contact(b, t); };
     add("CGAL, doubles", cartesian, timing::Comparison{"filtered", {}});
     add("EPICK", epick, timing::Comparison{"filtered", {}});
     add("EPECK", epeck, timing::Comparison{"filtered", goal});

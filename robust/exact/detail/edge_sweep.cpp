@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/exact/detail/edge_sweep.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <cassert>
 #include <iterator>
 #include <numeric>
 #include <set>
 
+#include "robust/exact/detail/orientation.h"
+
 namespace touchstone::exact {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;  // filtered; only its exact orientation is used
 using Point = PlanarLoops::Point;
 
 /// Returns whether p is to the left of (1), on (0) or to the right of (-1) the directed line a b.
-int side(const Point& a, const Point& b, const Point& p) {
-  return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y), Kernel::Point_2(p.x, p.y));
-}
+int side(const Point& a, const Point& b, const Point& p) { return orientation(a.x, a.y, b.x, b.y, p.x, p.y); }
 
 /// Returns whether p lies on the closed segment. Requires that it lies on the line a b.
 bool within(const Point& a, const Point& b, const Point& p) { return std::min(a, b) <= p && p <= std::max(a, b); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mesh/detail/face_plane.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Mpzf.h>
 #include <CGAL/Simple_cartesian.h>
@@ -13,21 +12,20 @@
 
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/orientation.h"
 
 namespace touchstone::mesh {
 namespace {
 
 using Eigen::Vector3d;
-using Filtered = CGAL::Exact_predicates_inexact_constructions_kernel;  // only its exact orientations are used
 
 std::pair<double, double> seen(const Vector3d& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
 int turn_of(const std::array<Vector3d, 3>& corners, int axis) {
-  const auto point = [axis](const Vector3d& p) {
-    const auto [x, y] = seen(p, axis);
-    return Filtered::Point_2(x, y);
-  };
-  return CGAL::orientation(point(corners[0]), point(corners[1]), point(corners[2]));
+  const auto [ax, ay] = seen(corners[0], axis);
+  const auto [bx, by] = seen(corners[1], axis);
+  const auto [cx, cy] = seen(corners[2], axis);
+  return exact::orientation(ax, ay, bx, by, cx, cy);
 }
 
 /// Returns the lexicographically lowest vertex of the loop and its neighbours. They have the orientation of the loop,
@@ -49,8 +47,7 @@ FacePlane::FacePlane(const Polygon& face)
     : axis_(exact::dropped_axis(face).value()), corners_(lowest_corner(face, 0, axis_)) {}
 
 bool FacePlane::contains(const Vector3d& point) const {
-  const auto exact = [](const Vector3d& p) { return Filtered::Point_3(p.x(), p.y(), p.z()); };
-  return CGAL::coplanar(exact(corners_[0]), exact(corners_[1]), exact(corners_[2]), exact(point));
+  return exact::coplanar(corners_[0], corners_[1], corners_[2], point);
 }
 
 int FacePlane::turn(int axis) const { return turn_of(corners_, axis); }

@@ -185,11 +185,13 @@ def main(*arguments):
         print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")
         mutants = drawn(mutants, options.one_in, commit)
     workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
-    suites_of = {(program_of(m), m["suites"] if "suites" in m else SUITES[program_of(m)]) for m in mutants}
-    for program, suites in sorted(suites_of):
-        if failure := first_failure(workshop.build / "tests" / program, workshop.build, suites):
-            print(f"{program} fails without any bug planted: {failure}")
-            return 1
+    suites_of = sorted({(program_of(m), m["suites"] if "suites" in m else SUITES[program_of(m)]) for m in mutants})
+    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
+        failures = pool.map(lambda of: first_failure(workshop.build / "tests" / of[0], workshop.build, of[1]), suites_of)
+        for (program, _), failure in zip(suites_of, failures):
+            if failure:
+                print(f"{program} fails without any bug planted: {failure}")
+                return 1
     survivors = 0
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
         for mutant, (killed, sentence) in zip(mutants, pool.map(lambda m: judge(workshop, m), mutants)):

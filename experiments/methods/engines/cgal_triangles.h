@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
-#include <span>
 
-#include "experiments/workloads/lattice/triangle_queries.h"
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
 
-// CGAL's kernels on the same question, each in its own file: they take long to compile. Source: [cgal2022].
-namespace touchstone::bench::cgal {
+// What CGAL's kernels cost for one ball and one triangle, without the interface of a method. Source: [cgal2022].
+namespace touchstone::methods::cgal {
 
 /// Computes squared_distance(centre, triangle) <= r^2 in doubles.
 [[nodiscard]] bool cartesian_contact(const Ball& ball, const Triangle& triangle);
 /// Uses exact predicates: a vertex inside the sphere or do_intersect(sphere, triangle). Not exact for a given radius,
-/// because the kernel's sphere stores a rounded r^2.
+/// because the kernel's sphere stores a rounded r^2, which must be finite.
 [[nodiscard]] bool epick_contact(const Ball& ball, const Triangle& triangle);
 /// Computes squared_distance(centre, triangle) <= r^2 in exact numbers, converted from the doubles in each call.
 [[nodiscard]] bool epeck_contact(const Ball& ball, const Triangle& triangle);
@@ -25,8 +26,10 @@ class EpeckQueries {
   EpeckQueries& operator=(EpeckQueries&&) noexcept;
   ~EpeckQueries();
 
-  /// Makes the objects again, since exact numbers cache earlier results.
-  void make(std::span<const workloads::TriangleQuery> queries);
+  /// Exact numbers cache earlier results: queries that must not know them are made again.
+  void clear();
+  void add(const Ball& ball, const Triangle& triangle);
+  /// Answers the query that was added as number i.
   [[nodiscard]] bool contact(std::size_t i) const;
 
  private:
@@ -34,4 +37,4 @@ class EpeckQueries {
   std::unique_ptr<Objects> objects_;
 };
 
-}  // namespace touchstone::bench::cgal
+}  // namespace touchstone::methods::cgal
