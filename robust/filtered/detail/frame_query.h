@@ -193,5 +193,25 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
   return (__builtin_popcount(crossings) & 1) != 0;
 }
 
+/// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
+TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
+  const int plane = height.plane_sign();
+  if (plane > 0) return 1;
+  const FrameQuery query(height, frame);
+  const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
+  unsigned hit = 0, near_boundary = 0, unsure = 0;
+  const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    const unsigned lanes = (1U << leaf.count) - 1;
+    hit |= negative_lanes(view.squared - all_lanes(query.certain_hit_sq)) & lanes;
+    near_boundary |= ~negative_lanes(all_lanes(query.boundary_sq) - view.squared) & lanes;
+    unsure |= ~negative_lanes(all_lanes(query.certain_miss_sq) - view.squared) & lanes;
+    return hit != 0;
+  });
+  if (hit != 0) return -1;
+  if (near_boundary != 0) return 0;
+  // If the foot is inside, only the plane matters; if it is outside, only the edges do.
+  return inside ? plane : unsure != 0 ? 0 : 1;
+}
+
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered

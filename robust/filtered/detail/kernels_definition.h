@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robust/exact/exact.h"
+#include "robust/filtered/detail/ball_lanes.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/polygon_query.h"
 #include "robust/filtered/detail/triangle_closest.h"
@@ -34,10 +35,42 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
   return otherwise(ball, parts.exact());
 }
 
-/// The first stage alone, without what later stages need. Asks them if it is not certain.
+/// Returns whether the first stage may run in the caller's floating-point state.
+TOUCHSTONE_INLINE bool frame_reaches_at_once(const Ball& ball, const PreparedPolygon::Parts& parts) {
+  return frame_reaches(ball, parts) && parts.frame->exponent >= Frame::kSubnormal;
+}
+
+/// Returns the certain sign of the ball's distance from the polygon less the radius; 0 if the first stage is unsure.
+template <class Counts>
+TOUCHSTONE_INLINE int certain_sign(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  if (!frame_reaches_at_once(ball, parts)) return 0;
+  const int sign = certain_distance_sign(HeightQuery(ball, *parts.frame), *parts.frame, *parts.edges);
+  if (sign != 0) counts.count(Stage::Double);
+  return sign;
+}
+
+// The first stage comes alone, without what later stages need. If it is not certain, all stages start anew.
+template <class Counts>
+TOUCHSTONE_INLINE bool contact(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  if (const int sign = certain_sign(ball, parts, counts); sign != 0) [[likely]]
+    return sign < 0;
+  return ask<&PolygonQuery<Counts>::contact,
+             static_cast<bool (*)(const Ball&, const exact::PreparedPolygon&)>(exact::contact), bool>(ball, parts,
+                                                                                                      counts);
+}
+
+template <class Counts>
+Relation relation(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  if (const int sign = certain_sign(ball, parts, counts); sign != 0) [[likely]]
+    return sign < 0 ? Relation::Overlapping : Relation::Separate;
+  return ask<&PolygonQuery<Counts>::relation,
+             static_cast<Relation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::relation), Relation>(
+      ball, parts, counts);
+}
+
 template <class Counts>
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
-  if (frame_reaches(ball, parts) && parts.frame->exponent >= Frame::kSubnormal) [[likely]] {
+  if (frame_reaches_at_once(ball, parts)) [[likely]] {
     const HeightQuery query(ball, *parts.frame);
     if (query.knows_side()) [[likely]] {
       counts.count(Stage::Double);
@@ -50,6 +83,11 @@ PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Coun
 }
 
 template <class Counts>
+bool polygon_contact(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  return pinned(contact(ball, parts, counts));
+}
+
+template <class Counts>
 inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_contact = contact<Counts>,
     .triangle_nearest = nearest_feature<Counts>,
@@ -58,11 +96,8 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .set_contact = set_contact<Counts>,
     .set_any_contact = set_any_contact<Counts>,
     .set_triangles_hit = set_triangles_hit<Counts>,
-    .contact = ask<&PolygonQuery<Counts>::contact,
-                   static_cast<bool (*)(const Ball&, const exact::PreparedPolygon&)>(exact::contact), bool, Counts>,
-    .relation =
-        ask<&PolygonQuery<Counts>::relation,
-            static_cast<Relation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::relation), Relation, Counts>,
+    .contact = polygon_contact<Counts>,
+    .relation = relation<Counts>,
     .plane_side = plane_side<Counts>,
     .foot = ask<&PolygonQuery<Counts>::foot,
                 static_cast<PointLocation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), PointLocation,
@@ -77,7 +112,18 @@ inline constexpr KernelTable<Counts> kKernelTable{
 
 inline void balls_contact(std::span<const Ball> balls, const PreparedPolygon::Parts& parts, std::span<bool> touches) {
   NoCounts counts;
-  for (std::size_t i = 0; i < balls.size(); ++i) touches[i] = kKernelTable<NoCounts>.contact(balls[i], parts, counts);
+  const auto reached = [&parts](const Ball& ball) { return frame_reaches_at_once(ball, parts); };
+  std::size_t i = 0;
+  for (; i + kLanes <= balls.size() && parts.edges && parts.edges->is_scanned(); i += kLanes) {
+    const std::span<const Ball> four = balls.subspan(i, kLanes);
+    CertainContacts certain{0, 0};
+    if (reached(four[0]) && reached(four[1]) && reached(four[2]) && reached(four[3])) [[likely]]
+      certain = certain_contacts(four.data(), *parts.frame, *parts.edges);
+    for (unsigned lane = 0; lane < kLanes; ++lane)
+      touches[i + lane] = ((certain.touching | certain.separate) >> lane & 1) != 0 ? (certain.touching >> lane & 1) != 0
+                                                                                   : contact(four[lane], parts, counts);
+  }
+  for (; i < balls.size(); ++i) touches[i] = contact(balls[i], parts, counts);
 }
 
 inline void triangles_contact(const Ball& ball, std::span<const Triangle> triangles, std::span<bool> touches) {

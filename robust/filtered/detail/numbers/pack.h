@@ -16,9 +16,9 @@
 /// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: the successor of each corner of a triangle.
 /// `previous_of_three` moves lanes 2, 0, 1, 2 there: the predecessor.
 ///
-/// + - *, `minimum` and `maximum` work lane by lane. Sums of products are fused if the target can; then values differ
-/// between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y has it set where x
-/// < y.
+/// + - *, `minimum`, `maximum` and `square_root` work lane by lane. Sums of products are fused if the target can; then
+/// values differ between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y has
+/// it set where x < y.
 /// &, | and ^ combine such bits, and `negative_lanes` returns them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -49,6 +49,7 @@ TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) { return {_mm256_
 TOUCHSTONE_INLINE Pack minimum(const Pack& a, const Pack& b) { return {_mm256_min_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) { return {_mm256_max_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes)}; }
+TOUCHSTONE_INLINE Pack square_root(const Pack& a) { return {_mm256_sqrt_pd(a.lanes)}; }
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) { return static_cast<unsigned>(_mm256_movemask_pd(a.lanes)); }
 #if defined(__AVX2__)
 TOUCHSTONE_INLINE Pack next_of_three(const Pack& a) { return {_mm256_permute4x64_pd(a.lanes, 0b01'00'10'01)}; }
@@ -125,6 +126,7 @@ TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) {
   return {_mm_andnot_pd(_mm_set1_pd(-0.0), a.low), _mm_andnot_pd(_mm_set1_pd(-0.0), a.high)};
 }
+TOUCHSTONE_INLINE Pack square_root(const Pack& a) { return {_mm_sqrt_pd(a.low), _mm_sqrt_pd(a.high)}; }
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
   return static_cast<unsigned>(_mm_movemask_pd(a.low) | _mm_movemask_pd(a.high) << 2);
 }
@@ -187,6 +189,9 @@ TOUCHSTONE_INLINE Pack maximum(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack magnitude(const Pack& a) {
   return each_lane([&](int i) { return std::abs(a.lanes[i]); });
+}
+TOUCHSTONE_INLINE Pack square_root(const Pack& a) {
+  return each_lane([&](int i) { return std::sqrt(a.lanes[i]); });
 }
 TOUCHSTONE_INLINE unsigned negative_lanes(const Pack& a) {
   unsigned bits = 0;

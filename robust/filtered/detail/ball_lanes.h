@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/numbers/pack.h"
+
+/// The first stage of contact for four balls and one polygon of few edges: a lane of each Pack belongs to a ball.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Bit i tells of ball i. A ball of which neither is certain has no bit.
+struct CertainContacts {
+  unsigned touching, separate;
+};
+
+/// HeightQuery and FrameQuery of four balls.
+struct BallLanes {
+  Pack radius, above, height_error;
+  Pack x, y;                                          ///< the feet
+  Pack certain_hit_sq, certain_miss_sq, boundary_sq;  ///< as in FrameQuery; the first only for balls that may hit
+  unsigned missed_plane, cut_plane, may_hit;          ///< a bit a ball
+
+  BallLanes(const Ball* four, const Frame& frame) {
+    using bounds::kDistance, bounds::kHeight, bounds::kNarrow, bounds::kNear, bounds::kUnit, bounds::kWide;
+    const Pack zero = all_lanes(0), one = all_lanes(1);
+    const auto lanes = [four](int axis) {
+      return pack(four[0].center[axis], four[1].center[axis], four[2].center[axis], four[3].center[axis]);
+    };
+    const Pack given[] = {lanes(0), lanes(1), lanes(2),
+                          pack(four[0].radius, four[1].radius, four[2].radius, four[3].radius)};
+    const Pack scale[] = {all_lanes(frame.scale[0]), all_lanes(frame.scale[1])};
+    const auto scaled = [&scale](const Pack& length) { return length * scale[0] * scale[1]; };
+    const Vector3<Pack> to_center{scaled(given[0]) - all_lanes(frame.origin.x),
+                                  scaled(given[1]) - all_lanes(frame.origin.y),
+                                  scaled(given[2]) - all_lanes(frame.origin.z)};
+    radius = scaled(given[3]);
+    const auto everywhere = [](const Vector3<double>& v) {
+      return Vector3<Pack>{all_lanes(v.x), all_lanes(v.y), all_lanes(v.z)};
+    };
+    above = magnitude(frame::height(everywhere(frame.normal), to_center, all_lanes(frame.plane_height)));
+    const Pack widest = maximum(maximum(magnitude(to_center.x), magnitude(to_center.y)), magnitude(to_center.z));
+    const Pack size = all_lanes(2) * maximum(widest, one);
+    height_error = all_lanes(kHeight * kUnit) * size;
+    missed_plane = negative_lanes(radius - (above - height_error));
+    cut_plane = negative_lanes((above + height_error) - radius);
+
+    x = frame::coordinate(everywhere(frame.x), to_center);
+    y = frame::coordinate(everywhere(frame.y), to_center);
+    const Pack error = all_lanes(kDistance * kUnit) * size;
+    const Pack low = maximum(above - height_error, zero), high = above + height_error;
+    const auto disc = [&](const Pack& distance) {
+      return square_root(maximum((radius - distance) * (radius + distance), zero));
+    };
+    const Pack outer = disc(low) * all_lanes(kWide) + error;
+    const Pack inner = disc(high) * all_lanes(kNarrow) - error;
+    may_hit = negative_lanes(zero - inner);
+    certain_miss_sq = outer * outer * all_lanes(kWide);
+    certain_hit_sq = inner * inner * all_lanes(kNarrow);
+    boundary_sq = (all_lanes(kNear) * error) * (all_lanes(kNear) * error);
+  }
+};
+
+/// The feet as seen from the edges that were added.
+struct EdgesInView {
+  Pack nearest_sq = all_lanes(0x1p500);  ///< the least rho^2; larger than any without an edge, and finite
+  Pack crossed = all_lanes(0);           ///< negative: the ray to the right crosses an odd number of edges
+
+  void add(const EdgeTree::Leaf& leaf, std::uint32_t lane, const BallLanes& balls) {
+    const auto number = [lane](const double(&numbers)[EdgeTree::kWidth]) { return all_lanes(numbers[lane]); };
+    const Pack start_x = number(leaf.start_x), start_y = number(leaf.start_y);
+    const Pack end_x = number(leaf.end_x), end_y = number(leaf.end_y);
+    const Pack direction_x = number(leaf.direction_x), direction_y = number(leaf.direction_y);
+    const Pack &x = balls.x, &y = balls.y, zero = all_lanes(0);
+    const Pack along = frame::along(x, y, start_x, start_y, direction_x, direction_y);
+    const Pack across = frame::across(x, y, start_x, start_y, direction_x, direction_y);
+    nearest_sq = minimum(nearest_sq, frame::squared_length(across, frame::overshoot(along, number(leaf.length), zero)));
+    // As in LeafView.
+    const Pack start_above = y - start_y, end_above = y - end_y;
+    const Pack all_right = (x - start_x) & (x - end_x), all_left = (start_x - x) & (end_x - x);
+    const Pack left_of_it = across ^ end_above;
+    crossed = crossed ^ ((start_above ^ end_above) & (all_right | (left_of_it ^ (left_of_it & all_left))));
+  }
+};
+
+/// Returns which of four balls certainly touch the polygon, and which certainly do not. Requires edges that are
+/// scanned, a frame from Frame::kSubnormal up, and balls that the frame reaches.
+inline CertainContacts certain_contacts(const Ball* four, const Frame& frame, const EdgeIndex& edges) {
+  const BallLanes balls(four, frame);
+  if ((balls.missed_plane & 0xF) == 0xF) return {0, 0xF};
+  EdgesInView view;
+  for (const EdgeTree::Leaf& leaf : edges.leaves())
+    for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
+
+  const auto above = [&](const Pack& limit_sq) { return negative_lanes(limit_sq - view.nearest_sq); };
+  // Without `may_hit`, 0 - 0 would tell of a hit where rounding is downward.
+  const unsigned hit = negative_lanes(view.nearest_sq - balls.certain_hit_sq) & balls.may_hit;
+  const unsigned inside = negative_lanes(view.crossed), off_boundary = above(balls.boundary_sq);
+  const unsigned misses_edges = off_boundary & ~inside & above(balls.certain_miss_sq);
+  const unsigned touching = ~balls.missed_plane & (hit | (off_boundary & inside & balls.cut_plane));
+  const unsigned separate = balls.missed_plane | (misses_edges & ~hit);
+  return {touching, separate};
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered
