@@ -22,7 +22,7 @@
 /// the INVALID, OVERFLOW and DIVBYZERO flags, whose traps may be unmasked. The first stage runs in the caller's state
 /// and raises INEXACT, UNDERFLOW and, on x86, denormal-operand exceptions: a caller who has unmasked a trap for one of
 /// these receives it, as SIGFPE for instance. Before the last stage nothing is allocated except the list that
-/// `edges_hit` returns and what a PreparedPolygon makes on demand.
+/// `edges_hit` returns, what a PreparedPolygon makes on demand, and what functions that take a Polygon prepare.
 ///
 /// Guarantees, for every ball and every polygon that `exact::validate` accepts:
 ///  (1) each answer equals that of the function of the same name in `exact`, and so satisfies all its identities;
@@ -56,7 +56,7 @@ class PreparedPolygon {
   ~PreparedPolygon();
 
   /// Makes now what queries otherwise make when they first need it. Later queries then allocate nothing before the last
-  /// stage, and no single one takes longer than others of its kind. Cost: 1 to 3 us per vertex.
+  /// stage, and the first takes no longer than the next. Cost: 2 to 5 us per vertex.
   void complete() const;
 
   struct Parts;  ///< internal
@@ -90,7 +90,7 @@ class PreparedPolygon {
 /// @}
 
 /// @{
-/// The same for a polygon that is queried only once. Builds no hierarchy and copies nothing. Cost: O(n).
+/// The same for a polygon that is queried only once. Builds no hierarchy. Cost: O(n).
 [[nodiscard]] bool contact(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] Relation relation(const Ball& ball, const Polygon& polygon);
 [[nodiscard]] PlaneSide plane_side(const Ball& ball, const Polygon& polygon);

@@ -8,7 +8,7 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Bit i tells of ball i. A ball of which neither is certain has no bit.
+/// A bit for each ball; neither for a ball whose contact is not certain.
 struct CertainContacts {
   unsigned touching, separate;
 };

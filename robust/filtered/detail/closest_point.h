@@ -108,7 +108,7 @@ class ClosestPointOnFeature {
   }
 
   const Edges& edges_;
-  const Feature& feature_;
+  const Feature feature_;
   std::optional<EdgeView> view_;  // of an edge or the face, if the doubles hold it
   DoubleDouble multiple_;
   double length_squared_ = 0;

@@ -44,7 +44,7 @@ class EdgeIndex {
  private:
   const EdgeTree& build() const;
 
-  std::vector<Leaf> leaves_;
+  std::vector<Leaf> leaves_;         // empty if queries walk the hierarchy
   mutable std::vector<Edge> edges_;  // until the hierarchy is built
   const Polygon& polygon_;
   mutable std::once_flag once_;

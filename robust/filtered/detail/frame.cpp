@@ -53,6 +53,12 @@ struct Axes {
   }
 };
 
+/// Squares of shorter edges would underflow.
+constexpr double kShortestEdge = 0x1p-400;
+/// Edges that are steeper above the plane become so short when they are lifted that bounds::kLiftedEdge, which is
+/// relative to their length before, would not tell their direction.
+constexpr double kLeastSlope = 0x1p-40;
+
 Vector3<double> rounded(const Vector3<DoubleDouble>& v) { return {v.x.high, v.y.high, v.z.high}; }
 
 std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
@@ -73,7 +79,7 @@ std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
       // Compute an edge from its own differences: then its error is relative to its length.
       const double a = -difference(axes.a, next), b = -difference(axes.b, next);
       const double widest = std::max(std::abs(a), std::abs(b));
-      accurate &= widest >= 0x1p-400 && widest >= 0x1p-40 * std::abs(difference(axes.k, next));
+      accurate &= widest >= kShortestEdge && widest >= kLeastSlope * std::abs(difference(axes.k, next));
       const PlanarDirection<double> along = direction(sheared_edge(shear, a, b));
       edge.direction_x = along.x, edge.direction_y = along.y, edge.length = along.length;
     }

@@ -18,9 +18,15 @@ NewellPlane::NewellPlane(const NewellSums& sums, std::size_t count)
   const double largest = size(dropped_axis);
   const double error = std::max({sums.error[0], sums.error[1], sums.error[2]});
   constexpr double kCertainlySmaller = 1 - 0x1p-50;  // kError and three roundings are less
-  certain = largest > 0x1p-400 && error < kError / 2 * largest;
+  certain = largest > kSmallest && error < kError / 2 * largest;
   for (int axis = 0; axis < 3; ++axis)
     certain = certain && (axis == dropped_axis || size(axis) < kCertainlySmaller * largest);
+}
+
+void NewellPlane::take_exact(const Vector3<DoubleDouble>& rounded_normal, int exact_dropped_axis) {
+  normal = rounded_normal;
+  dropped_axis = exact_dropped_axis;
+  certain = std::abs(normal[dropped_axis].high) > kSmallest;
 }
 
 }  // namespace touchstone::filtered

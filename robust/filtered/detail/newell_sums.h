@@ -12,7 +12,7 @@ namespace touchstone::filtered {
 /// Sums over the vertices p_i of a loop, from vertex 0, in double-doubles.
 struct NewellSums {
   DoubleDouble normal[3];    ///< the Newell normal: the sum of p_i x p_(i + 1)
-  double error[3];           ///< bounds of the normal's errors
+  double error[3];           ///< bounds of the normal's errors, except what underflows
   DoubleDouble vertices[3];  ///< the sum of p_i
 };
 
@@ -20,10 +20,11 @@ inline namespace TOUCHSTONE_TARGET {
 
 /// Returns the sums over the first `count` vertices. The remainders that error-free sums leave bound the errors.
 ///
-/// With u = 2^-53, the product of two differences is known to 8 u^2 of itself, its rest is below 4 u of it, and the
-/// rest of a partial sum is below u of that. So what is lost is at most 16 u^2 of each term, 2 u^2 of each partial sum,
-/// and the remainders; and, to underflow, 2^-1069 a product. Requires at least three and at most EdgeTree::kMostEdges
-/// vertices within 1/2 of vertex 0 in each coordinate, and round to nearest.
+/// With u = 2^-53, a difference's rest is at most u of it. So a product is known to 8 u^2 of itself with a rest of at
+/// most 4 u; the sums of rests lose at most 15 u^2 of both products and u^2 of a partial sum. Together with the
+/// remainders, 32 u^2 of products and partial sums bound what is lost, except what underflows: 2^-1069 a product.
+/// Requires at least three and at most EdgeTree::kMostEdges vertices within 1/2 of vertex 0 in each coordinate, and
+/// round to nearest.
 inline NewellSums newell_sums(const ScaledVertex* vertices, std::size_t count) {
   const Pack zero = all_lanes(0), origin = load(vertices[0].coordinates);
   PackPair sum{zero, zero}, normal{zero, zero};
@@ -54,7 +55,7 @@ inline NewellSums newell_sums(const ScaledVertex* vertices, std::size_t count) {
     sum = {partial.high, sum.low + (partial.low + p.low)};
   }
   // At most 2^27 terms were added to these sums: rounding made them smaller by less than 2^-20.
-  const Pack error = all_lanes(1 + 0x1p-20) * (remainders + all_lanes(0x1p-102) * magnitudes);
+  const Pack error = all_lanes(1 + 0x1p-20) * (remainders + all_lanes(0x1p-101) * magnitudes);
   const PackPair rounded_normal = two_sum(normal.high, normal.low), rounded_sum = two_sum(sum.high, sum.low);
 
   NewellSums result;

@@ -150,6 +150,8 @@ template <class Counts>
 PlaneSide PolygonQuery<Counts>::plane_side_uncounted() {
   if (height_.knows_side()) return height_.side();
   if (plane_sign() <= 0) return PlaneSide::Intersects;
+  if (std::abs(height_.height) > height_.height_error)
+    return height_.height > 0 ? PlaneSide::InFront : PlaneSide::Behind;
   return exact().template sign<SignKind::Front>(0) > 0 ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
@@ -192,14 +194,14 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
   // Returns whether the foot lies on an edge of the leaf; else counts the edges that the ray crosses.
   const auto on_edge = [&](const EdgeTree::Leaf& leaf) {
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
-      const std::size_t edge = leaf.edge[lane], next = parts_.polygon.next(edge);
-      const bool start = above(leaf.start_y[lane], static_cast<std::uint32_t>(edge));
-      const bool end = above(leaf.end_y[lane], static_cast<std::uint32_t>(next));
       const double left = std::min(leaf.start_x[lane], leaf.end_x[lane]);
       const double right = std::max(leaf.start_x[lane], leaf.end_x[lane]);
       const double low = std::min(leaf.start_y[lane], leaf.end_y[lane]);
       const double high = std::max(leaf.start_y[lane], leaf.end_y[lane]);
       if (query.x > right + margin || query.y < low - margin || query.y > high + margin) continue;
+      const std::size_t edge = leaf.edge[lane], next = parts_.polygon.next(edge);
+      const bool start = above(leaf.start_y[lane], static_cast<std::uint32_t>(edge));
+      const bool end = above(leaf.end_y[lane], static_cast<std::uint32_t>(next));
       if (query.x < left - margin) {
         if (start != end) inside = !inside;
         continue;

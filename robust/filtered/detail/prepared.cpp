@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "geometry/detail/floating_point_state.h"
@@ -44,32 +45,32 @@ LiftedPolygon lifted_polygon(const Polygon& polygon, const BigIntPolygon& bigint
 
 PreparedPolygon::Parts::Parts(const Polygon& loops, EdgeIndex::Use use)
     : owned_(use == EdgeIndex::Use::Often ? std::optional(loops) : std::nullopt), polygon(owned_ ? *owned_ : loops) {
-  std::optional<BigIntPolygon> bigint;
-  find_frame(use, bigint);
+  std::optional<BigIntPolygon> bigint = find_frame(use);
   if (!frame && !bigint) bigint.emplace(polygon);  // throws if there is no supporting plane
   if (bigint) keep_exact_form(std::move(*bigint));
 }
 
-void PreparedPolygon::Parts::find_frame(EdgeIndex::Use use, std::optional<BigIntPolygon>& bigint) {
-  if (polygon.vertex_count() > EdgeTree::kMostEdges) return;
+std::optional<BigIntPolygon> PreparedPolygon::Parts::find_frame(EdgeIndex::Use use) {
+  if (polygon.vertex_count() > EdgeTree::kMostEdges) return std::nullopt;
   const int exponent = frame_exponent(polygon);
   const auto vertices = scaled_vertices(polygon, exponent);
-  if (!vertices) return;
+  if (!vertices) return std::nullopt;
   // A polygon parallel to a coordinate plane may be arbitrarily far from it, in units of its size.
   for (const double coordinate : vertices->front().coordinates)
-    if (std::abs(coordinate) > Frame::kReach) return;
+    if (std::abs(coordinate) > Frame::kReach) return std::nullopt;
   const std::size_t outer = polygon.loop_end(0);
   NewellPlane plane(kernels().newell_sums(vertices->data(), outer), outer);
+  std::optional<BigIntPolygon> bigint;
   if (!plane.certain) {
     bigint.emplace(polygon);
-    plane.normal = normal_of(*bigint, exponent);
-    plane.dropped_axis = bigint->dropped_axis();
-    if (!(std::abs(plane.normal[plane.dropped_axis].high) > 0x1p-400)) return;
+    plane.take_exact(normal_of(*bigint, exponent), bigint->dropped_axis());
   }
-  auto in_frame = framed(polygon, *vertices, exponent, plane);
-  if (!in_frame) return;
-  frame = in_frame->frame;
-  edges.emplace(std::move(in_frame->edges), polygon, use);
+  if (!plane.certain) return bigint;
+  if (auto in_frame = framed(polygon, *vertices, exponent, plane)) {
+    frame = in_frame->frame;
+    edges.emplace(std::move(in_frame->edges), polygon, use);
+  }
+  return bigint;
 }
 
 void PreparedPolygon::Parts::keep_exact_form(BigIntPolygon bigint) const {
@@ -91,7 +92,7 @@ const exact::PreparedPolygon& PreparedPolygon::Parts::exact() const {
 
 void PreparedPolygon::Parts::complete() const {
   (void)exact_form();
-  if (!frame) (void)exact();
+  (void)exact();  // for balls that are too far away for the frame
   if (edges && !edges->is_scanned()) (void)edges->tree();
 }
 

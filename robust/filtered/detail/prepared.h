@@ -59,8 +59,9 @@ struct PreparedPolygon::Parts {
   void complete() const;
 
  private:
-  /// Sets `frame` and `edges`, if the frame may be used. Makes `bigint` if double-doubles leave the plane uncertain.
-  void find_frame(EdgeIndex::Use use, std::optional<BigIntPolygon>& bigint);
+  /// Sets `frame` and `edges`, if the frame may be used. Returns the integers if double-doubles left the plane
+  /// uncertain.
+  std::optional<BigIntPolygon> find_frame(EdgeIndex::Use use);
   const ExactForm& make_exact_form() const;
   void keep_exact_form(BigIntPolygon bigint) const;
 
