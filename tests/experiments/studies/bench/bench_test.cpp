@@ -142,7 +142,7 @@ TEST(BenchCommand, PrintsAndWritesEveryRow) {
   EXPECT_TRUE(all["run"].contains("flags"));
   EXPECT_TRUE(all["processor_features"].contains("compiled_for"));
   EXPECT_TRUE(fs::exists(file.parent_path() / "run.json"));
-  EXPECT_EQ(all["contests"].size(), 6U + (4 + 1 + 1) + 3 + 10 + 4);
+  EXPECT_EQ(all["contests"].size(), 6U + (4 + 1 + 2) + 3 + 10 + 4);
   for (const auto& benchmark : all["contests"]) {
     const std::string family = benchmark["family"], name = benchmark["name"];
     EXPECT_NE(text.find("\n" + family + (name.empty() ? "" : ", " + name)), std::string::npos);
