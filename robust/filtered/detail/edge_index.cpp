@@ -10,7 +10,7 @@
 namespace touchstone::filtered {
 
 EdgeIndex::EdgeIndex(std::vector<Edge> edges, const Polygon& polygon, Use use) : polygon_(polygon) {
-  if (use == Use::Often && edges.size() > kMostScanned) {
+  if (use == Use::OftenByHierarchy || (use == Use::Often && edges.size() > kMostScanned)) {
     edges_ = std::move(edges);
     return;
   }

@@ -20,8 +20,9 @@ class EdgeIndex {
   using Edge = EdgeTree::Edge;
   using Leaf = EdgeTree::Leaf;
 
-  /// How often the polygon will be queried: a single query never pays for a hierarchy.
-  enum class Use { Once, Often };
+  /// How often the polygon will be queried. A single query never pays for a hierarchy. `OftenByHierarchy` walks one
+  /// however few the edges are: tests compare both ways.
+  enum class Use { Once, Often, OftenByHierarchy };
   /// Up to this many edges are looked at faster than a hierarchy is walked.
   static constexpr std::size_t kMostScanned = 32;
 

@@ -44,7 +44,7 @@ LiftedPolygon lifted_polygon(const Polygon& polygon, const BigIntPolygon& bigint
 }  // namespace
 
 PreparedPolygon::Parts::Parts(const Polygon& loops, EdgeIndex::Use use)
-    : owned_(use == EdgeIndex::Use::Often ? std::optional(loops) : std::nullopt), polygon(owned_ ? *owned_ : loops) {
+    : owned_(use != EdgeIndex::Use::Once ? std::optional(loops) : std::nullopt), polygon(owned_ ? *owned_ : loops) {
   std::optional<BigIntPolygon> bigint = find_frame(use);
   if (!frame && !bigint) bigint.emplace(polygon);  // throws if there is no supporting plane
   if (bigint) keep_exact_form(std::move(*bigint));

@@ -9,6 +9,7 @@
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
 #include "tests/robust/filtered/hard_cases.h"
 #include "tests/robust/support/printing.h"
 
@@ -41,15 +42,16 @@ RC_GTEST_PROP(FilteredEngines, AreExactOnTriangles, ()) {
 
 template <class Counts>
 void expect_exact_answers(const filtered::KernelTable<Counts>& ask, const Case& c, const Answer& truth) {
-  const filtered::PreparedPolygon prepared(c.polygon);
-  const auto& parts = parts_of(prepared);
-  Counts counts;
-  RC_ASSERT(ask.answer(c.ball, parts, counts) == truth);
-  RC_ASSERT(ask.contact(c.ball, parts, counts) == truth.contact());
-  RC_ASSERT(ask.relation(c.ball, parts, counts) == truth.relation);
-  RC_ASSERT(ask.plane_side(c.ball, parts, counts) == truth.plane);
-  RC_ASSERT(ask.foot(c.ball, parts, counts) == truth.foot);
-  RC_ASSERT(ask.edges_hit(c.ball, parts, counts) == truth.edges_hit);
+  for (const auto use : {filtered::EdgeIndex::Use::Often, filtered::EdgeIndex::Use::OftenByHierarchy}) {
+    const filtered::PreparedPolygon::Parts parts(c.polygon, use);
+    Counts counts;
+    RC_ASSERT(ask.answer(c.ball, parts, counts) == truth);
+    RC_ASSERT(ask.contact(c.ball, parts, counts) == truth.contact());
+    RC_ASSERT(ask.relation(c.ball, parts, counts) == truth.relation);
+    RC_ASSERT(ask.plane_side(c.ball, parts, counts) == truth.plane);
+    RC_ASSERT(ask.foot(c.ball, parts, counts) == truth.foot);
+    RC_ASSERT(ask.edges_hit(c.ball, parts, counts) == truth.edges_hit);
+  }
 }
 
 RC_GTEST_PROP(FilteredEngines, AreExactOnPolygons, ()) {

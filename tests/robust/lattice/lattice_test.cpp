@@ -13,6 +13,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
 #include "tests/robust/lattice/lattice_case.h"
 #include "tests/robust/support/environment.h"
 
@@ -62,14 +63,20 @@ struct Tally {
 class Examiner {
  public:
   Examiner(const LatticeCase& given, std::uint64_t number, PlaneKind kind, Tally& tally)
-      : given_(given), number_(number), kind_(kind), prepared_(prepared(given.polygon(), number)), tally_(tally) {}
+      : given_(given),
+        number_(number),
+        kind_(kind),
+        prepared_(prepared(given.polygon(), number)),
+        by_hierarchy_(given.polygon(), filtered::EdgeIndex::Use::OftenByHierarchy),
+        tally_(tally) {}
 
   void ask(const Questions& questions, int mode) {
-    for (const filtered::Kernels* kernels : all_kernels()) {
-      const auto foot = [&](const Ball& ball) { return kernels->plain.foot(ball, parts_of(prepared_), none_); };
-      const auto relation = [&](const Ball& ball) { return kernels->plain.relation(ball, parts_of(prepared_), none_); };
-      hold(questions, mode, foot, relation, kernels == all_kernels().front() ? "baseline" : "fastest");
-    }
+    for (const filtered::Kernels* kernels : all_kernels())
+      for (const Parts* parts : {&parts_of(prepared_), &by_hierarchy_}) {
+        const auto foot = [&](const Ball& ball) { return kernels->plain.foot(ball, *parts, none_); };
+        const auto relation = [&](const Ball& ball) { return kernels->plain.relation(ball, *parts, none_); };
+        hold(questions, mode, foot, relation, kernels == all_kernels().front() ? "baseline" : "fastest");
+      }
     tally_.questions += 1 + questions.radii.size();
   }
 
@@ -115,7 +122,10 @@ class Examiner {
   const LatticeCase& given_;
   std::uint64_t number_;
   PlaneKind kind_;
+  using Parts = filtered::PreparedPolygon::Parts;
+
   filtered::PreparedPolygon prepared_;
+  const Parts by_hierarchy_;
   std::optional<exact::PreparedPolygon> exact_;
   filtered::NoCounts none_;
   Tally& tally_;
