@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "ball.h"
+#include "rejection.h"
+
+namespace touchstone {
+
+/// A ball whose centre moves along a segment: at time t in [0, 1] it is c(t) = c + t (c' - c).
+///
+/// The points that the ball covers on its way are those of the capsule around the segment from c to c'. A ball at rest,
+/// c' = c, is a motion, too. All numbers are exact real numbers, in the unit of length of the polygon. Requires a valid
+/// ball and a finite end; `find_fault` checks this. The contact functions do not check it again, but debug builds
+/// assert it.
+struct Motion {
+  Ball ball;           ///< at t = 0, with centre c
+  Eigen::Vector3d to;  ///< c', the centre at t = 1
+};
+
+/// Returns why the motion is invalid (the ball's fault before `not-finite` for `motion.to`), or nothing if it is valid.
+[[nodiscard]] std::optional<Rejection> find_fault(const Motion& motion);
+
+}  // namespace touchstone
