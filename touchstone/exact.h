@@ -3,3 +3,4 @@
 #pragma once
 
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 
 /// Checks of arguments.
@@ -19,6 +20,12 @@ namespace touchstone {
 inline const Ball& required(const Ball& ball) {
   assert(!find_fault(ball));
   return ball;
+}
+
+/// Returns the motion. Asserts that `find_fault` accepts it.
+inline const Motion& required(const Motion& motion) {
+  assert(!find_fault(motion));
+  return motion;
 }
 
 /// Returns the triangle. Asserts that its vertices are finite; that they are not collinear would be expensive to check.

@@ -1,130 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/exact/exact.h"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Lazy_exact_nt.h>
-#include <CGAL/Mpzf.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
 #include "robust/detail/sound_arithmetic.h"
-#include "robust/exact/detail/dropped_axis.h"
+#include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::exact {
 namespace {
-
-// Mpzf: integers times powers of two. It has no division, which is not needed here. A full answer for a 24-gon takes 42
-// us if it is planar and 52 us if not; Gmpq takes 5.5 and 8.8 times as long, Lazy_exact_nt<Gmpq> (the number type of
-// EPECK, whose intervals decide nothing near a boundary) 12 and 14 times, with the same answers (measured by
-// experiments/exact_number).
-#ifndef TOUCHSTONE_EXACT_NUMBER
-#define TOUCHSTONE_EXACT_NUMBER CGAL::Mpzf
-#endif
-using Number = TOUCHSTONE_EXACT_NUMBER;
-using Kernel = CGAL::Simple_cartesian<Number>;
-using Vector = Kernel::Vector_3;
-
-Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
-
-/// Returns the Newell sum of the outer loop.
-Vector newell_normal(const Polygon& polygon) {
-  Vector sum(0, 0, 0);
-  for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
-    sum = sum + CGAL::cross_product(vector(polygon.vertex(i)), vector(polygon.vertex(polygon.next(i))));
-  return sum;
-}
-
-int largest_component(const Vector& v) {
-  int axis = 0;
-  for (int k : {1, 2})
-    if (CGAL::abs(v[k]) > CGAL::abs(v[axis])) axis = k;
-  return axis;
-}
-
-template <class N>
-mpq_class rational(const N& number) {
-  if constexpr (requires { number.exact(); })
-    return rational(number.exact());
-  else
-    return mpq_class(static_cast<CGAL::Gmpq>(number).mpq());
-}
-
-/// Returns numerator / denominator, rounded by `round` (nearest_double or nearest_root).
-template <class Round>
-double rounded(const Number& numerator, const Number& denominator, Round round) {
-  const mpq_class a = rational(numerator), b = rational(denominator);
-  return round(mpz_class(a.get_num() * b.get_den()), mpz_class(b.get_num() * a.get_den()));
-}
-
-}  // namespace
-
-std::optional<int> dropped_axis(const Polygon& polygon) {
-  const FloatingPointState nearest;
-  const Vector normal = newell_normal(polygon);
-  if (normal == CGAL::NULL_VECTOR) return std::nullopt;
-  return largest_component(normal);
-}
-
-// The lift divides by n N_k (n vertices in the outer loop). To avoid divisions, all lengths are multiplied by |n N_k|;
-// if all loops lie on the plane, the factor is 1.
-struct PreparedPolygon::Lifted {
-  Vector normal;
-  Number normal_squared;
-  int dropped_axis;
-  Number scale;                  // > 0: what all lengths below are multiplied by
-  std::vector<Vector> vertices;  // lifted
-  std::vector<std::size_t> next;
-  double off_plane;
-
-  explicit Lifted(const Polygon& polygon);
-};
-
-const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon) { return *polygon.lifted_; }
-
-PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0) {
-  normal = newell_normal(polygon);
-  if (normal == CGAL::NULL_VECTOR)
-    throw Rejected({RejectionCode::ZeroNormal, "the Newell normal of the outer loop is zero"});
-  normal_squared = normal.squared_length();
-  dropped_axis = largest_component(normal);
-
-  const std::size_t count = polygon.vertex_count(), outer = polygon.loop_end(0);
-  Vector outer_sum(0, 0, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    vertices.push_back(vector(polygon.vertex(i)));
-    next.push_back(polygon.next(i));
-    if (i < outer) outer_sum = outer_sum + vertices[i];
-  }
-
-  const Number n(static_cast<int>(outer));
-  const Number plane = normal * outer_sum;  // n N.g
-  std::vector<Number> height(count);        // n N.(p - g)
-  for (std::size_t i = 0; i < count; ++i) height[i] = n * (normal * vertices[i]) - plane;
-  if (std::all_of(height.begin(), height.end(), [](const Number& h) { return CGAL::is_zero(h); })) return;
-
-  const bool positive = CGAL::is_positive(normal[dropped_axis]);
-  scale = n * CGAL::abs(normal[dropped_axis]);
-  Number farthest(0);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<Number, 3> lifted;
-    for (int axis = 0; axis < 3; ++axis) lifted[static_cast<std::size_t>(axis)] = scale * vertices[i][axis];
-    Number& along = lifted[static_cast<std::size_t>(dropped_axis)];
-    along = positive ? Number(along - height[i]) : Number(along + height[i]);
-    vertices[i] = Vector(lifted[0], lifted[1], lifted[2]);
-    farthest = std::max(farthest, Number(CGAL::abs(height[i])));
-  }
-  off_plane = rounded(farthest, scale, nearest_double);
-}
-
-namespace {
-
-using Lifted = PreparedPolygon::Lifted;
 
 /// A squared distance as a quotient; the denominator is positive.
 struct Squared {
@@ -189,32 +77,33 @@ PlaneSide plane_side(const Query& query) {
   return CGAL::is_positive(query.height) ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
-/// Locates the foot by counting the edges that a ray from it crosses, in the projection without the dropped coordinate.
-/// The foot is q = c - (s / N.N) N; comparisons use N.N q, so nothing is divided.
-PointLocation foot(const Query& query) {
-  const Lifted& polygon = query.polygon;
-  const int v = (polygon.dropped_axis + 2) % 3;
-  const Number foot_v = polygon.normal_squared * query.center[v] - query.height * polygon.normal[v];
-  std::vector<CGAL::Sign> above(polygon.vertices.size());  // of each vertex above the foot
-  for (std::size_t i = 0; i < above.size(); ++i)
-    above[i] = CGAL::compare(polygon.normal_squared * polygon.vertices[i][v], foot_v);
+/// The signs of the foot, which is q = c - (s / N.N) N. Comparisons use N.N q, so nothing is divided.
+class FootSigns {
+ public:
+  explicit FootSigns(const Query& query)
+      : query_(query),
+        v_((query.polygon.dropped_axis + 2) % 3),
+        foot_v_(query.polygon.normal_squared * query.center[v_] - query.height * query.polygon.normal[v_]) {}
 
-  bool inside = false;
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    const CGAL::Sign start = above[i], end = above[polygon.next[i]];
-    if (start * end == CGAL::POSITIVE) continue;
-    const EdgeView edge(query, i);
-    const CGAL::Sign side = CGAL::sign(polygon.normal * CGAL::cross_product(edge.direction, edge.from_start));
-    if (side == CGAL::ZERO) {
-      if (!CGAL::is_negative(edge.along) && edge.along <= edge.length_squared) return PointLocation::Boundary;
-      continue;
-    }
-    const bool upwards = start != CGAL::POSITIVE && end == CGAL::POSITIVE;
-    const bool downwards = start == CGAL::POSITIVE && end != CGAL::POSITIVE;
-    if ((upwards && side == CGAL::POSITIVE) || (downwards && side == CGAL::NEGATIVE)) inside = !inside;
+  [[nodiscard]] CGAL::Sign above(std::size_t i) const {
+    return CGAL::compare(query_.polygon.normal_squared * query_.polygon.vertices[i][v_], foot_v_);
   }
-  return inside ? PointLocation::Inside : PointLocation::Outside;
-}
+  [[nodiscard]] CGAL::Sign side(std::size_t i) const {
+    const EdgeView edge(query_, i);
+    return CGAL::sign(query_.polygon.normal * CGAL::cross_product(edge.direction, edge.from_start));
+  }
+  [[nodiscard]] bool covers(std::size_t i) const {
+    const EdgeView edge(query_, i);
+    return !CGAL::is_negative(edge.along) && edge.along <= edge.length_squared;
+  }
+
+ private:
+  const Query& query_;
+  int v_;
+  Number foot_v_;
+};
+
+PointLocation foot(const Query& query) { return locate(query.polygon, FootSigns(query)); }
 
 std::vector<std::size_t> edges_hit(const Query& query) {
   std::vector<std::size_t> hit;

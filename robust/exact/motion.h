@@ -12,7 +12,7 @@
 /// Guarantees, for every motion and every polygon that `find_fault` and `validate` accept:
 ///  (1) a ball at rest has the contact of the static answer; its first contact is Start or None;
 ///  (2) reversing the motion keeps `contact`;
-///  (3) if the motion is cut at a time at which the centre is a point of doubles, it makes contact if and only if one
+///  (3) if the motion is cut where the centre is a point of doubles, it makes contact if and only if one
 ///      of the parts does;
 ///  (4) a ball that touches at any time makes contact; at the first time it touches, and before that it does not;
 ///  (5) growing r never loses a contact and never makes the first time later;

@@ -3,6 +3,7 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -38,6 +39,27 @@ double rounded(const mpz_class& integer, bool inexact, long exponent) {
   return result;
 }
 
+/// Returns the double of opposite sign, except that zero remains +0.
+double negated(double value) {
+  const bool zero = std::bit_cast<std::uint64_t>(value) == 0;
+  return zero ? value : -value;
+}
+
+/// An integer part, and whether a positive fraction was truncated.
+struct Truncated {
+  mpz_class floor;
+  bool inexact;
+};
+
+/// (term + sign sqrt(radicand)) 2^shift. Requires shift >= 0.
+Truncated sum_with_root(const mpz_class& term, int sign, const mpz_class& radicand, long shift) {
+  mpz_class root, rest;
+  mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), shifted(radicand, 2 * shift).get_mpz_t());
+  const bool inexact = sign != 0 && rest != 0;
+  if (sign < 0 && inexact) ++root;
+  return {shifted(term, shift) + sign * root, inexact};
+}
+
 }  // namespace
 
 double nearest_double(const mpz_class& numerator, const mpz_class& denominator) {
@@ -49,8 +71,7 @@ double nearest_double(const mpz_class& numerator, const mpz_class& denominator) 
   mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), shifted(magnitude, shift).get_mpz_t(),
               shifted(denominator, -shift).get_mpz_t());
   const double result = rounded(quotient, remainder != 0, -shift);
-  const bool zero = std::bit_cast<std::uint64_t>(result) == 0;  // negative values that round to zero become +0, too
-  return numerator < 0 && !zero ? -result : result;
+  return numerator < 0 ? negated(result) : result;
 }
 
 double nearest_root(const mpz_class& numerator, const mpz_class& denominator) {
@@ -63,6 +84,26 @@ double nearest_root(const mpz_class& numerator, const mpz_class& denominator) {
               shifted(denominator, -shift).get_mpz_t());
   mpz_sqrtrem(root.get_mpz_t(), root_remainder.get_mpz_t(), quotient.get_mpz_t());
   return rounded(root, remainder != 0 || root_remainder != 0, -shift / 2);
+}
+
+double nearest_sum_with_root(const mpz_class& term, int sign, const mpz_class& radicand, const mpz_class& denominator) {
+  assert(radicand >= 0 && denominator > 0);
+  const int root_sign = radicand == 0 ? 0 : sign;
+  const int size = cmp(mpz_class(term * term), mpz_class(root_sign * root_sign * radicand));  // |term| against the root
+  const int value_sign = size > 0 ? sgn(term) : size < 0 ? root_sign : root_sign == sgn(term) ? root_sign : 0;
+  if (value_sign == 0) return 0;
+  if (value_sign < 0) return negated(nearest_sum_with_root(-term, -sign, radicand, denominator));
+
+  // Terms of opposite signs may cancel, so the shift is found by trial.
+  long shift = kQuotientBits + bits(denominator) - std::max(bits(term), bits(radicand) / 2);
+  for (;; shift += kQuotientBits) {
+    const Truncated sum = sum_with_root(term, root_sign, radicand, std::max(shift, 0L));
+    mpz_class quotient, remainder;
+    mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), sum.floor.get_mpz_t(),
+                shifted(denominator, std::max(-shift, 0L)).get_mpz_t());
+    if (bits(quotient) >= kQuotientBits && quotient > 0)
+      return rounded(quotient, sum.inexact || remainder != 0, -shift);
+  }
 }
 
 }  // namespace touchstone::exact

@@ -14,4 +14,9 @@ namespace touchstone::exact {
 /// > 0.
 [[nodiscard]] double nearest_root(const mpz_class& numerator, const mpz_class& denominator);
 
+/// Returns the double nearest to (term + sign sqrt(radicand)) / denominator, in the same sense. Requires a sign of -1,
+/// 0 or +1, radicand >= 0, and denominator > 0.
+[[nodiscard]] double nearest_sum_with_root(const mpz_class& term, int sign, const mpz_class& radicand,
+                                           const mpz_class& denominator);
+
 }  // namespace touchstone::exact

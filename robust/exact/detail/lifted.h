@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "robust/exact/detail/number.h"
+#include "robust/exact/exact.h"
+
+namespace touchstone::exact {
+
+/// A polygon lifted onto its supporting plane.
+///
+/// The lift divides by n N_k (n vertices in the outer loop, k the dropped axis). To avoid divisions, all lengths are
+/// multiplied by |n N_k|; if all loops lie on the plane, the factor is 1.
+struct PreparedPolygon::Lifted {
+  Vector normal;
+  Number normal_squared;
+  int dropped_axis;
+  Number scale;                  ///< > 0: what all lengths below are multiplied by
+  std::vector<Vector> vertices;  ///< lifted
+  std::vector<std::size_t> next;
+  double off_plane;
+
+  /// Throws Rejected with `zero-normal` if there is no supporting plane.
+  explicit Lifted(const Polygon& polygon);
+};
+
+using Lifted = PreparedPolygon::Lifted;
+
+/// Returns what the polygon holds.
+const Lifted& lifted(const PreparedPolygon& polygon);
+
+/// Locates a point of the supporting plane by counting the edges that a ray from it crosses, in the projection without
+/// the dropped coordinate. `signs` tells of each edge and its start:
+///   above(i): the sign of the start's coordinate v minus the point's, v = (dropped axis + 2) mod 3;
+///   side(i): +, 0, -: the point lies left of the edge's line, on it, or right of it, as seen from the front;
+///   covers(i): whether a point on the edge's line lies on the edge.
+template <class Signs>
+PointLocation locate(const Lifted& polygon, const Signs& signs) {
+  std::vector<CGAL::Sign> above(polygon.vertices.size());
+  for (std::size_t i = 0; i < above.size(); ++i) above[i] = signs.above(i);
+
+  bool inside = false;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    const CGAL::Sign start = above[i], end = above[polygon.next[i]];
+    if (start * end == CGAL::POSITIVE) continue;
+    const CGAL::Sign side = signs.side(i);
+    if (side == CGAL::ZERO) {
+      if (signs.covers(i)) return PointLocation::Boundary;
+      continue;
+    }
+    const bool upwards = start != CGAL::POSITIVE && end == CGAL::POSITIVE;
+    const bool downwards = start == CGAL::POSITIVE && end != CGAL::POSITIVE;
+    if ((upwards && side == CGAL::POSITIVE) || (downwards && side == CGAL::NEGATIVE)) inside = !inside;
+  }
+  return inside ? PointLocation::Inside : PointLocation::Outside;
+}
+
+}  // namespace touchstone::exact

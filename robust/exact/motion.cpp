@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/exact/motion.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/required.h"
+#include "robust/exact/detail/lifted.h"
+#include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/smaller_root.h"
+
+namespace touchstone::exact {
+namespace {
+
+/// A motion in the scaled space of a polygon, which does not touch at t = 0. A time keeps its value under the scaling.
+struct Moving {
+  Moving(const Motion& motion, const Lifted& lifted_polygon)
+      : polygon(lifted_polygon),
+        center(polygon.scale * vector(motion.ball.center)),
+        velocity(polygon.scale * vector(motion.to) - center),
+        radius_squared(CGAL::square(polygon.scale * Number(motion.ball.radius))),
+        height{polygon.normal * (center - polygon.vertices[0]), polygon.normal * velocity} {}
+
+  const Lifted& polygon;
+  Vector center, velocity;
+  Number radius_squared;
+  Linear height;  // s(t) = N.(c(t) - g)
+
+  [[nodiscard]] Vector from(std::size_t vertex) const { return center - polygon.vertices[vertex]; }
+  [[nodiscard]] Vector edge(std::size_t i) const { return polygon.vertices[polygon.next[i]] - polygon.vertices[i]; }
+  /// Returns (c(t) - v).direction, v being the start of the edge.
+  [[nodiscard]] Linear along(const Vector& direction, std::size_t vertex) const {
+    return {from(vertex) * direction, velocity * direction};
+  }
+};
+
+/// The time at which the centre's distance from the supporting plane becomes r.
+std::optional<SmallerRoot> plane_time(const Moving& moving) {
+  const auto& [s, change] = moving.height;
+  return SmallerRoot::within_unit_interval(
+      {CGAL::square(change), s * change, CGAL::square(s) - moving.radius_squared * moving.polygon.normal_squared});
+}
+
+/// The time at which the centre's distance from an edge's line becomes r.
+std::optional<SmallerRoot> line_time(const Moving& moving, std::size_t edge) {
+  const Vector direction = moving.edge(edge);
+  const Vector moment = CGAL::cross_product(moving.from(edge), direction),
+               change = CGAL::cross_product(moving.velocity, direction);
+  return SmallerRoot::within_unit_interval(
+      {change.squared_length(), moment * change,
+       moment.squared_length() - moving.radius_squared * direction.squared_length()});
+}
+
+/// The time at which the centre's distance from a vertex becomes r.
+std::optional<SmallerRoot> vertex_time(const Moving& moving, std::size_t vertex) {
+  const Vector from = moving.from(vertex);
+  return SmallerRoot::within_unit_interval(
+      {moving.velocity.squared_length(), from * moving.velocity, from.squared_length() - moving.radius_squared});
+}
+
+/// The signs of the foot at a time.
+class FootSignsAt {
+ public:
+  FootSignsAt(const Moving& moving, const SmallerRoot& time)
+      : moving_(moving), time_(time), v_((moving.polygon.dropped_axis + 2) % 3) {}
+
+  [[nodiscard]] CGAL::Sign above(std::size_t i) const {
+    // The foot is c - (s / N.N) N.
+    const Lifted& polygon = moving_.polygon;
+    const auto foot = [&](const Number& center, const Number& height) -> Number {
+      return polygon.normal_squared * center - height * polygon.normal[v_];
+    };
+    return -time_.sign_of({foot(moving_.from(i)[v_], moving_.height.p), foot(moving_.velocity[v_], moving_.height.q)});
+  }
+  [[nodiscard]] CGAL::Sign side(std::size_t i) const {
+    return time_.sign_of(moving_.along(CGAL::cross_product(moving_.polygon.normal, moving_.edge(i)), i));
+  }
+  [[nodiscard]] bool covers(std::size_t i) const {
+    const Vector edge = moving_.edge(i);
+    const Linear along = moving_.along(edge, i);
+    return time_.sign_of(along) != CGAL::NEGATIVE &&
+           time_.sign_of({along.p - edge.squared_length(), along.q}) != CGAL::POSITIVE;
+  }
+  /// Returns whether the foot on the edge's line lies strictly between its ends.
+  [[nodiscard]] bool between(std::size_t i) const {
+    const Vector edge = moving_.edge(i);
+    const Linear along = moving_.along(edge, i);
+    return time_.sign_of(along) == CGAL::POSITIVE &&
+           time_.sign_of({along.p - edge.squared_length(), along.q}) == CGAL::NEGATIVE;
+  }
+
+ private:
+  const Moving& moving_;
+  const SmallerRoot& time_;
+  int v_;
+};
+
+/// A feature that the ball touches, and the time at which it first does.
+struct Event {
+  Feature feature;
+  SmallerRoot time;
+};
+
+/// Returns the event of the face, if the ball meets its interior before anything else of the plane.
+std::optional<Event> face_event(const Moving& moving) {
+  const auto time = plane_time(moving);
+  if (!time || locate(moving.polygon, FootSignsAt(moving, *time)) != PointLocation::Inside) return std::nullopt;
+  return Event{{Feature::Kind::Face, 0}, *time};
+}
+
+/// Returns the event of an edge's relative interior.
+std::optional<Event> edge_event(const Moving& moving, std::size_t i) {
+  const auto time = line_time(moving, i);
+  if (!time || !FootSignsAt(moving, *time).between(i)) return std::nullopt;
+  return Event{{Feature::Kind::Edge, i}, *time};
+}
+
+std::optional<Event> vertex_event(const Moving& moving, std::size_t i) {
+  const auto time = vertex_time(moving, i);
+  if (!time) return std::nullopt;
+  return Event{{Feature::Kind::Vertex, i}, *time};
+}
+
+/// Returns the first event. Of several at the same time it takes the face, then an edge, then the lowest index: the
+/// ball is at distance r from all of them, so these are the features nearest to it.
+std::optional<Event> first_event(const Moving& moving) {
+  std::optional<Event> first = face_event(moving);
+  const auto consider = [&first](std::optional<Event> event) {
+    if (event && (!first || compare(event->time, first->time) == CGAL::SMALLER)) first = std::move(event);
+  };
+  for (std::size_t i = 0; i < moving.polygon.vertices.size(); ++i) consider(edge_event(moving, i));
+  for (std::size_t i = 0; i < moving.polygon.vertices.size(); ++i) consider(vertex_event(moving, i));
+  return first;
+}
+
+/// Returns whether the ball, which grazes a vertex, then slides along the face or along one of the vertex's two edges.
+///
+/// It slides along an edge that leads from the vertex in the direction of motion. It slides along the face if the
+/// motion is parallel to the plane at distance r, and the foot passes from outside to inside: that is, if one of the
+/// two edges leads to the left of the motion and the other to the right.
+bool slides_on(const Moving& moving, std::size_t vertex) {
+  const Lifted& polygon = moving.polygon;
+  std::size_t previous = 0;
+  while (polygon.next[previous] != vertex) ++previous;
+  const Vector edges[] = {moving.edge(vertex), -moving.edge(previous)};  // away from the vertex
+  for (const Vector& edge : edges)
+    if (CGAL::cross_product(moving.velocity, edge) == CGAL::NULL_VECTOR && CGAL::is_positive(moving.velocity * edge))
+      return true;
+  const auto& [s, change] = moving.height;
+  if (!CGAL::is_zero(change) || CGAL::square(s) != moving.radius_squared * polygon.normal_squared) return false;
+  const auto side = [&](const Vector& edge) {
+    return CGAL::sign(polygon.normal * CGAL::cross_product(moving.velocity, edge));
+  };
+  return side(edges[0]) * side(edges[1]) == CGAL::NEGATIVE;
+}
+
+/// Returns whether the ball leaves the polygon right after the first event.
+///
+/// A feature that the ball enters at a simple root remains touched. At a double root the ball grazes the feature, and
+/// may then touch another one: it may slide along the face, or from a vertex along an edge.
+bool is_momentary(const Moving& moving, const Event& first) {
+  if (!first.time.is_double()) return false;
+  if (first.feature.kind == Feature::Kind::Face) return true;  // a point passes through it
+  const std::size_t count = moving.polygon.vertices.size();
+  const auto simultaneous = [&first](const std::optional<Event>& event) {
+    return event && compare(event->time, first.time) == CGAL::EQUAL;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const auto event = edge_event(moving, i); simultaneous(event)) {
+      if (!event->time.is_double()) return false;
+      // The foot crosses the edge from the outside, so it goes inside.
+      const auto& [s, change] = moving.height;
+      if (CGAL::is_zero(change) && CGAL::square(s) == moving.radius_squared * moving.polygon.normal_squared)
+        return false;
+    }
+    if (const auto event = vertex_event(moving, i); simultaneous(event))
+      if (!event->time.is_double() || slides_on(moving, i)) return false;
+  }
+  return true;
+}
+
+Eigen::Vector3d touched_point(const Moving& moving, const Event& event) {
+  const Lifted& polygon = moving.polygon;
+  const std::size_t i = event.feature.index;
+  const auto coordinate = [&](int axis) -> double {
+    switch (event.feature.kind) {
+      case Feature::Kind::Face: {
+        const auto foot = [&](const Number& center, const Number& height) -> Number {
+          return polygon.normal_squared * center - height * polygon.normal[axis];
+        };
+        return event.time.rounded(
+            {foot(moving.center[axis], moving.height.p), foot(moving.velocity[axis], moving.height.q)},
+            polygon.normal_squared * polygon.scale);
+      }
+      case Feature::Kind::Edge: {
+        const Vector edge = moving.edge(i);
+        const auto [along, change] = moving.along(edge, i);
+        const Number length_squared = edge.squared_length();
+        return event.time.rounded(
+            {length_squared * polygon.vertices[i][axis] + along * edge[axis], change * edge[axis]},
+            length_squared * polygon.scale);
+      }
+      case Feature::Kind::Vertex: break;
+    }
+    return rounded(polygon.vertices[i][axis], polygon.scale, nearest_double);
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+/// Returns the first event of a motion that does not touch at its start.
+std::optional<Event> first_event(const Motion& motion, const PreparedPolygon& polygon) {
+  return first_event(Moving(motion, lifted(polygon)));
+}
+
+}  // namespace
+
+bool contact(const Motion& motion, const PreparedPolygon& polygon) {
+  const FloatingPointState nearest;
+  return contact(required(motion).ball, polygon) || first_event(motion, polygon);
+}
+
+FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon) {
+  const FloatingPointState nearest;
+  if (const Answer start = answer(required(motion).ball, polygon); start.contact())
+    return {FirstContactKind::Start, 0, false, start.nearest, start.point};
+  const Moving moving(motion, lifted(polygon));
+  const auto event = first_event(moving);
+  if (!event) return {};
+  return {FirstContactKind::Way, event->time.rounded({Number(0), Number(1)}, Number(1)), is_momentary(moving, *event),
+          event->feature, touched_point(moving, *event)};
+}
+
+int compare_times(const Motion& motion, const PreparedPolygon& first, const PreparedPolygon& second) {
+  const FloatingPointState nearest;
+  const bool first_starts = contact(required(motion).ball, first), second_starts = contact(motion.ball, second);
+  if (first_starts || second_starts) return static_cast<int>(second_starts) - static_cast<int>(first_starts);
+  const auto first_time = first_event(motion, first), second_time = first_event(motion, second);
+  if (first_time && second_time) return compare(first_time->time, second_time->time);
+  return static_cast<int>(second_time.has_value()) - static_cast<int>(first_time.has_value());
+}
+
+bool contact(const Motion& motion, const Polygon& polygon) { return contact(motion, PreparedPolygon(polygon)); }
+FirstContact first_contact(const Motion& motion, const Polygon& polygon) {
+  return first_contact(motion, PreparedPolygon(polygon));
+}
+
+}  // namespace touchstone::exact
