@@ -4,4 +4,5 @@
 #pragma once
 
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"

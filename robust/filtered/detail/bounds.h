@@ -113,4 +113,13 @@ inline constexpr double kNormalUnderflow = 0x1p-1074;
 /// lifted, m_w. Computed values may replace exact ones in these bounds.
 inline constexpr double kClosest = 0x1p-94;
 
+/// Numbers that carry their error (numbers/bounded.h): the errors of `dot` and `cross` of exact vectors in lanes, in
+/// units of kUnit m_a m_b.
+inline constexpr double kRoundedDot = 9.0625;
+inline constexpr double kRoundedCross = 4.0625;
+/// Covers the roundings of 2^12 errors that are computed from each other, each with at most eight operations.
+inline constexpr double kWideError = 1 + 0x1p-36;
+/// The largest coordinate and radius of a motion, in the unit in which it is answered.
+inline constexpr double kLongestMotion = 0x1p30;
+
 }  // namespace touchstone::filtered::bounds

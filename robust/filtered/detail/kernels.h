@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/contact/first_contact.h"
 #include "robust/filtered/detail/ball_triangle_view.h"
+#include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/newell_sums.h"
 #include "robust/filtered/detail/parts_of.h"
 #include "robust/filtered/filtered.h"
@@ -22,6 +24,8 @@ struct KernelTable {
   Feature (*triangle_nearest)(BallTriangleView, Counts&);
   double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
   void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
+  bool (*triangle_motion_contact)(MotionTriangleView, Counts&);
+  void (*triangle_first_contact)(MotionTriangleView, FirstContact&, Counts&);
   void (*set_contact)(const Ball&, const TriangleSet::Parts&, std::span<bool>, Counts&);
   bool (*set_any_contact)(const Ball&, const TriangleSet::Parts&, Counts&);
   std::vector<std::size_t> (*set_triangles_hit)(const Ball&, const TriangleSet::Parts&, Counts&);

@@ -4,6 +4,7 @@
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/ball_lanes.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/motion/triangle_motion.h"
 #include "robust/filtered/detail/polygon_query.h"
 #include "robust/filtered/detail/triangle_closest.h"
 #include "robust/filtered/detail/triangle_groups_contact.h"
@@ -93,6 +94,8 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_nearest = nearest_feature<Counts>,
     .triangle_distance = feature_distance<Counts>,
     .triangle_point = feature_point<Counts>,
+    .triangle_motion_contact = triangle_motion_contact<Counts>,
+    .triangle_first_contact = triangle_first_contact<Counts>,
     .set_contact = set_contact<Counts>,
     .set_any_contact = set_any_contact<Counts>,
     .set_triangles_hit = set_triangles_hit<Counts>,

@@ -16,7 +16,7 @@
 /// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: the successor of each corner of a triangle.
 /// `previous_of_three` moves lanes 2, 0, 1, 2 there: the predecessor.
 ///
-/// + - *, `minimum`, `maximum` and `square_root` work lane by lane. Sums of products are fused if the target can; then
+/// + - * /, `minimum`, `maximum` and `square_root` work lane by lane. Sums of products are fused if the target can; then
 /// values differ between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y has
 /// it set where x < y.
 /// &, | and ^ combine such bits, and `negative_lanes` returns them.
@@ -43,6 +43,7 @@ TOUCHSTONE_INLINE void store(double* four, const Pack& a) { _mm256_storeu_pd(fou
 TOUCHSTONE_INLINE Pack operator+(const Pack& a, const Pack& b) { return {_mm256_add_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator-(const Pack& a, const Pack& b) { return {_mm256_sub_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator*(const Pack& a, const Pack& b) { return {_mm256_mul_pd(a.lanes, b.lanes)}; }
+TOUCHSTONE_INLINE Pack operator/(const Pack& a, const Pack& b) { return {_mm256_div_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) { return {_mm256_and_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator|(const Pack& a, const Pack& b) { return {_mm256_or_pd(a.lanes, b.lanes)}; }
 TOUCHSTONE_INLINE Pack operator^(const Pack& a, const Pack& b) { return {_mm256_xor_pd(a.lanes, b.lanes)}; }
@@ -108,6 +109,9 @@ TOUCHSTONE_INLINE Pack operator-(const Pack& a, const Pack& b) {
 TOUCHSTONE_INLINE Pack operator*(const Pack& a, const Pack& b) {
   return {_mm_mul_pd(a.low, b.low), _mm_mul_pd(a.high, b.high)};
 }
+TOUCHSTONE_INLINE Pack operator/(const Pack& a, const Pack& b) {
+  return {_mm_div_pd(a.low, b.low), _mm_div_pd(a.high, b.high)};
+}
 TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) {
   return {_mm_and_pd(a.low, b.low), _mm_and_pd(a.high, b.high)};
 }
@@ -171,6 +175,9 @@ TOUCHSTONE_INLINE Pack operator-(const Pack& a, const Pack& b) {
 }
 TOUCHSTONE_INLINE Pack operator*(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return a.lanes[i] * b.lanes[i]; });
+}
+TOUCHSTONE_INLINE Pack operator/(const Pack& a, const Pack& b) {
+  return each_lane([&](int i) { return a.lanes[i] / b.lanes[i]; });
 }
 TOUCHSTONE_INLINE Pack operator&(const Pack& a, const Pack& b) {
   return each_lane([&](int i) { return std::signbit(a.lanes[i]) && std::signbit(b.lanes[i]) ? -1.0 : 1.0; });

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/contact/first_contact.h"
+#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/motion/moving_edge.h"
+
+/// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.
+///
+/// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()`, `center(axis)`,
+/// `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate, and
+/// `exponent()`: lengths are true lengths times 2^-exponent.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Returns when and whether the centre's distance from the supporting plane becomes r.
+template <class Doubles>
+PlaneEntry<DoubleDouble> face_entry(const Doubles& doubles) {
+  const MovingEdge<DoubleDouble> edge = doubles.moving(0);
+  const auto& normal = doubles.normal();
+  return plane_entry(dot(normal, edge.to_center), dot(normal, edge.velocity), edge.radius * root(dot(normal, normal)));
+}
+
+/// Computes the first contact from a feature that is certainly touched first, at a simple root or, for a point, at the
+/// face's plane.
+template <class Doubles>
+class TouchedPoint {
+ public:
+  TouchedPoint(const Doubles& doubles, const Feature& feature)
+      : doubles_(doubles),
+        feature_(feature),
+        moving_(doubles.moving(feature.index)),
+        time_(time_of_event()) {
+    if (feature.kind == Feature::Kind::Edge)
+      multiple_ = quotient(moving_.along_at(time_), dot(moving_.edge, moving_.edge));
+    if (feature.kind == Feature::Kind::Face && moving_.radius.value.high > 0) {
+      const auto& normal = doubles.normal();
+      const auto height = dot(normal, moving_.to_center);
+      multiple_ = quotient(moving_.radius, root(dot(normal, normal)));
+      if (height.value.high > 0) multiple_.value = -multiple_.value;
+    }
+  }
+
+  /// Returns the first contact, if the rounding of time and point is certain.
+  [[nodiscard]] std::optional<FirstContact> rounded_contact() const {
+    const auto time = rounded(enclosed(time_), 0);
+    const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
+    if (!time || !x || !y || !z) return std::nullopt;
+    const bool passes = feature_.kind == Feature::Kind::Face && !(moving_.radius.value.high > 0);
+    return FirstContact{FirstContactKind::Way, *time, passes, feature_, {*x, *y, *z}};
+  }
+
+ private:
+  static Enclosed enclosed(const Bounded<DoubleDouble>& number) {
+    return {number.value, bounds::kWideError * number.error};
+  }
+  [[nodiscard]] Bounded<DoubleDouble> time_of_event() const {
+    switch (feature_.kind) {
+      case Feature::Kind::Face: return face_entry(doubles_).entry.time;
+      case Feature::Kind::Edge: return entry(moving_.from_line(), false).time;
+      case Feature::Kind::Vertex: break;
+    }
+    return entry(moving_.from_start(), true).time;
+  }
+  /// Returns the coordinate as the nearest double; zero as +0.
+  [[nodiscard]] std::optional<double> coordinate(int axis) const {
+    const auto& doubles = doubles_;
+    if (feature_.kind == Feature::Kind::Vertex || (feature_.kind == Feature::Kind::Face && doubles.flat(axis)) ||
+        (feature_.kind == Feature::Kind::Edge && moving_.edge.value[axis].high == 0))  // exact
+      return doubles.rounded_vertex(feature_.index, axis);
+    if (feature_.kind == Feature::Kind::Edge)
+      return rounded(enclosed(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis)),
+                     doubles_.exponent());
+    Bounded<DoubleDouble> value =
+        Bounded<DoubleDouble>{doubles.center(axis), 0} + time_ * component(moving_.velocity, axis);
+    if (moving_.radius.value.high > 0) value = value + multiple_ * component(doubles.normal(), axis);
+    return rounded(enclosed(value), doubles_.exponent());
+  }
+  static Bounded<DoubleDouble> component(const BoundedVector<DoubleDouble>& vector, int axis) {
+    return {vector.value[axis], vector.error};
+  }
+
+  const Doubles& doubles_;
+  const Feature feature_;
+  const MovingEdge<DoubleDouble> moving_;
+  const Bounded<DoubleDouble> time_;
+  Bounded<DoubleDouble> multiple_{};
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

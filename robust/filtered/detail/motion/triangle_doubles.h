@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/motion/first_candidate.h"
+#include "robust/filtered/detail/motion/motion_view.h"
+#include "robust/filtered/detail/motion/touched_point.h"
+
+/// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Returns the largest magnitude of a number of motion and triangle.
+inline double largest_number(const MotionTriangleView& view) {
+  double largest = 0;
+  for (int i = 0; i < 7; ++i) largest = std::max(largest, std::abs(view.motion[i]));
+  for (int i = 0; i < 3; ++i)
+    for (const double x : view.vertex[i]) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// A motion and a triangle times a power of two, so that the largest number is in [1/2, 1).
+class ScaledMotion {
+ public:
+  /// Requires the largest number of motion and triangle.
+  ScaledMotion(const MotionTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
+    for (int i = 0; i < 7; ++i) motion_[i] = scaled(view.motion[i]);
+    for (int i = 0; i < 9; ++i) vertex_[i / 3][i % 3] = scaled(view.vertex[i / 3][i % 3]);
+  }
+  /// Returns whether no bit was lost.
+  [[nodiscard]] bool exact() const { return exact_; }
+  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
+  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] MotionTriangleView view() const { return {vertex_, motion_}; }
+
+ private:
+  double scaled(double length) {
+    const double result = std::ldexp(length, -exponent_);
+    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
+    return result;
+  }
+
+  int exponent_;
+  bool exact_ = true;
+  double vertex_[3][3], motion_[7];
+};
+
+/// A motion and a triangle in double-doubles. Differences are exact. Requires round to nearest, and numbers of at most
+/// bounds::kLongestMotion / 2.
+class TriangleMotionDoubles {
+ public:
+  /// `exponent`: lengths are true lengths times 2^-exponent.
+  TriangleMotionDoubles(const MotionTriangleView& view, int exponent)
+      : view_(view),
+        exponent_(exponent),
+        edges_{difference(view.vertex[1], view.vertex[0]), difference(view.vertex[2], view.vertex[1]),
+               difference(view.vertex[0], view.vertex[2])},
+        velocity_(difference(view.motion + 4, view.motion)),
+        normal_(cross(edges_[0], edges_[1])) {}
+
+  /// Returns the edge i as seen from the motion.
+  [[nodiscard]] MovingEdge<DoubleDouble> moving(std::size_t i) const {
+    return {difference(view_.motion, view_.vertex[i]), edges_[i], velocity_, {view_.radius(), 0}};
+  }
+  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
+  [[nodiscard]] double center(int axis) const { return view_.center(axis); }
+  [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const { return {view_.vertex[i][axis], 0}; }
+  /// Returns the coordinate of a vertex as given; zero as +0.
+  [[nodiscard]] std::optional<double> rounded_vertex(std::size_t i, int axis) const {
+    return std::ldexp(view_.vertex[i][axis], exponent_) + 0.0;
+  }
+  /// Returns whether all vertices have the same coordinate along an axis, exactly.
+  [[nodiscard]] bool flat(int axis) const {
+    return view_.vertex[0][axis] == view_.vertex[1][axis] && view_.vertex[0][axis] == view_.vertex[2][axis];  // exact
+  }
+
+  /// Returns the event of the face's interior.
+  [[nodiscard]] Entry<DoubleDouble> face_event() const {
+    Entry<DoubleDouble> event = face_entry(*this).entry;
+    for (std::size_t i = 0; i < 3 && event.certain != 0; ++i) {
+      const MovingEdge<DoubleDouble> edge = moving(i);
+      const auto side =
+          dot(normal_, cross(edge.edge, edge.to_center)) + event.time * dot(normal_, cross(edge.edge, edge.velocity));
+      if (negative(side) != 0) event.none = 1;
+      event.certain &= positive(side);
+    }
+    return event;
+  }
+
+  /// Sets the first event among all features. Returns whether it is certain which one that is, or that there is none.
+  [[nodiscard]] bool find_first(FirstCandidate<DoubleDouble>& first) const {
+    bool unsure = false;
+    const auto consider = [&](Feature::Kind kind, std::size_t i, const Entry<DoubleDouble>& event) {
+      unsure = unsure || event.unsure(1) != 0;
+      if ((event.certain & 1) != 0) first.add({kind, i}, event.time.value, event.time.error);
+    };
+    consider(Feature::Kind::Face, 0, face_event());
+    for (std::size_t i = 0; i < 3; ++i) {
+      consider(Feature::Kind::Edge, i, interior_event(moving(i)));
+      consider(Feature::Kind::Vertex, i, start_event(moving(i)));
+    }
+    return !unsure && (!first.any() || first.certain());
+  }
+
+ private:
+  static BoundedVector<DoubleDouble> difference(const double* a, const double* b) {
+    const Vector3<DoubleDouble> exact{two_difference(a[0], b[0]), two_difference(a[1], b[1]),
+                                      two_difference(a[2], b[2])};
+    return {exact, std::max(largest_component(exact), 1 / bounds::kLongestMotion), 0};
+  }
+
+  const MotionTriangleView view_;
+  const int exponent_;
+  BoundedVector<DoubleDouble> edges_[3], velocity_, normal_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

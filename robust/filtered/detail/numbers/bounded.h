@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "robust/filtered/detail/bounds.h"
+#include "robust/filtered/detail/numbers/double_double.h"
+#include "robust/filtered/detail/numbers/pack.h"
+
+/// Numbers that carry a bound of their error through any expression: doubles in lanes and double-doubles.
+///
+/// Guarantee: after k operations on top of each other a computed value differs from the exact one by at most
+/// (1 + 8 u)^k times its `error`, u = 2^-52. The factor is that of the roundings of the error itself, of which no
+/// operation makes more than eight; `positive` and `negative` allow for 2^12 operations. Lanes are valid in every
+/// rounding direction and under flush-to-zero, double-doubles in round to nearest.
+///
+/// Requires lengths of at most bounds::kLongestMotion, and vectors whose maximum is at least the inverse of that. Then
+/// nothing overflows in expressions of degree 8, and every error exceeds the effect of underflow by far.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// What an error is stored in, and the relative error of an operation.
+template <class Number>
+struct ErrorTraits;
+template <>
+struct ErrorTraits<Pack> {
+  using Error = Pack;
+  static constexpr double unit = bounds::kUnit;
+  static constexpr double dot = bounds::kRoundedDot, cross = bounds::kRoundedCross, quotient = 1;
+};
+template <>
+struct ErrorTraits<DoubleDouble> {
+  using Error = double;
+  static constexpr double unit = bounds::kDoubleDoubleUnit;
+  static constexpr double dot = bounds::kDot, cross = bounds::kCross, quotient = bounds::kQuotient;
+};
+template <class Number>
+using ErrorOf = typename ErrorTraits<Number>::Error;
+
+/// @{
+/// The operations of lanes for single numbers. Truth values are bits of lanes, here of one.
+TOUCHSTONE_INLINE double magnitude(const DoubleDouble& a) { return std::abs(a.high); }
+TOUCHSTONE_INLINE double maximum(double a, double b) { return a > b ? a : b; }
+TOUCHSTONE_INLINE unsigned below(double a, double b) { return a < b ? 1U : 0U; }
+TOUCHSTONE_INLINE unsigned below(const Pack& a, const Pack& b) { return negative_lanes(a - b); }
+TOUCHSTONE_INLINE Pack leading(const Pack& a) { return a; }
+TOUCHSTONE_INLINE double leading(const DoubleDouble& a) { return a.high; }
+TOUCHSTONE_INLINE Pack magnitude_of(const Pack& a) { return magnitude(a); }
+TOUCHSTONE_INLINE DoubleDouble magnitude_of(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
+TOUCHSTONE_INLINE DoubleDouble square_root(const DoubleDouble& a) { return sqrt(a); }
+/// Returns a number of this type with one value.
+template <class Number>
+TOUCHSTONE_INLINE Number constant(double value) {
+  if constexpr (std::is_same_v<Number, Pack>)
+    return all_lanes(value);
+  else
+    return value;
+}
+TOUCHSTONE_INLINE Pack quotient(const Pack& a, const Pack& b) { return a / b; }
+TOUCHSTONE_INLINE double quotient(double a, double b) { return a / b; }
+TOUCHSTONE_INLINE DoubleDouble quotient(const DoubleDouble& a, const DoubleDouble& b) { return a / b; }
+/// @}
+
+/// A number and a bound of its error.
+template <class Number>
+struct Bounded {
+  Number value;
+  ErrorOf<Number> error;
+};
+
+/// Returns the error of rounding a result, `units` of its size.
+template <class Number>
+TOUCHSTONE_INLINE ErrorOf<Number> rounding(const Number& result, double units = 1) {
+  return constant<ErrorOf<Number>>(units * ErrorTraits<Number>::unit) * magnitude(result);
+}
+
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> operator+(const Bounded<Number>& a, const Bounded<Number>& b) {
+  const Number value = a.value + b.value;
+  return {value, (a.error + b.error) + rounding(value)};
+}
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> operator-(const Bounded<Number>& a, const Bounded<Number>& b) {
+  const Number value = a.value - b.value;
+  return {value, (a.error + b.error) + rounding(value)};
+}
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> operator*(const Bounded<Number>& a, const Bounded<Number>& b) {
+  const Number value = a.value * b.value;
+  return {value, (magnitude(a.value) * b.error + a.error * (magnitude(b.value) + b.error)) + rounding(value)};
+}
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> square(const Bounded<Number>& a) {
+  return a * a;
+}
+
+/// Returns the lanes in which the number is certainly positive, or certainly negative.
+template <class Number>
+TOUCHSTONE_INLINE unsigned positive(const Bounded<Number>& a) {
+  return below(constant<ErrorOf<Number>>(bounds::kWideError) * a.error, leading(a.value));
+}
+template <class Number>
+TOUCHSTONE_INLINE unsigned negative(const Bounded<Number>& a) {
+  const ErrorOf<Number> zero = constant<ErrorOf<Number>>(0);
+  return below(leading(a.value), zero - constant<ErrorOf<Number>>(bounds::kWideError) * a.error);
+}
+
+/// Smaller divisors and radicands are replaced by these, so that no lane raises a flag. Numbers that are certainly
+/// positive are larger, because their errors are.
+template <class Number>
+inline constexpr double kLeastDivisor = std::is_same_v<Number, Pack> ? 0x1p-300 : 0x1p-900;
+template <class Number>
+inline constexpr double kLeastRadicand = std::is_same_v<Number, Pack> ? 0x1p-600 : 0x1p-900;
+
+/// Returns a / b where b is certainly positive; other lanes hold any finite number.
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> quotient(const Bounded<Number>& a, const Bounded<Number>& b) {
+  using Error = ErrorOf<Number>;
+  const Error least = constant<Error>(kLeastDivisor<Number>);
+  const Error certain = maximum(leading(b.value) - constant<Error>(bounds::kWideError) * b.error, least);
+  Number divisor = b.value;
+  if constexpr (std::is_same_v<Number, Pack>)
+    divisor = maximum(divisor, least);
+  else if (b.value.high < kLeastDivisor<Number>)
+    divisor = kLeastDivisor<Number>;
+  const Number value = quotient(a.value, divisor);
+  return {value, quotient(a.error + magnitude(value) * b.error, certain) +
+                     rounding(value, ErrorTraits<Number>::quotient)};
+}
+
+/// Returns the root where the number is certainly positive; other lanes hold any finite number. If x and y > 0 differ
+/// by e, their roots differ by less than e / sqrt(y).
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> root(const Bounded<Number>& a) {
+  Number radicand = a.value;
+  if constexpr (std::is_same_v<Number, Pack>)
+    radicand = maximum(radicand, all_lanes(kLeastRadicand<Number>));
+  else if (a.value.high < kLeastRadicand<Number>)
+    radicand = kLeastRadicand<Number>;
+  const Number value = square_root(radicand);
+  return {value, quotient(a.error, leading(value)) +
+                     rounding(value, ErrorTraits<Number>::quotient)};
+}
+
+/// A vector of which each component has at most this magnitude and this error. The error is positive, or 0 if exact.
+template <class Number>
+struct BoundedVector {
+  Vector3<Number> value;
+  ErrorOf<Number> maximum, error;
+};
+
+template <class Number>
+TOUCHSTONE_INLINE ErrorOf<Number> largest_component(const Vector3<Number>& v) {
+  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+}
+
+/// Returns `count` times the error of a product of components, plus `units` roundings of it.
+template <class Number>
+TOUCHSTONE_INLINE ErrorOf<Number> error_of_products(const BoundedVector<Number>& a, const BoundedVector<Number>& b,
+                                                    double count, double units) {
+  using Error = ErrorOf<Number>;
+  const Error propagated = a.maximum * b.error + a.error * (b.maximum + b.error);
+  return constant<Error>(count) * propagated +
+         constant<Error>(units * ErrorTraits<Number>::unit) * (a.maximum * b.maximum);
+}
+
+template <class Number>
+TOUCHSTONE_INLINE Bounded<Number> dot(const BoundedVector<Number>& a, const BoundedVector<Number>& b) {
+  return {dot(a.value, b.value), error_of_products(a, b, 3, ErrorTraits<Number>::dot)};
+}
+template <class Number>
+TOUCHSTONE_INLINE BoundedVector<Number> cross(const BoundedVector<Number>& a, const BoundedVector<Number>& b) {
+  const Vector3<Number> value = cross(a.value, b.value);
+  return {value, largest_component(value), error_of_products(a, b, 2, ErrorTraits<Number>::cross)};
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

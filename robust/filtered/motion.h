@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "../../geometry/contact/first_contact.h"
+#include "../../geometry/shapes/motion.h"
+#include "../../geometry/shapes/triangle.h"
+#include "filtered.h"
+
+/// Moving balls: the answers of exact/motion.h at about the price of `fast`.
+///
+/// Floating-point state, flags, threads and allocations are as in filtered.h. Events are found in doubles that carry
+/// their own error, then in double-doubles; `time` and `point` are rounded from double-doubles if that is certain. What
+/// remains open goes to `exact`.
+///
+/// Guarantees, for every motion and every polygon or triangle that `find_fault` and `exact::validate` accept:
+///  (1) each answer equals that of the function of the same name in `exact`;
+///  (2) a batch returns the answers of single queries, in the same order;
+///  (3) the answers are the same with and without vector instructions; only stages and times differ.
+/// Bounds: robust/filtered/detail/numbers/bounded.h.
+namespace touchstone::filtered {
+
+/// @{
+/// Returns whether the ball touches at any time. This is the contact of the capsule, too. Cost for a triangle:
+/// constant. `counts` also receives which stages decided.
+[[nodiscard]] bool contact(const Motion& motion, const Triangle& triangle);
+[[nodiscard]] bool contact(const Motion& motion, const Triangle& triangle, StageCounts& counts);
+/// @}
+
+/// @{
+/// Returns the first contact. `time` and each coordinate of `point` are the doubles nearest to the exact numbers.
+[[nodiscard]] FirstContact first_contact(const Motion& motion, const Triangle& triangle);
+[[nodiscard]] FirstContact first_contact(const Motion& motion, const Triangle& triangle, StageCounts& counts);
+/// @}
+
+}  // namespace touchstone::filtered
