@@ -24,8 +24,8 @@ inline constexpr double kRoundingOfBound = 0x1p-5;
 inline constexpr double kExcess = 0x1p-50;
 
 /// The maxima of bounds.h; One bounds axes and unit directions.
-enum class Maximum { Ball, Edge, BallOrEdge, Normal, FirstEdge, SecondEdge, One, Centre, Foot };
-inline constexpr int kMaxima = 9;
+enum class Maximum { Ball, Edge, BallOrEdge, Velocity, Normal, FirstEdge, SecondEdge, One, Centre, Foot };
+inline constexpr int kMaxima = 10;
 
 /// The largest value that a maximum may have.
 constexpr double largest(Maximum maximum) {
@@ -50,7 +50,7 @@ struct Input {
 /// The inputs of all expressions; each expression takes those that it needs.
 template <class Number>
 struct Inputs {
-  Vector3<Number> to_center, edge;
+  Vector3<Number> to_center, ahead, edge, velocity;
   Number radius;
   Vector3<Number> first_edge, second_edge, normal;
   Vector3<Number> axis, from_origin;
@@ -71,7 +71,9 @@ Inputs<Number> make_inputs(Make make) {
   };
   using enum Maximum;
   return {vector("to_center", Ball, 1),
+          vector("ahead", Ball, 1),
           vector("edge", Edge, 1),
+          vector("velocity", Velocity, 1),
           number("radius", Ball, 0),
           vector("first_edge", FirstEdge, 1),
           vector("second_edge", SecondEdge, 1),
@@ -174,6 +176,16 @@ void for_each_claim(Visit visit) {
         [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.y, in.to_center.y); });
   visit(Claim{"kAbove", "z", kAbove, 1, {Normal, Normal, Ball}},
         [](const auto& in) { return signs::above(in.normal, in.to_center, in.normal.z, in.to_center.z); });
+  visit(Claim{"kLineAhead", "", kLineAhead, 1, {Ball, Ball, Edge, Edge}},
+        [](const auto& in) { return signs::line_ahead(in.to_center, in.ahead, in.edge, in.radius); });
+  visit(Claim{"kApart", "", kApart, 1, {Ball, Edge, Velocity}},
+        [](const auto& in) { return signs::apart(in.to_center, in.edge, in.velocity); });
+  visit(Claim{"kLines", "", kLines, 1, {Ball, Ball, Edge, Edge, Velocity, Velocity}},
+        [](const auto& in) { return signs::lines(in.to_center, in.edge, in.velocity, in.radius); });
+  visit(Claim{"kOnEdge", "", kOnEdge, 1, {Ball, Edge, Velocity, Velocity}},
+        [](const auto& in) { return signs::on_edge(in.to_center, in.edge, in.velocity); });
+  visit(Claim{"kOnWay", "", kOnWay, 1, {Ball, Edge, Edge, Velocity}},
+        [](const auto& in) { return signs::on_way(in.to_center, in.edge, in.velocity); });
   visit(Claim{"kCoordinate", "", kCoordinate, 1, {One, Centre}},
         [](const auto& in) { return frame::coordinate(in.axis, in.from_origin); });
   visit(Claim{"kEdgeFrame", "along", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {

@@ -27,15 +27,21 @@ inline constexpr double kLargest = 0x1p64;
 /// If every maximum is at least this and m_N is 2 m_u m_v, kTiny need not be added to a bound with `kUnit`.
 inline constexpr double kSmallest = 0x1p-90;
 
-inline constexpr double kVertex = 18.0625;  ///< m_w^2
-inline constexpr double kAlong = 14.0625;   ///< m_w m_e
-inline constexpr double kBeyond = 34.0625;  ///< m_e max(m_w, m_e)
-inline constexpr double kLine = 160.0625;   ///< m_w^2 m_e^2
-inline constexpr double kNormal = 4.0625;   ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
-inline constexpr double kFront = 23.25;     ///< m_N m_w
-inline constexpr double kPlane = 195.5625;  ///< m_N^2 m_w^2
-inline constexpr double kSide = 64.4375;    ///< m_N m_e m_w
-inline constexpr double kAbove = 82.8125;   ///< m_N^2 m_w
+inline constexpr double kVertex = 18.0625;      ///< m_w^2
+inline constexpr double kAlong = 14.0625;       ///< m_w m_e
+inline constexpr double kBeyond = 34.0625;      ///< m_e max(m_w, m_e)
+inline constexpr double kLine = 160.0625;       ///< m_w^2 m_e^2
+inline constexpr double kNormal = 4.0625;       ///< m_N = 2 m_u m_v, for each component of the normal of edges u, v
+inline constexpr double kFront = 23.25;         ///< m_N m_w
+inline constexpr double kPlane = 195.5625;      ///< m_N^2 m_w^2
+inline constexpr double kSide = 64.4375;        ///< m_N m_e m_w
+inline constexpr double kAbove = 82.8125;       ///< m_N^2 m_w
+inline constexpr double kLineAhead = 163.0625;  ///< m_w^2 m_e^2; m_w also bounds c'' - a, known to unit m_w
+/// For a motion, whose velocity's components are at most m_d in magnitude and known to unit m_d.
+inline constexpr double kApart = 46.0625;    ///< m_w m_e m_d
+inline constexpr double kLines = 776.0625;   ///< m_w^2 m_e^2 m_d^2
+inline constexpr double kOnEdge = 128.0625;  ///< m_w m_e m_d^2
+inline constexpr double kOnWay = 128.0625;   ///< m_w m_e^2 m_d
 
 /// The isometric frame (edge_frame.h). W bounds the components of c - origin as computed, each known to unit W; those
 /// of an axis are at most 1 and known to unit. Then a frame coordinate is known to kCoordinate unit W + kTiny. W is at

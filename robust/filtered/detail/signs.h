@@ -40,6 +40,15 @@ constexpr auto line(const Vector3<V>& to_center, const Vector3<E>& edge, const R
   return dot(moment, moment) - (radius * radius) * dot(edge, edge);
 }
 
+/// (e x (c - a)).(e x (c'' - a)) - r^2 |e|^2, for the place c'' of a moving centre at time 2. If it and `line` are
+/// positive, the edge's line passes outside the ball up to time 1: with m and n of the squared distance |m + t n|^2 it
+/// is m.m + 2 m.n less r^2 |e|^2, and (t n)^2 >= 0.
+template <class V, class E, class R>
+constexpr auto line_ahead(const Vector3<V>& to_center, const Vector3<V>& ahead, const Vector3<E>& edge,
+                          const R& radius) {
+  return dot(cross(edge, to_center), cross(edge, ahead)) - (radius * radius) * dot(edge, edge);
+}
+
 /// The normal of a triangle with edge vectors u, v from one vertex.
 template <class V>
 constexpr auto normal(const Vector3<V>& u, const Vector3<V>& v) {
@@ -70,6 +79,34 @@ constexpr auto side(const Vector3<N>& normal, const Vector3<E>& edge, const Vect
 template <class N, class V>
 constexpr auto above(const Vector3<N>& normal, const Vector3<V>& to_center, const N& normal_k, const V& to_center_k) {
   return dot(normal, normal) * to_center_k - dot(normal, to_center) * normal_k;
+}
+
+/// For a ball whose centre moves along the segment from c to c + velocity, and an edge that is not parallel to it:
+/// (e.((c - a) x velocity))^2 - r^2 |e x velocity|^2: the two lines are farther apart than r (+), as far (0), nearer
+/// (-). `apart` is the root of the first square. It is positive where a line along the velocity passes the edge on its
+/// left, as seen against the velocity.
+template <class V>
+constexpr auto apart(const Vector3<V>& to_center, const Vector3<V>& edge, const Vector3<V>& velocity) {
+  return dot(edge, cross(to_center, velocity));
+}
+template <class V, class R>
+constexpr auto lines(const Vector3<V>& to_center, const Vector3<V>& edge, const Vector3<V>& velocity, const R& radius) {
+  const auto distance = apart(to_center, edge, velocity);
+  const auto common = cross(edge, velocity);
+  return distance * distance - (radius * radius) * dot(common, common);
+}
+
+/// ((c - a) x velocity).(e x velocity): of the edge's line, the point that is nearest to the line of the motion lies
+/// beyond a (+), at a (0), before a (-). With c - b instead of c - a the same holds for b.
+template <class V>
+constexpr auto on_edge(const Vector3<V>& to_center, const Vector3<V>& edge, const Vector3<V>& velocity) {
+  return dot(cross(to_center, velocity), cross(edge, velocity));
+}
+/// (e x (c - a)).(e x velocity): the centre has passed the point that is nearest to the edge's line (+), is there (0),
+/// has not reached it (-).
+template <class V>
+constexpr auto on_way(const Vector3<V>& to_center, const Vector3<V>& edge, const Vector3<V>& velocity) {
+  return dot(cross(edge, to_center), cross(edge, velocity));
 }
 
 }  // namespace signs

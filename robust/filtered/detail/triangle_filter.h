@@ -10,72 +10,114 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
+/// The certain signs of one expression, as sign bits of the lanes.
+struct LaneSigns {
+  Pack positive, negative;
+};
+
+/// Returns the certain signs of a value with error `constant` kUnit (product of maxima). Maxima are so large that kTiny
+/// need not be added.
+TOUCHSTONE_INLINE LaneSigns certain_signs(const Pack& value, double constant, const Pack& maxima) {
+  const Pack factor = all_lanes(constant * bounds::kUnit);
+  return {multiply_subtract(factor, maxima, value), multiply_add(factor, maxima, value)};
+}
+
+/// A triangle, one corner and the edge from it a lane; lane 3 repeats a corner.
+struct TriangleLanes {
+  Vector3<Pack> vertex, edge, normal;
+  Pack m_edge, m_normal;  ///< maxima
+
+  TOUCHSTONE_INLINE explicit TriangleLanes(const Vector3<Pack>& vertices) : vertex(vertices) {
+    const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
+    const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
+    edge = difference(next, vertex);
+    normal = signs::normal(edge, difference(previous, vertex));
+    // Maxima may be larger than necessary. From kSmallest on every bound is above kTiny, which need not be added.
+    m_edge = maximum(largest_component(edge), all_lanes(bounds::kSmallest));
+    const Pack m_edges = m_edge * previous_of_three(m_edge);
+    m_normal = m_edges + m_edges;
+  }
+};
+
+/// Loads three vertices.
+TOUCHSTONE_INLINE Vector3<Pack> vertex_lanes(const double (*vertex)[3]) {
+  Vector3<Pack> lanes;
+  load_three_points(vertex[0], lanes.x, lanes.y, lanes.z);
+  return lanes;
+}
+/// Returns one point in all lanes.
+TOUCHSTONE_INLINE Vector3<Pack> point_lanes(const double* point) {
+  return {all_lanes(point[0]), all_lanes(point[1]), all_lanes(point[2])};
+}
+
+/// A ball as seen from a triangle's corners and edges, with every sign of signs.h that matters for contact.
+struct BallAtTriangle {
+  Vector3<Pack> to_center;
+  Pack m_center;  ///< maximum
+  LaneSigns vertex_out, after_start, after_end, line_out, side_in, plane_out;
+
+  TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& center, const Pack& radius)
+      : to_center(difference(center, triangle.vertex)),
+        m_center(maximum(largest_component(to_center), maximum(radius, all_lanes(bounds::kSmallest)))) {
+    const auto& [vertex, edge, normal, m_edge, m_normal] = triangle;
+    const Pack m_both = m_center * m_edge, m_plane = m_normal * m_center;
+    vertex_out = certain_signs(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);
+    after_start = certain_signs(signs::along(to_center, edge), bounds::kAlong, m_both);
+    after_end = certain_signs(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
+    line_out = certain_signs(signs::line(to_center, edge, radius), bounds::kLine, m_both * m_both);
+    side_in = certain_signs(signs::side(normal, edge, to_center), bounds::kSide, m_normal * m_both);
+    plane_out = certain_signs(signs::plane(normal, to_center, radius), bounds::kPlane, m_plane * m_plane);
+  }
+
+  static constexpr unsigned all = 0b111;
+  static TOUCHSTONE_INLINE unsigned lanes(const Pack& signs_of) { return negative_lanes(signs_of) & all; }
+
+  /// Returns the lanes of edges that the ball certainly touches, and of those that it certainly misses.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned edges_touched() const {
+    return lanes(vertex_out.negative | (line_out.negative & after_start.positive & after_end.negative));
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned edges_missed() const {
+    return lanes(vertex_out.positive & (line_out.positive | after_start.negative | after_end.positive));
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool certainly_touches() const {
+    return (edges_touched() != 0) | ((lanes(side_in.positive) == all) & (lanes(plane_out.negative) != 0));
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool certainly_misses() const {
+    return (lanes(plane_out.positive) != 0) | ((lanes(side_in.negative) != 0) & (edges_missed() == all));
+  }
+};
+
+/// Returns whether ball and triangle are small enough for these lanes. If coordinates are at most half the limit,
+/// differences are within it and do not overflow.
+TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const double* ball) {
+  const Pack input = maximum(largest_component(vertex), magnitude(load(ball)));
+  return negative_lanes(all_lanes(bounds::kLargest / 2) - input) == 0;
+}
+
 /// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
 /// `always`; never if the result is OutOfRange.
 ///
 /// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
 template <bool always = false>
 TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, TriangleSigns& signs) {
-  Vector3<Pack> vertex;
-  load_three_points(view.vertex[0], vertex.x, vertex.y, vertex.z);
-  const Vector3<Pack> center{all_lanes(view.center[0]), all_lanes(view.center[1]), all_lanes(view.center[2])};
-  const Pack radius = all_lanes(view.radius());
-
-  const auto largest = [](const Vector3<Pack>& v) {
-    return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
-  };
-  // If coordinates are at most half the limit, differences are within it and do not overflow.
-  const Pack input = maximum(largest(vertex), magnitude(load(view.center)));
-  if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
+  const Vector3<Pack> vertex = vertex_lanes(view.vertex);
+  if (!in_range(vertex, view.center)) [[unlikely]]
     return FilterResult::OutOfRange;
-
-  const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
-  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
-  const auto difference = [](const Vector3<Pack>& a, const Vector3<Pack>& b) {
-    return Vector3<Pack>{a.x - b.x, a.y - b.y, a.z - b.z};
-  };
-  const Vector3<Pack> to_center = difference(center, vertex), edge = difference(next, vertex);
-  const Vector3<Pack> normal = signs::normal(edge, difference(previous, vertex));
-
-  // Maxima may be larger than necessary. From kSmallest on every bound is above kTiny, which need not be added.
-  const Pack smallest = all_lanes(bounds::kSmallest);
-  const Pack m_center = maximum(largest(to_center), maximum(radius, smallest)),
-             m_edge = maximum(largest(edge), smallest);
-  const Pack m_edges = m_edge * previous_of_three(m_edge), m_normal = m_edges + m_edges, m_both = m_center * m_edge;
-  struct Signs {
-    Pack positive, negative;  // as sign bits
-  };
-  const auto certain = [](const Pack& value, double constant, const Pack& maxima) {
-    const Pack factor = all_lanes(constant * bounds::kUnit);
-    return Signs{multiply_subtract(factor, maxima, value), multiply_add(factor, maxima, value)};
-  };
-  const Signs vertex_out = certain(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);
-  const Signs after_start = certain(signs::along(to_center, edge), bounds::kAlong, m_both);
-  const Signs after_end = certain(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
-  const Signs line_out = certain(signs::line(to_center, edge, radius), bounds::kLine, m_both * m_both);
-  const Signs side_in = certain(signs::side(normal, edge, to_center), bounds::kSide, m_normal * m_both);
-  const Pack m_plane = m_normal * m_center;
-  const Signs plane_out = certain(signs::plane(normal, to_center, radius), bounds::kPlane, m_plane * m_plane);
-
-  constexpr unsigned all = 0b111;
-  const Pack edge_in = vertex_out.negative | (line_out.negative & after_start.positive & after_end.negative);
-  const Pack edge_out = vertex_out.positive & (line_out.positive | after_start.negative | after_end.positive);
-  const auto lanes = [](const Pack& signs_of) { return negative_lanes(signs_of) & all; };
-  const unsigned inside = lanes(side_in.positive), outside = lanes(side_in.negative);
-  const unsigned missed = lanes(plane_out.positive), cut = lanes(plane_out.negative);
-  const bool yes = (lanes(edge_in) != 0) | ((inside == all) & (cut != 0));
-  const unsigned out = lanes(edge_out);
-  const bool no = (missed != 0) | ((outside != 0) & (out == all));
+  const TriangleLanes triangle(vertex);
+  const BallAtTriangle ball(triangle, point_lanes(view.center), all_lanes(view.radius()));
+  const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
   // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
   if (!always && yes != no) [[likely]]
     return yes ? FilterResult::Yes : FilterResult::No;
-  const auto both = [&](const Signs& s) { return CertainSigns{lanes(s.positive), lanes(s.negative)}; };
-  signs.vertex = both(vertex_out), signs.line = both(line_out);
-  signs.along = both(after_start), signs.beyond = both(after_end);
-  signs.side = {inside, outside}, signs.plane = {missed, cut};
-  signs.reachable = out ^ all;
-  store(signs.to_center, m_center);
-  store(signs.edge, m_edge);
+  const auto both = [](const LaneSigns& s) {
+    return CertainSigns{BallAtTriangle::lanes(s.positive), BallAtTriangle::lanes(s.negative)};
+  };
+  signs.vertex = both(ball.vertex_out), signs.line = both(ball.line_out);
+  signs.along = both(ball.after_start), signs.beyond = both(ball.after_end);
+  signs.side = both(ball.side_in), signs.plane = both(ball.plane_out);
+  signs.reachable = ball.edges_missed() ^ BallAtTriangle::all;
+  store(signs.to_center, ball.m_center);
+  store(signs.edge, triangle.m_edge);
   return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
 }
 

@@ -18,8 +18,8 @@ struct Entry {
   [[nodiscard]] unsigned unsure(unsigned lanes) const { return lanes & ~(none | certain); }
 };
 
-/// The coefficients of a t^2 + 2 b t + c, which is the squared distance at time t less r^2, times a positive factor; and
-/// the discriminant b^2 - a c, computed so that it loses little where it is small.
+/// The coefficients of a t^2 + 2 b t + c, which is the squared distance at time t less r^2, times a positive factor;
+/// and the discriminant b^2 - a c, computed so that it loses little where it is small.
 template <class Number>
 struct EntryQuadratic {
   Bounded<Number> a, b, c, discriminant;
@@ -35,10 +35,12 @@ TOUCHSTONE_INLINE Entry<Number> entry(const EntryQuadratic<Number>& quadratic, b
   const Bounded<Number> slope_at_end = a + b, at_end = (slope_at_end + b) + c;
   const unsigned approaches = negative(b), meets = positive(discriminant);
   const unsigned ends_before = negative(slope_at_end) & positive(at_end);
+  // a t^2 >= 0, also where a is so small that its sign is not certain.
+  const unsigned stays_outside = positive(c) & positive((b + b) + c);
   const unsigned reaches = positive(slope_at_end) | negative(at_end);
   const unsigned outside = starts_outside ? ~0U : positive(c), inside = starts_outside ? 0U : negative(c);
-  return {positive(b) | negative(discriminant) | inside | ends_before, approaches & meets & outside & reaches,
-          quotient(c, root(discriminant) - b)};
+  return {positive(b) | negative(discriminant) | inside | ends_before | stays_outside,
+          approaches & meets & outside & reaches, quotient(c, root(discriminant) - b)};
 }
 
 /// The same for a plane, and the lanes in which the centre certainly stays farther from it than r, on one side.
@@ -48,8 +50,8 @@ struct PlaneEntry {
   unsigned misses;
 };
 
-/// Returns when the height above a plane, h at time 0 and h + change at time 1, falls to `reach` in magnitude: all three
-/// are multiplied by the length of the plane's normal. A point, whose reach is 0, then passes through the plane.
+/// Returns when the height above a plane, h at time 0 and h + change at time 1, falls to `reach` in magnitude: all
+/// three are multiplied by the length of the plane's normal. A point, whose reach is 0, then passes through the plane.
 template <class Number>
 TOUCHSTONE_INLINE PlaneEntry<Number> plane_entry(const Bounded<Number>& height, const Bounded<Number>& change,
                                                  const Bounded<Number>& reach) {

@@ -29,10 +29,7 @@ template <class Doubles>
 class TouchedPoint {
  public:
   TouchedPoint(const Doubles& doubles, const Feature& feature)
-      : doubles_(doubles),
-        feature_(feature),
-        moving_(doubles.moving(feature.index)),
-        time_(time_of_event()) {
+      : doubles_(doubles), feature_(feature), moving_(doubles.moving(feature.index)), time_(time_of_event()) {
     if (feature.kind == Feature::Kind::Edge)
       multiple_ = quotient(moving_.along_at(time_), dot(moving_.edge, moving_.edge));
     if (feature.kind == Feature::Kind::Face && moving_.radius.value.high > 0) {

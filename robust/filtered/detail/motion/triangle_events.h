@@ -3,57 +3,48 @@
 
 #include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/motion/moving_edge.h"
+#include "robust/filtered/detail/triangle_filter.h"
 
 /// The first stage for a moving ball and a triangle: all events in doubles, one edge a lane.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// The vectors of a motion and a triangle, one edge a lane.
+/// Returns a vector whose components are known to kUnit of the largest one.
+TOUCHSTONE_INLINE BoundedVector<Pack> rounded_vector(const Vector3<Pack>& v) {
+  const Pack largest = maximum(largest_component(v), all_lanes(1 / bounds::kLongestMotion));
+  return {v, largest, all_lanes(bounds::kUnit) * largest};
+}
+
+/// The vectors of a motion and a triangle, one edge a lane. Requires numbers of at most bounds::kLongestMotion / 2.
 struct TriangleMotionLanes {
   MovingEdge<Pack> moving;
   BoundedVector<Pack> normal;
-  Bounded<Pack> height, change, reach;  ///< for plane_entry
 
-  TOUCHSTONE_INLINE explicit TriangleMotionLanes(const MotionTriangleView& view);
-  /// Returns whether all numbers are small enough.
-  [[nodiscard]] static TOUCHSTONE_INLINE bool in_range(const MotionTriangleView& view);
+  TOUCHSTONE_INLINE TriangleMotionLanes(const Vector3<Pack>& vertex, const MotionTriangleView& view) {
+    const Vector3<Pack> center = point_lanes(view.motion);
+    const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
+    const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
+    moving = {rounded_vector(difference(center, vertex)),
+              rounded_vector(difference(next, vertex)),
+              rounded_vector(difference(point_lanes(view.motion + 4), center)),
+              {all_lanes(view.radius()), all_lanes(0)}};
+    normal = cross(moving.edge, rounded_vector(difference(previous, vertex)));
+  }
+  /// Returns when the height above the plane falls to r.
+  [[nodiscard]] TOUCHSTONE_INLINE PlaneEntry<Pack> plane() const {
+    return plane_entry(dot(normal, moving.to_center), dot(normal, moving.velocity),
+                       moving.radius * root(dot(normal, normal)));
+  }
 };
-
-/// Returns the difference of two points whose coordinates are doubles.
-TOUCHSTONE_INLINE BoundedVector<Pack> rounded_difference(const Vector3<Pack>& a, const Vector3<Pack>& b) {
-  const Vector3<Pack> difference{a.x - b.x, a.y - b.y, a.z - b.z};
-  const Pack maximum_of = maximum(largest_component(difference), all_lanes(1 / bounds::kLongestMotion));
-  return {difference, maximum_of, all_lanes(bounds::kUnit) * maximum_of};
-}
-
-TOUCHSTONE_INLINE bool TriangleMotionLanes::in_range(const MotionTriangleView& view) {
-  Vector3<Pack> vertex;
-  load_three_points(view.vertex[0], vertex.x, vertex.y, vertex.z);
-  const Pack input = maximum(largest_component(vertex),
-                             maximum(magnitude(load(view.motion)), magnitude(load_three(view.motion + 4))));
-  return negative_lanes(all_lanes(bounds::kLongestMotion / 2) - input) == 0;
-}
-
-TOUCHSTONE_INLINE TriangleMotionLanes::TriangleMotionLanes(const MotionTriangleView& view) {
-  Vector3<Pack> vertex;
-  load_three_points(view.vertex[0], vertex.x, vertex.y, vertex.z);
-  const auto point = [](const double* p) { return Vector3<Pack>{all_lanes(p[0]), all_lanes(p[1]), all_lanes(p[2])}; };
-  const Vector3<Pack> center = point(view.motion), to = point(view.motion + 4);
-  const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
-  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
-  moving = {rounded_difference(center, vertex), rounded_difference(next, vertex), rounded_difference(to, center),
-            {all_lanes(view.radius()), all_lanes(0)}};
-  normal = cross(moving.edge, rounded_difference(previous, vertex));
-  height = dot(normal, moving.to_center), change = dot(normal, moving.velocity);
-  reach = moving.radius * root(dot(normal, normal));
-}
 
 /// The events of a motion at a triangle, one edge and its start a lane. Every lane of `face` is the same event.
 struct TriangleEvents {
   Entry<Pack> start, interior, face;
   static constexpr unsigned all = 0b111;
 
-  [[nodiscard]] TOUCHSTONE_INLINE bool any() const { return ((start.certain | interior.certain | face.certain) & all) != 0; }
+  [[nodiscard]] TOUCHSTONE_INLINE bool any() const {
+    return ((start.certain | interior.certain | face.certain) & all) != 0;
+  }
   [[nodiscard]] TOUCHSTONE_INLINE bool unsure() const {
     return (start.unsure(all) | interior.unsure(all) | face.unsure(1)) != 0;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "robust/exact/motion.h"
+#include "robust/filtered/detail/motion/capsule_filter.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_doubles.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
@@ -30,7 +31,11 @@ FirstContact start_contact(const MotionTriangleView& view, Counts& counts) {
   const ExactTriangle<Counts> triangle(at_rest, counts);
   const Feature feature = triangle.nearest();
   const ClosestPointOnFeature closest(triangle, feature);
-  return {FirstContactKind::Start, 0, false, feature, {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)}};
+  return {FirstContactKind::Start,
+          0,
+          false,
+          feature,
+          {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)}};
 }
 
 /// What the first stage knows.
@@ -40,22 +45,18 @@ struct MotionFilterResult {
   std::optional<Feature> feature;  ///< the feature touched first, if it is certain; for a contact on the way
 };
 
-/// Answers in doubles what they can decide. Looks for the first feature only if `first` is set.
-template <bool first>
+/// Looks for the first contact in doubles.
 TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
-  if (!TriangleMotionLanes::in_range(view)) [[unlikely]]
+  const Vector3<Pack> vertex = vertex_lanes(view.vertex);
+  if (!in_range(vertex, view, bounds::kLongestMotion)) [[unlikely]]
     return {FilterResult::OutOfRange, false, {}};
-  const TriangleMotionLanes lanes(view);
-  const PlaneEntry<Pack> plane = plane_entry(lanes.height, lanes.change, lanes.reach);
+  const TriangleMotionLanes lanes(vertex, view);
+  const PlaneEntry<Pack> plane = lanes.plane();
   if ((plane.misses & TriangleEvents::all) != 0) return {FilterResult::No, false, {}};
   TriangleSigns signs;
   const FilterResult start = triangle_filter({view.vertex, view.motion}, signs);
   if (start != FilterResult::No) return {start, true, {}};
   const TriangleEvents events{start_event(lanes.moving), interior_event(lanes.moving), face_event(lanes, plane.entry)};
-  if constexpr (!first) {
-    if (events.any()) return {FilterResult::Yes, false, {}};
-    return {events.unsure() ? FilterResult::Unsure : FilterResult::No, false, {}};
-  }
   if (events.unsure()) return {FilterResult::Unsure, false, {}};
   if (!events.any()) return {FilterResult::No, false, {}};
   FirstCandidate<double> candidate;
@@ -117,7 +118,7 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
 
 template <class Counts>
 void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Counts& counts) {
-  const MotionFilterResult known = motion_filter<true>(view);
+  const MotionFilterResult known = motion_filter(view);
   if (known.contact == FilterResult::No) {
     counts.count(Stage::Double);
     contact = {};
@@ -128,11 +129,11 @@ void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Coun
 
 template <class Counts>
 bool triangle_motion_contact(MotionTriangleView view, Counts& counts) {
-  const MotionFilterResult known = motion_filter<false>(view);
-  if (known.contact >= FilterResult::Unsure) [[unlikely]]
-    return later_first_contact(view, known, counts).contact();
+  const FilterResult result = capsule_filter(view);
+  if (result >= FilterResult::Unsure) [[unlikely]]
+    return later_first_contact(view, {result, false, {}}, counts).contact();
   counts.count(Stage::Double);
-  return known.contact == FilterResult::Yes;
+  return result == FilterResult::Yes;
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -125,8 +125,8 @@ TOUCHSTONE_INLINE Bounded<Number> quotient(const Bounded<Number>& a, const Bound
   else if (b.value.high < kLeastDivisor<Number>)
     divisor = kLeastDivisor<Number>;
   const Number value = quotient(a.value, divisor);
-  return {value, quotient(a.error + magnitude(value) * b.error, certain) +
-                     rounding(value, ErrorTraits<Number>::quotient)};
+  return {value,
+          quotient(a.error + magnitude(value) * b.error, certain) + rounding(value, ErrorTraits<Number>::quotient)};
 }
 
 /// Returns the root where the number is certainly positive; other lanes hold any finite number. If x and y > 0 differ
@@ -139,8 +139,11 @@ TOUCHSTONE_INLINE Bounded<Number> root(const Bounded<Number>& a) {
   else if (a.value.high < kLeastRadicand<Number>)
     radicand = kLeastRadicand<Number>;
   const Number value = square_root(radicand);
-  return {value, quotient(a.error, leading(value)) +
-                     rounding(value, ErrorTraits<Number>::quotient)};
+  return {value, quotient(a.error, leading(value)) + rounding(value, ErrorTraits<Number>::quotient)};
+}
+
+TOUCHSTONE_INLINE double largest_component(const Vector3<DoubleDouble>& v) {
+  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
 /// A vector of which each component has at most this magnitude and this error. The error is positive, or 0 if exact.
@@ -149,11 +152,6 @@ struct BoundedVector {
   Vector3<Number> value;
   ErrorOf<Number> maximum, error;
 };
-
-template <class Number>
-TOUCHSTONE_INLINE ErrorOf<Number> largest_component(const Vector3<Number>& v) {
-  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
-}
 
 /// Returns `count` times the error of a product of components, plus `units` roundings of it.
 template <class Number>

@@ -16,9 +16,9 @@
 /// `next_of_three` moves lanes 1, 2, 0, 1 to lanes 0, 1, 2, 3: the successor of each corner of a triangle.
 /// `previous_of_three` moves lanes 2, 0, 1, 2 there: the predecessor.
 ///
-/// + - * /, `minimum`, `maximum` and `square_root` work lane by lane. Sums of products are fused if the target can; then
-/// values differ between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y has
-/// it set where x < y.
+/// + - * /, `minimum`, `maximum` and `square_root` work lane by lane. Sums of products are fused if the target can;
+/// then values differ between targets, within the bounds of bounds.h. The truth value of a lane is its sign bit: x - y
+/// has it set where x < y.
 /// &, | and ^ combine such bits, and `negative_lanes` returns them.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -226,6 +226,14 @@ TOUCHSTONE_INLINE Pack dot(const Vector3<Pack>& a, const Vector3<Pack>& b) {
 TOUCHSTONE_INLINE Vector3<Pack> cross(const Vector3<Pack>& a, const Vector3<Pack>& b) {
   return {multiply_subtract(a.y, b.z, a.z * b.y), multiply_subtract(a.z, b.x, a.x * b.z),
           multiply_subtract(a.x, b.y, a.y * b.x)};
+}
+
+TOUCHSTONE_INLINE Vector3<Pack> difference(const Vector3<Pack>& a, const Vector3<Pack>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+/// Returns the largest magnitude of a component.
+TOUCHSTONE_INLINE Pack largest_component(const Vector3<Pack>& v) {
+  return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
 }
 
 }  // namespace TOUCHSTONE_TARGET
