@@ -67,6 +67,12 @@ struct FrameQuery {
   double x, y;                                          ///< the foot
   double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative if there is no such distance
 
+  /// A foot alone, whose coordinates are known to `error` beyond the error of feet.
+  FrameQuery(double foot_x, double foot_y, double size, double error)
+      : x(foot_x), y(foot_y), certain_hit_sq(-1), certain_miss_sq(-1) {
+    const double margin = bounds::kNear * (bounds::kDistance * bounds::kUnit * size + error);
+    boundary_sq = margin * margin;
+  }
   FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
     using bounds::kNarrow, bounds::kWide;

@@ -35,6 +35,8 @@ struct KernelTable {
   PointLocation (*foot)(const Ball&, const Parts&, Counts&);
   std::vector<std::size_t> (*edges_hit)(const Ball&, const Parts&, Counts&);
   Answer (*answer)(const Ball&, const Parts&, Counts&);
+  bool (*motion_contact)(const Motion&, const Parts&, Counts&);
+  void (*first_contact)(const Motion&, const Parts&, FirstContact&, Counts&);
 };
 
 /// All kernels for one instruction set.
@@ -43,6 +45,8 @@ struct Kernels {
   KernelTable<StageCounts> counted;
   void (*balls_contact)(std::span<const Ball>, const PreparedPolygon::Parts&, std::span<bool>);
   void (*triangles_contact)(const Ball&, std::span<const Triangle>, std::span<bool>);
+  void (*motions_contact)(std::span<const Motion>, const PreparedPolygon::Parts&, std::span<bool>);
+  void (*motion_triangles_contact)(const Motion&, std::span<const Triangle>, std::span<bool>);
   NewellSums (*newell_sums)(const ScaledVertex*, std::size_t);
 };
 

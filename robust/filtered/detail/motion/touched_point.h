@@ -10,8 +10,8 @@
 /// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.
 ///
 /// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()`, `center(axis)`,
-/// `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate, and
-/// `exponent()`: lengths are true lengths times 2^-exponent.
+/// `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate,
+/// `lifts(axis)`, and `exponent()`: lengths are true lengths times 2^-exponent.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -65,7 +65,7 @@ class TouchedPoint {
   [[nodiscard]] std::optional<double> coordinate(int axis) const {
     const auto& doubles = doubles_;
     if (feature_.kind == Feature::Kind::Vertex || (feature_.kind == Feature::Kind::Face && doubles.flat(axis)) ||
-        (feature_.kind == Feature::Kind::Edge && moving_.edge.value[axis].high == 0))  // exact
+        (feature_.kind == Feature::Kind::Edge && !doubles.lifts(axis) && moving_.edge.value[axis].high == 0))  // exact
       return doubles.rounded_vertex(feature_.index, axis);
     if (feature_.kind == Feature::Kind::Edge)
       return rounded(enclosed(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis)),

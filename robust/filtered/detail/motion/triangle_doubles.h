@@ -79,6 +79,9 @@ class TriangleMotionDoubles {
     return view_.vertex[0][axis] == view_.vertex[1][axis] && view_.vertex[0][axis] == view_.vertex[2][axis];  // exact
   }
 
+  /// Returns whether vertices are lifted along this axis.
+  [[nodiscard]] static bool lifts(int) { return false; }
+
   /// Returns the event of the face's interior.
   [[nodiscard]] Entry<DoubleDouble> face_event() const {
     Entry<DoubleDouble> event = face_entry(*this).entry;

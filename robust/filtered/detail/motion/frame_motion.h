@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/motion/moving_edge.h"
+
+/// The first stage for a moving ball and a prepared polygon: computes in the polygon's frame, in doubles.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// A motion in a polygon's frame.
+///
+/// Valid in every rounding direction and, in frames from Frame::kSubnormal up, under flush-to-zero; raises no flags
+/// except INEXACT and UNDERFLOW.
+struct FrameMotion {
+  HeightQuery start;                     ///< the ball at time 0
+  double x, y;                           ///< its foot
+  Vector3<double> velocity;              ///< along the frame's axes, and its normal
+  double point_error, velocity_error;    ///< of each component of edge-wise coordinates
+  Bounded<Pack> height, change, radius;  ///< the same in every lane
+  double size;                           ///< bounds::kLongestMotion at most, if the motion is in range
+
+  /// Requires coordinates and a radius up to frame.reachable.
+  TOUCHSTONE_INLINE FrameMotion(const Motion& motion, const Frame& frame)
+      : start(motion.ball, frame),
+        x(frame::coordinate(frame.x, start.to_center)),
+        y(frame::coordinate(frame.y, start.to_center)) {
+    const auto component = [&](int axis) {
+      return frame.scaled(motion.to[axis]) - frame.scaled(motion.ball.center[axis]);
+    };
+    const Vector3<double> given{component(0), component(1), component(2)};
+    const double widest =
+        larger(larger(std::abs(given.x), std::abs(given.y)), larger(std::abs(given.z), 1 / bounds::kLongestMotion));
+    velocity = {frame::coordinate(frame.x, given), frame::coordinate(frame.y, given),
+                frame::coordinate(frame.normal, given)};
+    // Along an edge and across it both are known to kEdgeFrame units of what bounds the coordinates in the plane. That
+    // is more than the error of heights.
+    size = start.size + 2 * widest;
+    point_error = bounds::kEdgeFrame * bounds::kUnit * start.size;
+    velocity_error = bounds::kEdgeFrame * bounds::kUnit * (2 * widest);
+    height = {all_lanes(start.height), all_lanes(start.height_error)};
+    change = {all_lanes(velocity.z), all_lanes(velocity_error)};
+    radius = {all_lanes(start.radius), all_lanes(0)};
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool in_range() const { return size + start.radius <= bounds::kLongestMotion / 4; }
+  [[nodiscard]] TOUCHSTONE_INLINE PlaneEntry<Pack> plane() const { return plane_entry(height, change, radius); }
+};
+
+/// Returns a vector whose components are known to this error.
+TOUCHSTONE_INLINE BoundedVector<Pack> known_within(const Vector3<Pack>& v, double error) {
+  return {v, maximum(largest_component(v), all_lanes(1 / bounds::kLongestMotion)), all_lanes(error)};
+}
+
+/// Four edges of a leaf as seen from a motion: along the edge, across it in the plane, and along the plane's normal.
+TOUCHSTONE_INLINE MovingEdge<Pack> moving_edges(const EdgeTree::Leaf& leaf, const FrameMotion& motion) {
+  const Pack direction_x = load(leaf.direction_x), direction_y = load(leaf.direction_y), zero = all_lanes(0);
+  const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
+  const Pack x = all_lanes(motion.x), y = all_lanes(motion.y);
+  const Pack velocity_x = all_lanes(motion.velocity.x), velocity_y = all_lanes(motion.velocity.y);
+  return {known_within({frame::along(x, y, start_x, start_y, direction_x, direction_y),
+                        frame::across(x, y, start_x, start_y, direction_x, direction_y), motion.height.value},
+                       motion.point_error),
+          known_within({load(leaf.length), zero, zero}, bounds::kFrameLength * bounds::kUnit),
+          known_within({frame::turned_along(velocity_x, velocity_y, direction_x, direction_y),
+                        frame::turned_across(velocity_x, velocity_y, direction_x, direction_y), motion.change.value},
+                       motion.velocity_error),
+          motion.radius};
+}
+
+/// The part of the plane that a motion's ball may touch until some time: all points within `reach` of the segment that
+/// the foot covers. Only ever too large.
+class SweptDisc {
+ public:
+  TOUCHSTONE_INLINE explicit SweptDisc(const FrameMotion& motion) : motion_(motion) {
+    margin_ = 0x1p-40 * motion.size;  // far above the error of any coordinate
+    // The least height above the plane, on either side.
+    const double first = motion.start.height, last = first + motion.velocity.z;
+    const double low = larger(larger(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
+    const double radius = motion.start.radius;
+    reach_ = std::sqrt(larger((radius - low) * (radius + low), 0)) * bounds::kWide + margin_;
+    end_at(1);
+  }
+  /// Shortens the motion.
+  TOUCHSTONE_INLINE void end_at(double time) {
+    const double shorter = larger(0, time < 1 ? time : 1);
+    middle_x_ = motion_.x + 0.5 * shorter * motion_.velocity.x, half_x_ = 0.5 * shorter * motion_.velocity.x;
+    middle_y_ = motion_.y + 0.5 * shorter * motion_.velocity.y, half_y_ = 0.5 * shorter * motion_.velocity.y;
+    // Twice the area that the foot's half segment spans with a point at distance `reach`.
+    reach_area_ = reach_ * std::sqrt(half_x_ * half_x_ + half_y_ * half_y_) * bounds::kWide;
+  }
+  /// Returns the lanes of boxes that the disc certainly misses. Each box has this centre, a unit axis and half sizes.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned misses(const Pack& center_x, const Pack& center_y, const Pack& axis_x,
+                                                  const Pack& axis_y, const Pack& half_along,
+                                                  const Pack& half_across) const {
+    const Pack x = all_lanes(middle_x_), y = all_lanes(middle_y_), zero = all_lanes(0);
+    const Pack half_x = all_lanes(half_x_), half_y = all_lanes(half_y_), margin = all_lanes(margin_);
+    const Pack along = frame::along(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack across = frame::across(x, y, center_x, center_y, axis_x, axis_y);
+    const Pack span_along = magnitude(frame::turned_along(half_x, half_y, axis_x, axis_y));
+    const Pack span_across = magnitude(frame::turned_across(half_x, half_y, axis_x, axis_y));
+    const Pack wide_along = half_along + margin, wide_across = half_across + margin;
+    const Pack beside = maximum(frame::beyond(along, span_along + wide_along), zero);
+    const Pack above = maximum(frame::beyond(across, span_across + wide_across), zero);
+    const Pack reach = all_lanes(reach_);
+    const unsigned apart = negative_lanes(reach * reach - frame::squared_length(beside, above));
+    // The same across the segment: the distance of the boxes from its line, times its half length.
+    const Pack offset = magnitude((x - center_x) * half_y - (y - center_y) * half_x);
+    const Pack shadow = wide_along * span_across + wide_across * span_along;
+    return apart | negative_lanes((shadow + all_lanes(reach_area_)) * all_lanes(1 + 0x1p-40) +
+                                  all_lanes(margin_ * margin_) - offset);
+  }
+
+ private:
+  const FrameMotion& motion_;
+  double margin_, reach_, reach_area_;
+  double middle_x_, middle_y_, half_x_, half_y_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "robust/exact/motion.h"
+#include "robust/filtered/detail/motion/first_candidate.h"
+#include "robust/filtered/detail/motion/frame_motion.h"
+#include "robust/filtered/detail/motion/polygon_doubles.h"
+#include "robust/filtered/detail/motion/touched_point.h"
+#include "robust/filtered/detail/polygon_stages.h"
+
+/// All stages for a moving ball and a prepared polygon.
+namespace touchstone::filtered {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Calls visit(leaf) for all leaves with edges that the swept disc may touch. The visitor may shorten the disc's way.
+template <class Visit>
+TOUCHSTONE_INLINE void walk(const EdgeIndex& index, const SweptDisc& disc, const Visit& visit) {
+  const auto visit_near = [&](const EdgeTree::Leaf& leaf) {
+    const Pack half = all_lanes(0.5), half_length = half * load(leaf.length);
+    const Pack center_x = half * (load(leaf.start_x) + load(leaf.end_x));
+    const Pack center_y = half * (load(leaf.start_y) + load(leaf.end_y));
+    const unsigned far =
+        disc.misses(center_x, center_y, load(leaf.direction_x), load(leaf.direction_y), half_length, all_lanes(0));
+    const unsigned lanes = (1U << leaf.count) - 1;
+    if ((lanes & ~far) != 0) visit(leaf, lanes & ~far);
+  };
+  if (index.is_scanned()) {
+    for (const EdgeTree::Leaf& leaf : index.leaves()) visit_near(leaf);
+    return;
+  }
+  const EdgeTree& tree = index.tree();
+  std::int32_t stack[EdgeTree::kStackSize];
+  std::size_t open = 0;
+  stack[open++] = tree.root();
+  while (open > 0) {
+    const std::int32_t number = stack[--open];
+    if (number < 0) {
+      visit_near(tree.leaves()[static_cast<std::size_t>(~number)]);
+      continue;
+    }
+    const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];
+    const unsigned far = disc.misses(load(node.center_x), load(node.center_y), load(node.axis_x), load(node.axis_y),
+                                     load(node.half_along), load(node.half_across));
+    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;)
+      if ((far >> lane & 1) == 0) stack[open++] = node.child[lane];
+  }
+}
+
+/// What doubles know of a motion that does not touch at its start.
+struct FrameMotionResult {
+  FilterResult contact;
+  std::optional<Feature> feature;  ///< the feature touched first, if it is certain
+};
+
+/// Returns whether the ball meets the face's interior at the time at which it reaches the plane.
+TOUCHSTONE_INLINE FilterResult meets_face(const FrameMotion& motion, const Entry<Pack>& plane, const EdgeIndex& edges) {
+  if ((plane.none & 1) != 0) return FilterResult::No;
+  if ((plane.certain & 1) == 0) return FilterResult::Unsure;
+  double time[kLanes], error[kLanes];
+  store(time, plane.time.value), store(error, plane.time.error);
+  const double speed = std::abs(motion.velocity.x) + std::abs(motion.velocity.y);
+  const double foot_error = (speed * error[0] + motion.velocity_error + motion.point_error) * bounds::kWide;
+  const FrameQuery query(motion.x + time[0] * motion.velocity.x, motion.y + time[0] * motion.velocity.y, motion.size,
+                         foot_error);
+  bool near_boundary = false;
+  const bool inside = walk(edges, query, query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    const unsigned near = ~negative_lanes(all_lanes(query.boundary_sq) - view.squared);
+    return near_boundary = (near & ((1U << leaf.count) - 1)) != 0;
+  });
+  if (near_boundary) return FilterResult::Unsure;
+  return inside ? FilterResult::Yes : FilterResult::No;
+}
+
+/// Looks for the first contact in doubles. Looks for any contact if `any`.
+template <bool any>
+FrameMotionResult frame_motion_filter(const FrameMotion& motion, const Entry<Pack>& plane, const EdgeIndex& edges) {
+  const FilterResult face = meets_face(motion, plane, edges);
+  if (face == FilterResult::Yes) return {FilterResult::Yes, Feature{Feature::Kind::Face, 0}};
+  bool unsure = face == FilterResult::Unsure;
+  FirstCandidate<double> first;
+  SweptDisc disc(motion);
+  walk(edges, disc, [&](const EdgeTree::Leaf& leaf, unsigned near) {
+    if (any && first.any()) return;
+    const MovingEdge<Pack> moving = moving_edges(leaf, motion);
+    const auto consider = [&](Feature::Kind kind, const Entry<Pack>& event) {
+      unsure = unsure || event.unsure(near) != 0;
+      unsigned happening = event.certain & near;
+      if (happening == 0) return;
+      double time[kLanes], error[kLanes];
+      store(time, event.time.value), store(error, event.time.error);
+      for (; happening != 0; happening &= happening - 1) {
+        const int lane = __builtin_ctz(happening);
+        first.add({kind, leaf.edge[lane]}, time[lane], error[lane]);
+      }
+      if constexpr (!any) disc.end_at(first.latest());
+    };
+    consider(Feature::Kind::Edge, interior_event(moving));
+    consider(Feature::Kind::Vertex, start_event(moving));
+  });
+  if (any && first.any()) return {FilterResult::Yes, {}};
+  if (unsure) return {FilterResult::Unsure, {}};
+  if (!first.any()) return {FilterResult::No, {}};
+  if (!first.certain()) return {FilterResult::Unsure, {}};
+  return {FilterResult::Yes, first.feature()};
+}
+
+/// Returns the first contact with the feature that is certainly touched first on the way; nothing if its rounding is
+/// not certain.
+template <class Counts>
+std::optional<FirstContact> contact_with(const Motion& motion, const PreparedPolygon::Parts& parts,
+                                         const Feature& feature, Counts& counts) {
+  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
+  if (!doubles.usable()) return std::nullopt;
+  return TouchedPoint(doubles, feature).rounded_contact();
+}
+
+/// Returns the first contact in double-doubles, given that the ball does not touch at its start and that the first
+/// stage is not sure about any feature but the face; nothing if it is not certain.
+template <class Counts>
+std::optional<FirstContact> first_contact_in_doubles(const Motion& motion, const FrameMotion& in_frame,
+                                                     const PreparedPolygon::Parts& parts, Counts& counts) {
+  if (meets_face(in_frame, in_frame.plane().entry, *parts.edges) != FilterResult::No) return std::nullopt;
+  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
+  if (!doubles.usable()) return std::nullopt;
+  bool unsure = false;
+  FirstCandidate<DoubleDouble> first;
+  SweptDisc disc(in_frame);
+  walk(*parts.edges, disc, [&](const EdgeTree::Leaf& leaf, unsigned near) {
+    for (; near != 0 && !unsure; near &= near - 1) {
+      const std::size_t edge = leaf.edge[__builtin_ctz(near)];
+      const MovingEdge<DoubleDouble> moving = doubles.moving(edge);
+      const auto consider = [&](Feature::Kind kind, const Entry<DoubleDouble>& event) {
+        unsure = unsure || event.unsure(1) != 0;
+        if ((event.certain & 1) != 0) first.add({kind, edge}, event.time.value, event.time.error);
+      };
+      consider(Feature::Kind::Edge, interior_event(moving));
+      consider(Feature::Kind::Vertex, start_event(moving));
+    }
+    disc.end_at(first.latest());
+  });
+  if (unsure) return std::nullopt;
+  if (!first.any()) return FirstContact{};
+  if (!first.certain()) return std::nullopt;
+  return TouchedPoint(doubles, first.feature()).rounded_contact();
+}
+
+/// Returns the first contact where the first stage does not suffice. `in_frame` is null if the motion is out of the
+/// frame's range.
+template <class Counts>
+__attribute__((noinline)) FirstContact later_first_contact(const Motion& motion, const PreparedPolygon::Parts& parts,
+                                                           const FrameMotion* in_frame,
+                                                           const std::optional<Feature>& feature, Counts& counts) {
+  const FloatingPointState nearest;
+  if (!feature && contact(motion.ball, parts, counts)) {
+    const Answer start =
+        ask<&PolygonQuery<Counts>::answer,
+            static_cast<Answer (*)(const Ball&, const exact::PreparedPolygon&)>(exact::answer), Answer>(motion.ball,
+                                                                                                        parts, counts);
+    return {FirstContactKind::Start, 0, false, start.nearest, start.point};
+  }
+  std::optional<FirstContact> found;
+  if (in_frame != nullptr)
+    found = feature ? contact_with(motion, parts, *feature, counts)
+                    : first_contact_in_doubles(motion, *in_frame, parts, counts);
+  if (found) {
+    counts.count(Stage::DoubleDouble);
+    return *found;
+  }
+  counts.count(Stage::BigInteger);
+  return exact::first_contact(motion, parts.exact());
+}
+
+/// Returns whether the first stage may answer in the caller's floating-point state, and the motion in the frame if so.
+TOUCHSTONE_INLINE std::optional<FrameMotion> frame_motion(const Motion& motion, const PreparedPolygon::Parts& parts) {
+  if (!frame_reaches_at_once(motion.ball, parts) || !frame_reaches({motion.to, 0}, parts)) return std::nullopt;
+  const FrameMotion in_frame(motion, *parts.frame);
+  if (!in_frame.in_range()) return std::nullopt;
+  return in_frame;
+}
+
+template <class Counts>
+void polygon_first_contact(const Motion& motion, const PreparedPolygon::Parts& parts, FirstContact& result,
+                           Counts& counts) {
+  const auto in_frame = frame_motion(motion, parts);
+  std::optional<Feature> feature;
+  if (in_frame) [[likely]] {
+    const PlaneEntry<Pack> plane = in_frame->plane();
+    FilterResult known = FilterResult::No;
+    if ((plane.misses & 1) == 0) {
+      const int start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
+      known = FilterResult::Unsure;
+      if (start > 0) {
+        const FrameMotionResult way = frame_motion_filter<false>(*in_frame, plane.entry, *parts.edges);
+        known = way.contact, feature = way.feature;
+      }
+    }
+    if (known == FilterResult::No) {
+      counts.count(Stage::Double);
+      result = {};
+      return;
+    }
+  }
+  result = later_first_contact(motion, parts, in_frame ? &*in_frame : nullptr, feature, counts);
+}
+
+template <class Counts>
+bool polygon_motion_contact(const Motion& motion, const PreparedPolygon::Parts& parts, Counts& counts) {
+  const auto in_frame = frame_motion(motion, parts);
+  if (in_frame) [[likely]] {
+    const PlaneEntry<Pack> plane = in_frame->plane();
+    FilterResult known = FilterResult::No;
+    if ((plane.misses & 1) == 0) {
+      const int start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
+      known = start < 0   ? FilterResult::Yes
+              : start > 0 ? frame_motion_filter<true>(*in_frame, plane.entry, *parts.edges).contact
+                          : FilterResult::Unsure;
+    }
+    if (known < FilterResult::Unsure) [[likely]] {
+      counts.count(Stage::Double);
+      return known == FilterResult::Yes;
+    }
+  }
+  return later_first_contact(motion, parts, in_frame ? &*in_frame : nullptr, {}, counts).contact();
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::filtered
