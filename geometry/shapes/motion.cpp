@@ -6,10 +6,11 @@
 namespace touchstone {
 
 std::optional<Rejection> find_fault(const Motion& motion) {
-  if (auto fault = find_fault(motion.ball)) return fault;
+  auto fault = find_fault(motion.ball);
+  if (fault && fault->code == RejectionCode::NotFinite) return fault;
   const FloatingPointState nearest;
   if (!motion.to.allFinite()) return Rejection{RejectionCode::NotFinite, "motion.to is not finite"};
-  return std::nullopt;
+  return fault;
 }
 
 }  // namespace touchstone

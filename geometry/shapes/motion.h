@@ -20,7 +20,8 @@ struct Motion {
   Eigen::Vector3d to;  ///< c', the centre at t = 1
 };
 
-/// Returns why the motion is invalid (the ball's fault before `not-finite` for `motion.to`), or nothing if it is valid.
+/// Returns why the motion is invalid, in the contract's order of codes (of two numbers that are not finite, the ball's
+/// comes first), or nothing if it is valid.
 [[nodiscard]] std::optional<Rejection> find_fault(const Motion& motion);
 
 }  // namespace touchstone

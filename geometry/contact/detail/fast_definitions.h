@@ -14,6 +14,7 @@
 #include "geometry/detail/required.h"
 
 namespace touchstone::fast {
+// A `Face` below is a PreparedPolygon, or what has the same members.
 namespace detail {
 
 template <class Scalar>
@@ -59,13 +60,13 @@ double root(const Squared<Scalar>& squared) {
 }
 
 /// Returns N.(c - g): the height of the centre above the plane, in units of |N|.
-template <class Scalar>
-Scalar height(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+Scalar height(const Sphere<Scalar>& sphere, const Face& polygon) {
   return polygon.plane().normal.dot(sphere.center - polygon.plane().point);
 }
 
-template <class Scalar>
-Squared<Scalar> plane_distance(Scalar height, const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+Squared<Scalar> plane_distance(Scalar height, const Face& polygon) {
   return {height * height, polygon.normal_squared()};
 }
 
@@ -87,23 +88,23 @@ struct EdgeView {
   }
 };
 
-template <class Scalar>
-Squared<Scalar> edge_distance(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon, std::size_t i) {
+template <class Scalar, class Face>
+Squared<Scalar> edge_distance(const Sphere<Scalar>& sphere, const Face& polygon, std::size_t i) {
   const EdgeView<Scalar> view(sphere, polygon.edges()[i]);
   if (view.before()) return view.start_distance();
   if (view.after()) return EdgeView<Scalar>(sphere, polygon.edges()[polygon.next(i)]).start_distance();
   return view.line_distance();
 }
 
-template <class Scalar>
-PlaneSide plane_side(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+PlaneSide plane_side(Scalar height, const Sphere<Scalar>& sphere, const Face& polygon) {
   if (plane_distance(height, polygon).within(sphere.radius_squared)) return PlaneSide::Intersects;
   return height > 0 ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
 /// Counts the edges that the ray from the foot along u crosses, in the projection to (u, v) that drops the third axis.
-template <class Scalar>
-PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+PointLocation foot(Scalar height, const Sphere<Scalar>& sphere, const Face& polygon) {
   const int u = (polygon.dropped_axis() + 1) % 3, v = (polygon.dropped_axis() + 2) % 3;
   const Scalar drop = height / polygon.normal_squared();
   const Scalar down_u = drop * polygon.plane().normal[u], down_v = drop * polygon.plane().normal[v];
@@ -134,8 +135,8 @@ struct Nearest {
 };
 
 /// Returns the nearest edge or vertex. Edges are compared first, so that on a tie the earlier candidate wins.
-template <class Scalar>
-Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const Face& polygon) {
   // Infinity is the quotient 1 / 0: in some arithmetics products with an infinite scalar are not numbers.
   Nearest<Scalar> edge{{Feature::Kind::Edge, 0}, {1, 0}}, vertex{{Feature::Kind::Vertex, 0}, {1, 0}};
   for (std::size_t i = 0; i < polygon.edges().size(); ++i) {
@@ -147,9 +148,8 @@ Nearest<Scalar> nearest_on_boundary(const Sphere<Scalar>& sphere, const Prepared
   return vertex.distance < edge.distance ? vertex : edge;
 }
 
-template <class Scalar>
-Nearest<Scalar> nearest_feature(Scalar height, PointLocation place, const Sphere<Scalar>& sphere,
-                                const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+Nearest<Scalar> nearest_feature(Scalar height, PointLocation place, const Sphere<Scalar>& sphere, const Face& polygon) {
   if (place == PointLocation::Inside) return {{Feature::Kind::Face, 0}, plane_distance(height, polygon)};
   return nearest_on_boundary(sphere, polygon);
 }
@@ -160,9 +160,8 @@ Relation relation(const Squared<Scalar>& distance, Scalar radius_squared) {
   return distance.numerator < radius_squared * distance.denominator ? Relation::Overlapping : Relation::Touching;
 }
 
-template <class Scalar>
-Vector<Scalar> closest_point(Scalar height, const Feature& feature, const Sphere<Scalar>& sphere,
-                             const PreparedPolygon<Scalar>& polygon) {
+template <class Scalar, class Face>
+Vector<Scalar> closest_point(Scalar height, const Feature& feature, const Sphere<Scalar>& sphere, const Face& polygon) {
   if (feature.kind == Feature::Kind::Face)
     return sphere.center - (height / polygon.normal_squared()) * polygon.plane().normal;
   const auto& edge = polygon.edges()[feature.index];

@@ -79,7 +79,7 @@ RC_GTEST_PROP(ExactOrientation, ReversingHolesOnlyRenumbers, ()) {
 RC_GTEST_PROP(ExactMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *any_case();
   const int axis = *rc::gen::inRange(0, 3);
-  const Motion mirror = [axis](Eigen::Vector3d v) {
+  const PointMap mirror = [axis](Eigen::Vector3d v) {
     v[axis] = -v[axis];
     return v;
   };
@@ -93,7 +93,7 @@ RC_GTEST_PROP(ExactMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
 RC_GTEST_PROP(ExactMirror, ExchangingAxesExchangesThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *any_case();
   const int kept = *rc::gen::inRange(0, 3), i = (kept + 1) % 3, j = (kept + 2) % 3;
-  const Motion exchange = [i, j](Eigen::Vector3d v) {
+  const PointMap exchange = [i, j](Eigen::Vector3d v) {
     std::swap(v[i], v[j]);
     return v;
   };

@@ -63,7 +63,7 @@ bool foot_on_boundary_but_for_rounding(const Case& c) {
 RC_GTEST_PROP(FastMirror, MirroringMirrorsThePointAndSwapsFrontAndBehind, ()) {
   const Case c = *rc::gen::oneOf(samples(kSafe), grid_cases(2));
   const int axis = *rc::gen::inRange(0, 3);
-  const Motion mirror = [axis](Eigen::Vector3d v) {
+  const PointMap mirror = [axis](Eigen::Vector3d v) {
     v[axis] = -v[axis];
     return v;
   };

@@ -133,7 +133,7 @@ const std::vector<HandCase>& hand_cases() {
 }
 
 HandCase turned(HandCase original, int times) {
-  const Motion turn = [times](const Eigen::Vector3d& v) {
+  const PointMap turn = [times](const Eigen::Vector3d& v) {
     Eigen::Vector3d image;
     for (int k = 0; k < 3; ++k) image[(k + times) % 3] = v[k];
     return image;

@@ -41,14 +41,14 @@ double extent(const Polygon& polygon) {
   return largest;
 }
 
-Polygon moved(const Polygon& polygon, const Motion& motion) {
+Polygon moved(const Polygon& polygon, const PointMap& map) {
   std::vector<Loop> loops = loops_of(polygon);
-  for (Loop& loop : loops) std::transform(loop.begin(), loop.end(), loop.begin(), motion);
+  for (Loop& loop : loops) std::transform(loop.begin(), loop.end(), loop.begin(), map);
   return polygon_of(loops);
 }
 
-Case moved(const Case& original, const Motion& motion) {
-  return {original.id, {motion(original.ball.center), original.ball.radius}, moved(original.polygon, motion)};
+Case moved(const Case& original, const PointMap& map) {
+  return {original.id, {map(original.ball.center), original.ball.radius}, moved(original.polygon, map)};
 }
 
 Case scaled(const Case& original, int exponent) {

@@ -15,10 +15,10 @@ namespace touchstone::contact_tests {
 /// The largest difference between two vertices in one coordinate, from below: measured from vertex 0.
 [[nodiscard]] double extent(const Polygon& polygon);
 
-using Motion = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
-[[nodiscard]] Polygon moved(const Polygon& polygon, const Motion& motion);
+using PointMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
+[[nodiscard]] Polygon moved(const Polygon& polygon, const PointMap& map);
 /// The ball's centre moves too; its radius stays.
-[[nodiscard]] Case moved(const Case& original, const Motion& motion);
+[[nodiscard]] Case moved(const Case& original, const PointMap& map);
 
 /// Times 2^exponent, the radius too.
 [[nodiscard]] Case scaled(const Case& original, int exponent);
