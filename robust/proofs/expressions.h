@@ -55,6 +55,7 @@ struct Inputs {
   Vector3<Number> first_edge, second_edge, normal;
   Vector3<Number> axis, from_origin;
   Number foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+  Vector3<Number> first_exact, second_exact;
   Vector3<Number> lane_axis, lane_from_origin;
   Number lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
 };
@@ -86,6 +87,8 @@ Inputs<Number> make_inputs(Make make) {
           number("start_y", Foot, bounds::kFramePoint),
           number("direction_x", One, bounds::kFrameDirection),
           number("direction_y", One, bounds::kFrameDirection),
+          vector("first_exact", One, 0),
+          vector("second_exact", One, 0),
           vector("lane_axis", One, bounds::kLanePrepared),
           vector("lane_from_origin", Centre, bounds::kLaneCentre),
           number("lane_offset", Centre, bounds::kLanePrepared),
@@ -194,6 +197,10 @@ void for_each_claim(Visit visit) {
   visit(Claim{"kEdgeFrame", "across", kEdgeFrame, 1, {Foot, One}}, [](const auto& in) {
     return frame::across(in.foot_x, in.foot_y, in.start_x, in.start_y, in.direction_x, in.direction_y);
   });
+  visit(Claim{"kRoundedDot", "", kRoundedDot, 1, {One, One}},
+        [](const auto& in) { return dot(in.first_exact, in.second_exact); });
+  visit(Claim{"kRoundedCross", "x", kRoundedCross, 1, {One, One}},
+        [](const auto& in) { return cross(in.first_exact, in.second_exact).x; });
   visit(Claim{"kLaneCoordinate", "", kLaneCoordinate, 1, {One, Centre}},
         [](const auto& in) { return lane::coordinate(in.lane_axis, in.lane_from_origin, in.lane_offset); });
   visit(Claim{"kLaneEdge", "depth", kLaneEdge, 1, {Foot, One}},

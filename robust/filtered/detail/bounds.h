@@ -121,7 +121,7 @@ inline constexpr double kClosest = 0x1p-94;
 
 /// Numbers that carry their error (numbers/bounded.h): the errors of `dot` and `cross` of exact vectors in lanes, in
 /// units of kUnit m_a m_b.
-inline constexpr double kRoundedDot = 9.0625;
+inline constexpr double kRoundedDot = 8.0625;
 inline constexpr double kRoundedCross = 4.0625;
 /// Covers the roundings of 2^12 errors that are computed from each other, each with at most eight operations.
 inline constexpr double kWideError = 1 + 0x1p-36;

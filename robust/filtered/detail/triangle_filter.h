@@ -22,6 +22,10 @@ TOUCHSTONE_INLINE LaneSigns certain_signs(const Pack& value, double constant, co
   return {multiply_subtract(factor, maxima, value), multiply_add(factor, maxima, value)};
 }
 
+/// Returns a maximum that is at least kSmallest. Maxima may be larger than necessary, and from kSmallest on every bound
+/// is above kTiny, which need not be added.
+TOUCHSTONE_INLINE Pack not_too_small(const Pack& largest) { return maximum(largest, all_lanes(bounds::kSmallest)); }
+
 /// A triangle, one corner and the edge from it a lane; lane 3 repeats a corner.
 struct TriangleLanes {
   Vector3<Pack> vertex, edge, normal;
@@ -32,8 +36,7 @@ struct TriangleLanes {
     const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
     edge = difference(next, vertex);
     normal = signs::normal(edge, difference(previous, vertex));
-    // Maxima may be larger than necessary. From kSmallest on every bound is above kTiny, which need not be added.
-    m_edge = maximum(largest_component(edge), all_lanes(bounds::kSmallest));
+    m_edge = not_too_small(largest_component(edge));
     const Pack m_edges = m_edge * previous_of_three(m_edge);
     m_normal = m_edges + m_edges;
   }
@@ -58,7 +61,7 @@ struct BallAtTriangle {
 
   TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& center, const Pack& radius)
       : to_center(difference(center, triangle.vertex)),
-        m_center(maximum(largest_component(to_center), maximum(radius, all_lanes(bounds::kSmallest)))) {
+        m_center(not_too_small(maximum(largest_component(to_center), radius))) {
     const auto& [vertex, edge, normal, m_edge, m_normal] = triangle;
     const Pack m_both = m_center * m_edge, m_plane = m_normal * m_center;
     vertex_out = certain_signs(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);

@@ -10,7 +10,7 @@
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/prepared.h"
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {

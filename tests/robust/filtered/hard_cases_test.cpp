@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the generators of cases must not miss.
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/Random.h>

@@ -8,7 +8,7 @@
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
 

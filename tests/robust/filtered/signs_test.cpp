@@ -18,7 +18,7 @@
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/numbers/permanent.h"
 #include "tests/robust/filtered/exact_number.h"
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 
 namespace touchstone::filtered_tests {
 namespace {

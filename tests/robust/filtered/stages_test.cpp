@@ -9,7 +9,7 @@
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 
 namespace touchstone::filtered {
 

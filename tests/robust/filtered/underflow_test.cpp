@@ -9,7 +9,7 @@
 #include "experiments/workloads/random.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {

@@ -16,12 +16,21 @@ TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const MotionTriangl
   return negative_lanes(all_lanes(limit / 2) - input) == 0;
 }
 
-/// Returns whether the capsule touches the triangle, if doubles can decide it.
+/// What doubles leave open, one bit a lane.
+struct CapsuleSigns {
+  FilterResult at_start, at_end;  ///< the contact at the ends of the motion
+  unsigned vertices, edges;       ///< the lanes in which a vertex, or an edge's interior, may be hit
+  bool may_pierce;                ///< whether the motion's segment may pierce the triangle
+  double center[4], edge[4];      ///< maxima
+  double velocity;                ///< maximum
+};
+
+/// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot.
 ///
 /// The distance of the segment from the triangle is 0 if the segment pierces the triangle. Else it is that of one of
 /// the segment's ends from the triangle, of a vertex from the segment's interior, or of an edge's interior from the
 /// segment's interior.
-TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view) {
+TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, CapsuleSigns& signs) {
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
     return FilterResult::OutOfRange;
@@ -42,7 +51,7 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view) {
   if (lanes(stays & start.plane_out.positive & end.plane_out.positive) != 0) return FilterResult::No;
 
   const Vector3<Pack> velocity = difference(to, center);
-  const Pack m_velocity = maximum(largest_component(velocity), all_lanes(bounds::kSmallest));
+  const Pack m_velocity = not_too_small(largest_component(velocity));
   const Pack m_center = maximum(start.m_center, end.m_center);
 
   // A vertex and the motion's segment, as an edge and a centre.
@@ -84,7 +93,18 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view) {
   const bool yes = start.certainly_touches() | end.certainly_touches() | (lanes(vertex_hit | edge_hit) != 0) | pierces;
   const bool no =
       start.certainly_misses() & end.certainly_misses() & (lanes(vertex_missed & edge_missed) == all) & passes_by;
-  return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+  if (yes != no) [[likely]]
+    return yes ? FilterResult::Yes : FilterResult::No;
+  signs.at_start = start.certainly_misses() ? FilterResult::No : FilterResult::Unsure;
+  signs.at_end = end.certainly_misses() ? FilterResult::No : FilterResult::Unsure;
+  signs.vertices = lanes(vertex_missed) ^ all, signs.edges = lanes(edge_missed) ^ all;
+  signs.may_pierce = !passes_by;
+  store(signs.center, maximum(m_start, beyond));
+  store(signs.edge, m_edge);
+  double velocities[kLanes];
+  store(velocities, m_velocity);
+  signs.velocity = velocities[0];
+  return FilterResult::Unsure;
 }
 
 }  // namespace TOUCHSTONE_TARGET

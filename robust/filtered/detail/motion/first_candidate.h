@@ -21,7 +21,7 @@ class FirstCandidate {
     const Time earliest = time - Time(wide), latest = time + Time(wide);
     if (before(latest, latest_)) {
       if (before(earliest_, earliest_of_others_)) earliest_of_others_ = earliest_;
-      feature_ = feature, earliest_ = earliest, latest_ = latest;
+      feature_ = feature, time_ = time, error_ = error, earliest_ = earliest, latest_ = latest;
     } else if (before(earliest, earliest_of_others_)) {
       earliest_of_others_ = earliest;
     }
@@ -31,6 +31,9 @@ class FirstCandidate {
   /// Returns whether one event is certainly before all others.
   [[nodiscard]] TOUCHSTONE_INLINE bool certain() const { return any() && before(latest_, earliest_of_others_); }
   [[nodiscard]] const Feature& feature() const { return feature_; }
+  /// Returns the time of the first event, and its error.
+  [[nodiscard]] const Time& time() const { return time_; }
+  [[nodiscard]] double error() const { return error_; }
   /// Returns a time until which the first event has certainly happened; at least 1 if none was added.
   [[nodiscard]] TOUCHSTONE_INLINE double latest() const { return leading_part(latest_); }
 
@@ -42,6 +45,8 @@ class FirstCandidate {
   static TOUCHSTONE_INLINE bool before(const Time& a, const Time& b) { return leading_part(a - b) < 0; }
 
   Feature feature_{Feature::Kind::Face, 0};
+  Time time_ = kNever;
+  double error_ = 0;
   Time earliest_ = kNever, latest_ = kNever, earliest_of_others_ = kNever;
 };
 

@@ -114,7 +114,7 @@ std::optional<FirstContact> contact_with(const Motion& motion, const PreparedPol
                                          const Feature& feature, Counts& counts) {
   const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
   if (!doubles.usable()) return std::nullopt;
-  return TouchedPoint(doubles, feature).rounded_contact();
+  return TouchedPoint(doubles, feature, event_time(doubles, feature)).rounded_contact();
 }
 
 /// Returns the first contact in double-doubles, given that the ball does not touch at its start and that the first
@@ -129,22 +129,25 @@ std::optional<FirstContact> first_contact_in_doubles(const Motion& motion, const
   FirstCandidate<DoubleDouble> first;
   SweptDisc disc(in_frame);
   walk(*parts.edges, disc, [&](const EdgeTree::Leaf& leaf, unsigned near) {
-    for (; near != 0 && !unsure; near &= near - 1) {
-      const std::size_t edge = leaf.edge[__builtin_ctz(near)];
+    const MovingEdge<Pack> in_lanes = moving_edges(leaf, in_frame);
+    const unsigned interiors = near & ~interior_event(in_lanes).none, starts = near & ~start_event(in_lanes).none;
+    for (unsigned possible = interiors | starts; possible != 0 && !unsure; possible &= possible - 1) {
+      const int lane = __builtin_ctz(possible);
+      const std::size_t edge = leaf.edge[lane];
       const MovingEdge<DoubleDouble> moving = doubles.moving(edge);
       const auto consider = [&](Feature::Kind kind, const Entry<DoubleDouble>& event) {
         unsure = unsure || event.unsure(1) != 0;
         if ((event.certain & 1) != 0) first.add({kind, edge}, event.time.value, event.time.error);
       };
-      consider(Feature::Kind::Edge, interior_event(moving));
-      consider(Feature::Kind::Vertex, start_event(moving));
+      if ((interiors >> lane & 1) != 0) consider(Feature::Kind::Edge, interior_event(moving));
+      if ((starts >> lane & 1) != 0) consider(Feature::Kind::Vertex, start_event(moving));
     }
     disc.end_at(first.latest());
   });
   if (unsure) return std::nullopt;
   if (!first.any()) return FirstContact{};
   if (!first.certain()) return std::nullopt;
-  return TouchedPoint(doubles, first.feature()).rounded_contact();
+  return TouchedPoint(doubles, first.feature(), {first.time(), first.error()}).rounded_contact();
 }
 
 /// Returns the first contact where the first stage does not suffice. `in_frame` is null if the motion is out of the

@@ -23,13 +23,24 @@ PlaneEntry<DoubleDouble> face_entry(const Doubles& doubles) {
   return plane_entry(dot(normal, edge.to_center), dot(normal, edge.velocity), edge.radius * root(dot(normal, normal)));
 }
 
+/// Returns the time of a feature's event, which certainly happens.
+template <class Doubles>
+Bounded<DoubleDouble> event_time(const Doubles& doubles, const Feature& feature) {
+  switch (feature.kind) {
+    case Feature::Kind::Face: return face_entry(doubles).entry.time;
+    case Feature::Kind::Edge: return entry(doubles.moving(feature.index).from_line(), false).time;
+    case Feature::Kind::Vertex: break;
+  }
+  return entry(doubles.moving(feature.index).from_start(), true).time;
+}
+
 /// Computes the first contact from a feature that is certainly touched first, at a simple root or, for a point, at the
 /// face's plane.
 template <class Doubles>
 class TouchedPoint {
  public:
-  TouchedPoint(const Doubles& doubles, const Feature& feature)
-      : doubles_(doubles), feature_(feature), moving_(doubles.moving(feature.index)), time_(time_of_event()) {
+  TouchedPoint(const Doubles& doubles, const Feature& feature, const Bounded<DoubleDouble>& time)
+      : doubles_(doubles), feature_(feature), moving_(doubles.moving(feature.index)), time_(time) {
     if (feature.kind == Feature::Kind::Edge)
       multiple_ = quotient(moving_.along_at(time_), dot(moving_.edge, moving_.edge));
     if (feature.kind == Feature::Kind::Face && moving_.radius.value.high > 0) {
@@ -52,14 +63,6 @@ class TouchedPoint {
  private:
   static Enclosed enclosed(const Bounded<DoubleDouble>& number) {
     return {number.value, bounds::kWideError * number.error};
-  }
-  [[nodiscard]] Bounded<DoubleDouble> time_of_event() const {
-    switch (feature_.kind) {
-      case Feature::Kind::Face: return face_entry(doubles_).entry.time;
-      case Feature::Kind::Edge: return entry(moving_.from_line(), false).time;
-      case Feature::Kind::Vertex: break;
-    }
-    return entry(moving_.from_start(), true).time;
   }
   /// Returns the coordinate as the nearest double; zero as +0.
   [[nodiscard]] std::optional<double> coordinate(int axis) const {

@@ -9,6 +9,7 @@
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/motion/touched_point.h"
+#include "robust/filtered/detail/motion/triangle_events.h"
 
 /// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
 namespace touchstone::filtered {
@@ -95,17 +96,18 @@ class TriangleMotionDoubles {
     return event;
   }
 
-  /// Sets the first event among all features. Returns whether it is certain which one that is, or that there is none.
-  [[nodiscard]] bool find_first(FirstCandidate<DoubleDouble>& first) const {
+  /// Sets the first event among the possible ones. Returns whether it is certain which one that is, or that there is
+  /// none.
+  [[nodiscard]] bool find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
     bool unsure = false;
     const auto consider = [&](Feature::Kind kind, std::size_t i, const Entry<DoubleDouble>& event) {
       unsure = unsure || event.unsure(1) != 0;
       if ((event.certain & 1) != 0) first.add({kind, i}, event.time.value, event.time.error);
     };
-    consider(Feature::Kind::Face, 0, face_event());
+    if (possible.face) consider(Feature::Kind::Face, 0, face_event());
     for (std::size_t i = 0; i < 3; ++i) {
-      consider(Feature::Kind::Edge, i, interior_event(moving(i)));
-      consider(Feature::Kind::Vertex, i, start_event(moving(i)));
+      if ((possible.interiors >> i & 1) != 0) consider(Feature::Kind::Edge, i, interior_event(moving(i)));
+      if ((possible.starts >> i & 1) != 0) consider(Feature::Kind::Vertex, i, start_event(moving(i)));
     }
     return !unsure && (!first.any() || first.certain());
   }

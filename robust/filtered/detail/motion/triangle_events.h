@@ -37,6 +37,12 @@ struct TriangleMotionLanes {
   }
 };
 
+/// The events of a triangle that the first stage does not exclude, one bit an edge or its start.
+struct PossibleEvents {
+  unsigned starts = 0b111, interiors = 0b111;
+  bool face = true;
+};
+
 /// The events of a motion at a triangle, one edge and its start a lane. Every lane of `face` is the same event.
 struct TriangleEvents {
   Entry<Pack> start, interior, face;
@@ -44,6 +50,9 @@ struct TriangleEvents {
 
   [[nodiscard]] TOUCHSTONE_INLINE bool any() const {
     return ((start.certain | interior.certain | face.certain) & all) != 0;
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE PossibleEvents possible() const {
+    return {~start.none & all, ~interior.none & all, (face.none & 1) == 0};
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool unsure() const {
     return (start.unsure(all) | interior.unsure(all) | face.unsure(1)) != 0;

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "robust/exact/motion.h"
-#include "robust/filtered/detail/motion/capsule_filter.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_doubles.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
+#include "robust/filtered/detail/motion/unsure_capsule.h"
 #include "robust/filtered/detail/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
@@ -41,24 +41,26 @@ FirstContact start_contact(const MotionTriangleView& view, Counts& counts) {
 /// What the first stage knows.
 struct MotionFilterResult {
   FilterResult contact;
-  bool at_start;                   ///< whether a contact is at the start
-  std::optional<Feature> feature;  ///< the feature touched first, if it is certain; for a contact on the way
+  FilterResult at_start = FilterResult::Unsure;  ///< the contact at time 0
+  std::optional<Feature> feature = {};           ///< the feature touched first on the way, if it is certain
+  PossibleEvents possible = {};                  ///< on the way
 };
 
 /// Looks for the first contact in doubles.
 TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLongestMotion)) [[unlikely]]
-    return {FilterResult::OutOfRange, false, {}};
+    return {FilterResult::OutOfRange};
   const TriangleMotionLanes lanes(vertex, view);
   const PlaneEntry<Pack> plane = lanes.plane();
-  if ((plane.misses & TriangleEvents::all) != 0) return {FilterResult::No, false, {}};
+  if ((plane.misses & TriangleEvents::all) != 0) return {FilterResult::No};
   TriangleSigns signs;
   const FilterResult start = triangle_filter({view.vertex, view.motion}, signs);
-  if (start != FilterResult::No) return {start, true, {}};
+  if (start != FilterResult::No) return {start, start};
   const TriangleEvents events{start_event(lanes.moving), interior_event(lanes.moving), face_event(lanes, plane.entry)};
-  if (events.unsure()) return {FilterResult::Unsure, false, {}};
-  if (!events.any()) return {FilterResult::No, false, {}};
+  const PossibleEvents possible = events.possible();
+  if (events.unsure()) return {FilterResult::Unsure, start, {}, possible};
+  if (!events.any()) return {FilterResult::No, start};
   FirstCandidate<double> candidate;
   const auto consider = [&candidate](Feature::Kind kind, const Entry<Pack>& event, unsigned lanes_of) {
     double time[kLanes], error[kLanes];
@@ -71,49 +73,44 @@ TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& vie
   consider(Feature::Kind::Face, events.face, 1);
   consider(Feature::Kind::Edge, events.interior, TriangleEvents::all);
   consider(Feature::Kind::Vertex, events.start, TriangleEvents::all);
-  if (!candidate.certain()) return {FilterResult::Unsure, false, {}};
-  return {FilterResult::Yes, false, candidate.feature()};
+  if (!candidate.certain()) return {FilterResult::Unsure, start, {}, possible};
+  return {FilterResult::Yes, start, candidate.feature(), possible};
 }
 
-/// Returns the first contact with a feature that is certainly touched first on the way.
-template <class Counts>
-FirstContact contact_with(const MotionTriangleView& given, const TriangleMotionDoubles& doubles, const Feature& feature,
-                          Counts& counts) {
-  if (const auto contact = TouchedPoint(doubles, feature).rounded_contact()) {
-    counts.count(Stage::DoubleDouble);
-    return *contact;
-  }
-  return exact_first_contact(given, counts);
-}
-
-// If the largest number is smaller than this fraction of bounds::kLongestMotion's inverse, lengths are scaled.
-inline constexpr double kOrdinary = 0x1p20;
+// If the largest number is smaller than this, lengths are scaled.
+inline constexpr double kOrdinary = 0x1p20 / bounds::kLongestMotion;
 
 /// Returns the first contact where the first stage does not suffice.
 template <class Counts>
 __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleView& given,
                                                            const MotionFilterResult& known, Counts& counts) {
   const FloatingPointState nearest;
-  if (known.contact == FilterResult::Yes && known.at_start) return start_contact(given, counts);
-  if (known.feature) return contact_with(given, TriangleMotionDoubles(given, 0), *known.feature, counts);
-  if (contact(BallTriangleView{given.vertex, given.motion}, counts)) return start_contact(given, counts);
+  if (known.at_start == FilterResult::Yes ||
+      (known.at_start != FilterResult::No && contact(BallTriangleView{given.vertex, given.motion}, counts)))
+    return start_contact(given, counts);
   std::optional<ScaledMotion> scaled;
   MotionTriangleView view = given;
-  int exponent = 0;
-  if (const double largest = largest_number(given);
-      largest < kOrdinary / bounds::kLongestMotion || known.contact == FilterResult::OutOfRange) {
-    scaled.emplace(given, largest);
-    if (!scaled->exact()) return exact_first_contact(given, counts);
-    view = scaled->view(), exponent = scaled->exponent();
+  if (!known.feature) {
+    const double largest = largest_number(given);
+    if (largest < kOrdinary || known.contact == FilterResult::OutOfRange) {
+      scaled.emplace(given, largest);
+      if (!scaled->exact()) return exact_first_contact(given, counts);
+      view = scaled->view();
+    }
   }
-  const TriangleMotionDoubles doubles(view, exponent);
-  FirstCandidate<DoubleDouble> first;
-  if (!doubles.find_first(first)) return exact_first_contact(given, counts);
-  if (!first.any()) {
-    counts.count(Stage::DoubleDouble);
-    return {};
+  const TriangleMotionDoubles doubles(view, scaled ? scaled->exponent() : 0);
+  std::optional<FirstContact> found;
+  if (known.feature) {
+    found = TouchedPoint(doubles, *known.feature, event_time(doubles, *known.feature)).rounded_contact();
+  } else {
+    FirstCandidate<DoubleDouble> first;
+    if (!doubles.find_first(known.possible, first)) return exact_first_contact(given, counts);
+    found = first.any() ? TouchedPoint(doubles, first.feature(), {first.time(), first.error()}).rounded_contact()
+                        : FirstContact{};
   }
-  return contact_with(given, doubles, first.feature(), counts);
+  if (!found) return exact_first_contact(given, counts);
+  counts.count(Stage::DoubleDouble);
+  return *found;
 }
 
 template <class Counts>
@@ -127,11 +124,24 @@ void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Coun
   }
 }
 
+/// Returns whether the ball touches where the first stage does not suffice.
+template <class Counts>
+__attribute__((noinline)) bool later_motion_contact(const MotionTriangleView& view, FilterResult result,
+                                                    const CapsuleSigns& signs, Counts& counts) {
+  if (result == FilterResult::Unsure) {
+    const FloatingPointState nearest;
+    const FilterResult known = unsure_capsule(view, signs, counts);
+    if (known < FilterResult::Unsure) return known == FilterResult::Yes;
+  }
+  return later_first_contact(view, {result}, counts).contact();
+}
+
 template <class Counts>
 bool triangle_motion_contact(MotionTriangleView view, Counts& counts) {
-  const FilterResult result = capsule_filter(view);
+  CapsuleSigns signs;
+  const FilterResult result = capsule_filter(view, signs);
   if (result >= FilterResult::Unsure) [[unlikely]]
-    return later_first_contact(view, {result, false, {}}, counts).contact();
+    return later_motion_contact(view, result, signs, counts);
   counts.count(Stage::Double);
   return result == FilterResult::Yes;
 }

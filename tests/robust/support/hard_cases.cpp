@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/robust/filtered/hard_cases.h"
+#include "tests/robust/support/hard_cases.h"
 
 #include <algorithm>
 #include <cmath>

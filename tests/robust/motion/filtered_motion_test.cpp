@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The guarantees of robust/filtered/motion.h: (1) the answers of exact, (2) batches are single queries, (3) every
+// engine gives the same answers; in every rounding mode, with and without subnormal numbers.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cfenv>
+#include <vector>
+
+#include "robust/exact/motion.h"
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/motion.h"
+#include "tests/robust/support/environment.h"
+#include "tests/robust/support/hard_cases.h"
+#include "tests/robust/support/moving.h"
+
+namespace touchstone::contact_tests {
+namespace {
+
+using filtered::Kernels;
+using filtered_tests::hard_cases;
+using filtered_tests::hard_triangles;
+using filtered_tests::triangle_of;
+
+std::vector<const Kernels*> all_kernels() {
+  std::vector<const Kernels*> list{&filtered::baseline_kernels()};
+  if (&filtered::kernels() != list.front()) list.push_back(&filtered::kernels());
+  return list;
+}
+
+RC_GTEST_PROP(FilteredMotion, IsExactForPreparedPolygons, ()) {
+  const MovingCase c = *moving(hard_cases());
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  const filtered::PreparedPolygon prepared(c.polygon);
+  RC_ASSERT(filtered::first_contact(c.motion, prepared) == truth);
+  RC_ASSERT(filtered::contact(c.motion, prepared) == truth.contact());
+  filtered::StageCounts counts;
+  RC_ASSERT(filtered::first_contact(c.motion, prepared, counts) == truth);
+  RC_ASSERT(counts != filtered::StageCounts{});
+  RC_ASSERT(filtered::contact(c.motion, prepared, counts) == truth.contact());
+}
+
+RC_GTEST_PROP(FilteredMotion, IsExactForPolygonsAskedOnce, ()) {
+  const MovingCase c = *any_moving_case();
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  RC_ASSERT(filtered::first_contact(c.motion, c.polygon) == truth);
+  RC_ASSERT(filtered::contact(c.motion, c.polygon) == truth.contact());
+}
+
+RC_GTEST_PROP(FilteredMotion, IsExactForTriangles, ()) {
+  const MovingCase c = *moving(hard_triangles());
+  const Triangle triangle = triangle_of(c.polygon);
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  RC_ASSERT(filtered::first_contact(c.motion, triangle) == truth);
+  RC_ASSERT(filtered::contact(c.motion, triangle) == truth.contact());
+  filtered::StageCounts counts;
+  RC_ASSERT(filtered::first_contact(c.motion, triangle, counts) == truth);
+  RC_ASSERT(counts != filtered::StageCounts{});
+  RC_ASSERT(filtered::contact(c.motion, triangle, counts) == truth.contact());
+}
+
+// Guarantee (3), and every walk: of few edges, which are otherwise scanned, too.
+RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngine, ()) {
+  const MovingCase c = *moving(hard_cases());
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  for (const Kernels* kernels : all_kernels()) {
+    for (const auto use : {filtered::EdgeIndex::Use::Often, filtered::EdgeIndex::Use::OftenByHierarchy}) {
+      const filtered::PreparedPolygon::Parts parts(c.polygon, use);
+      filtered::NoCounts none;
+      FirstContact found;
+      kernels->plain.first_contact(c.motion, parts, found, none);
+      RC_ASSERT(found == truth);
+      RC_ASSERT(kernels->plain.motion_contact(c.motion, parts, none) == truth.contact());
+    }
+  }
+}
+
+RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryEngineForTriangles, ()) {
+  const MovingCase c = *moving(hard_triangles());
+  const Triangle triangle = triangle_of(c.polygon);
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  for (const Kernels* kernels : all_kernels()) {
+    filtered::NoCounts none;
+    FirstContact found;
+    kernels->plain.triangle_first_contact(filtered::view_of(c.motion, triangle), found, none);
+    RC_ASSERT(found == truth);
+    RC_ASSERT(kernels->plain.triangle_motion_contact(filtered::view_of(c.motion, triangle), none) == truth.contact());
+  }
+}
+
+// Only the answers count, but flags that a caller may trap must stay as they are, too.
+RC_GTEST_PROP(FilteredMotion, IsTheSameInEveryFloatingPointState, ()) {
+  const MovingCase c = *moving(hard_triangles());
+  const Triangle triangle = triangle_of(c.polygon);
+  const FirstContact truth = exact::first_contact(c.motion, c.polygon);
+  const filtered::PreparedPolygon prepared(c.polygon);
+  for (const int mode : kModes) {
+    for (const unsigned flush : kFlushes) {
+      std::array<FirstContact, 2> found;
+      std::array<bool, 2> touches{};
+      int raised = 0;
+      {
+        const Environment environment(mode, flush);
+        std::feclearexcept(FE_ALL_EXCEPT);
+        found = {filtered::first_contact(c.motion, triangle), filtered::first_contact(c.motion, prepared)};
+        touches = {filtered::contact(c.motion, triangle), filtered::contact(c.motion, prepared)};
+        raised = std::fetestexcept(kFlags);
+      }
+      RC_ASSERT(found[0] == truth);
+      RC_ASSERT(found[1] == truth);
+      RC_ASSERT(touches[0] == truth.contact());
+      RC_ASSERT(touches[1] == truth.contact());
+      RC_ASSERT(raised == 0);
+    }
+  }
+}
+
+RC_GTEST_PROP(FilteredMotion, ComparesTimesExactly, ()) {
+  const MovingCase first = *moving(hard_triangles()), second = *moving(hard_triangles());
+  // The second triangle in the way of the first motion; and the first triangle again, which is touched at equal times.
+  const Triangle a = triangle_of(first.polygon), b = triangle_of(second.polygon), turned{a.b, a.c, a.a};
+  const exact::PreparedPolygon exact_a(first.polygon), exact_b(second.polygon);
+  const filtered::PreparedPolygon prepared_a(first.polygon), prepared_b(second.polygon);
+  const int truth = exact::compare_times(first.motion, exact_a, exact_b);
+  RC_ASSERT(filtered::compare_times(first.motion, a, b) == truth);
+  RC_ASSERT(filtered::compare_times(first.motion, b, a) == -truth);
+  RC_ASSERT(filtered::compare_times(first.motion, prepared_a, prepared_b) == truth);
+  RC_ASSERT(filtered::compare_times(first.motion, a, turned) == 0);
+}
+
+RC_GTEST_PROP(FilteredMotion, BatchesAreSingleQueries, ()) {
+  const MovingCase c = *moving(hard_triangles());
+  const Motion reversed{{c.motion.to, c.motion.ball.radius}, c.motion.ball.center};
+  const std::vector<Motion> motions{c.motion, reversed, {c.motion.ball, c.motion.ball.center}};
+  const filtered::PreparedPolygon prepared(c.polygon);
+  std::array<bool, 3> touches{};
+  filtered::contact(motions, prepared, touches);
+  for (std::size_t i = 0; i < motions.size(); ++i) RC_ASSERT(touches[i] == filtered::contact(motions[i], prepared));
+  const Triangle t = triangle_of(c.polygon);
+  const Eigen::Vector3d far = t.a + (t.b - t.a) + (t.c - t.a);
+  RC_PRE(far.allFinite());
+  const std::vector<Triangle> triangles{t, {t.b, t.a, t.c}, {t.b, t.c, t.a}};
+  filtered::contact(c.motion, triangles, touches);
+  for (std::size_t i = 0; i < triangles.size(); ++i) RC_ASSERT(touches[i] == filtered::contact(c.motion, triangles[i]));
+}
+
+TEST(FilteredMotion, BatchesOfDifferentLengthsAreRefused) {
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Motion motion{{{0, 0, 1}, 0.5}, {0, 0, -1}};
+  std::array<bool, 2> touches{};
+  const std::vector<Triangle> triangles{triangle};
+  EXPECT_THROW(filtered::contact(motion, triangles, touches), std::invalid_argument);
+  const filtered::PreparedPolygon prepared(Polygon({triangle.a, triangle.b, triangle.c}));
+  const std::vector<Motion> motions(3, motion);
+  EXPECT_THROW(filtered::contact(motions, prepared, touches), std::invalid_argument);
+}
+
+TEST(FilteredMotion, IsWhatWasDerivedByHand) {
+  for (const auto& [given, expected] : moving_hand_cases()) {
+    const filtered::PreparedPolygon prepared(given.polygon);
+    EXPECT_EQ(filtered::first_contact(given.motion, prepared), expected) << given.id;
+    EXPECT_EQ(filtered::contact(given.motion, prepared), expected.contact()) << given.id;
+    if (given.polygon.vertex_count() != 3) continue;
+    EXPECT_EQ(filtered::first_contact(given.motion, triangle_of(given.polygon)), expected) << given.id;
+  }
+}
+
+// What the filters are for: ordinary motions never reach the integers.
+TEST(FilteredMotion, DecidesRandomMotionsInDoublesAndRoundsInDoubleDoubles) {
+  filtered::StageCounts contacts, firsts;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const auto coordinate = [state = 0x9e3779b97f4a7c15 * (i + 1)]() mutable {
+      state ^= state << 13, state ^= state >> 7, state ^= state << 17;
+      return static_cast<double>(state >> 11) * 0x1p-52 - 1;
+    };
+    const auto point = [&coordinate] {
+      const double x = coordinate(), y = coordinate();
+      return Eigen::Vector3d(x, y, coordinate());
+    };
+    const Triangle triangle{point(), point(), point()};
+    const Eigen::Vector3d from = 2 * point();
+    const Motion motion{{from, 0.25}, 2 * point()};
+    (void)filtered::contact(motion, triangle, contacts);
+    (void)filtered::first_contact(motion, triangle, firsts);
+  }
+  EXPECT_EQ(contacts.last(), filtered::Stage::Double);
+  EXPECT_EQ(firsts.last(), filtered::Stage::DoubleDouble);
+}
+
+}  // namespace
+}  // namespace touchstone::contact_tests
