@@ -172,7 +172,7 @@ TEST(FilteredMotion, IsWhatWasDerivedByHand) {
 TEST(FilteredMotion, DecidesRandomMotionsInDoublesAndRoundsInDoubleDoubles) {
   filtered::StageCounts contacts, firsts;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    const auto coordinate = [state = 0x9e3779b97f4a7c15 * (i + 1)]() mutable {
+    auto coordinate = [state = 0x9e3779b97f4a7c15 * (i + 1)]() mutable {
       state ^= state << 13, state ^= state >> 7, state ^= state << 17;
       return static_cast<double>(state >> 11) * 0x1p-52 - 1;
     };

@@ -13,10 +13,11 @@ inline constexpr int roundings_of<Permanent<Roundings>> = Roundings;
 
 /// The inputs of expressions.h as the filters have them: rounded, except the radius.
 struct PermanentInputs {
-  Vector3<Permanent<1>> to_center, edge;
+  Vector3<Permanent<1>> to_center, ahead, edge, velocity;
   Permanent<0> radius;
   Vector3<Permanent<1>> first_edge, second_edge, normal, axis, from_origin;
   Permanent<1> foot_x, foot_y, start_x, start_y, direction_x, direction_y;
+  Vector3<Permanent<0>> first_exact, second_exact;
   Vector3<Permanent<1>> lane_axis, lane_from_origin;
   Permanent<1> lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
 };

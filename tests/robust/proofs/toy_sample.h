@@ -18,7 +18,7 @@ using Exact = std::int64_t;
 
 /// The numbers of a sample: integers with more bits than a toy number has, so that they have to be rounded, but so few
 /// bits that every expression fits into 64.
-using Operands = std::array<Exact, 24>;
+using Operands = std::array<Exact, 30>;
 inline constexpr Exact kLargestOperand = 511;
 
 /// Many operands are a little above a power of two, where the steps between toy numbers are relatively largest.
@@ -69,8 +69,9 @@ template <class Number>
 Inputs<Exact> exact_inputs(const Operands& operands) {
   std::size_t next = 0;
   Inputs<Exact> exact{};
-  for (auto vector : {&Inputs<Exact>::to_center, &Inputs<Exact>::edge, &Inputs<Exact>::first_edge,
-                      &Inputs<Exact>::second_edge, &Inputs<Exact>::axis, &Inputs<Exact>::from_origin}) {
+  for (auto vector :
+       {&Inputs<Exact>::to_center, &Inputs<Exact>::ahead, &Inputs<Exact>::edge, &Inputs<Exact>::velocity,
+        &Inputs<Exact>::first_edge, &Inputs<Exact>::second_edge, &Inputs<Exact>::axis, &Inputs<Exact>::from_origin}) {
     exact.*vector = {operands[next], operands[next + 1], operands[next + 2]};
     next += 3;
   }
@@ -83,6 +84,9 @@ Inputs<Exact> exact_inputs(const Operands& operands) {
   exact.start_y = operands[next++] * kLargestOperand * 2;
   exact.direction_x = operands[next++];
   exact.direction_y = operands[next++];
+  const auto rounded = [](Exact value) { return Number::of(value).value; };
+  exact.first_exact = {rounded(exact.axis.x), rounded(exact.axis.y), rounded(exact.axis.z)};
+  exact.second_exact = {rounded(exact.direction_x), rounded(exact.direction_y), rounded(exact.axis.x)};
   exact.lane_axis = exact.axis;
   exact.lane_from_origin = exact.from_origin;
   exact.lane_offset = operands[next++] * kLargestOperand;
@@ -100,7 +104,9 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   ToySample<Number> sample{exact, {}, {}};
   Inputs<Number>& c = sample.computed;
   c.to_center = computed<Number>(exact.to_center);
+  c.ahead = computed<Number>(exact.ahead);
   c.edge = computed<Number>(exact.edge);
+  c.velocity = computed<Number>(exact.velocity);
   c.radius = Number::of(exact.radius);
   c.first_edge = computed<Number>(exact.first_edge);
   c.second_edge = computed<Number>(exact.second_edge);
@@ -113,6 +119,8 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   c.start_y = Number::of(exact.start_y);
   c.direction_x = Number::of(exact.direction_x);
   c.direction_y = Number::of(exact.direction_y);
+  c.first_exact = computed<Number>(exact.first_exact);
+  c.second_exact = computed<Number>(exact.second_exact);
   c.lane_axis = c.axis;
   c.lane_from_origin = c.from_origin;
   c.lane_offset = Number::of(exact.lane_offset);
@@ -128,9 +136,10 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   const double one = std::max(largest_magnitude(c.axis), largest_magnitude({c.direction_x, c.direction_y}));
   // An offset is at most as large as one of the products that it is added to.
   const double centre = std::max(largest_magnitude(c.from_origin), largest_magnitude({c.lane_offset}) / one);
-  set(Ball, std::max(largest_magnitude(c.to_center), largest_magnitude({c.radius})));
+  set(Ball, std::max({largest_magnitude(c.to_center), largest_magnitude(c.ahead), largest_magnitude({c.radius})}));
   set(Edge, largest_magnitude(c.edge));
   set(BallOrEdge, std::max(largest_magnitude(c.to_center), largest_magnitude(c.edge)));
+  set(Velocity, largest_magnitude(c.velocity));
   set(FirstEdge, first);
   set(SecondEdge, second);
   set(Normal, 2 * first * second);

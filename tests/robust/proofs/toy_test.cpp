@@ -120,7 +120,14 @@ TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
                           {"kCoordinate", 0.45},
                           {"kEdgeFrame", 0.2},
                           {"kLaneCoordinate", 0.3},
-                          {"kLaneEdge", 0.2}});
+                          {"kLaneEdge", 0.2},
+                          {"kLineAhead", 0.2},
+                          {"kApart", 0.2},
+                          {"kLines", 0.05},
+                          {"kOnEdge", 0.1},
+                          {"kOnWay", 0.1},
+                          {"kRoundedDot", 0.4},
+                          {"kRoundedCross", 0.4}});
 }
 
 }  // namespace

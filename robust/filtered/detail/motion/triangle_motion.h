@@ -86,8 +86,10 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
                                                            const MotionFilterResult& known, Counts& counts) {
   const FloatingPointState nearest;
   if (known.at_start == FilterResult::Yes ||
-      (known.at_start != FilterResult::No && contact(BallTriangleView{given.vertex, given.motion}, counts)))
+      (known.at_start != FilterResult::No && contact(BallTriangleView{given.vertex, given.motion}, counts))) {
+    if (known.at_start == FilterResult::Yes) counts.count(Stage::Double);
     return start_contact(given, counts);
+  }
   std::optional<ScaledMotion> scaled;
   MotionTriangleView view = given;
   if (!known.feature) {

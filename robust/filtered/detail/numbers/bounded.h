@@ -20,7 +20,8 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// What an error is stored in, and the relative error of an operation.
+/// What an error is stored in, the errors of operations in units of relative rounding, and a number below all divisors
+/// that are certainly positive: their errors are larger.
 template <class Number>
 struct ErrorTraits;
 template <>
@@ -28,12 +29,14 @@ struct ErrorTraits<Pack> {
   using Error = Pack;
   static constexpr double unit = bounds::kUnit;
   static constexpr double dot = bounds::kRoundedDot, cross = bounds::kRoundedCross, quotient = 1;
+  static constexpr double least_divisor = 0x1p-300;
 };
 template <>
 struct ErrorTraits<DoubleDouble> {
   using Error = double;
   static constexpr double unit = bounds::kDoubleDoubleUnit;
   static constexpr double dot = bounds::kDot, cross = bounds::kCross, quotient = bounds::kQuotient;
+  static constexpr double least_divisor = 0x1p-900;
 };
 template <class Number>
 using ErrorOf = typename ErrorTraits<Number>::Error;
@@ -106,39 +109,32 @@ TOUCHSTONE_INLINE unsigned negative(const Bounded<Number>& a) {
   return below(leading(a.value), zero - constant<ErrorOf<Number>>(bounds::kWideError) * a.error);
 }
 
-/// Smaller divisors and radicands are replaced by these, so that no lane raises a flag. Numbers that are certainly
-/// positive are larger, because their errors are.
+/// Returns the number, or its error if that is larger: a number that is certainly positive stays as it is, and others
+/// become small positive numbers, so that divisions and roots raise no flag.
 template <class Number>
-inline constexpr double kLeastDivisor = std::is_same_v<Number, Pack> ? 0x1p-300 : 0x1p-900;
-template <class Number>
-inline constexpr double kLeastRadicand = std::is_same_v<Number, Pack> ? 0x1p-600 : 0x1p-900;
+TOUCHSTONE_INLINE Number at_least_error(const Bounded<Number>& a) {
+  if constexpr (std::is_same_v<Number, Pack>)
+    return maximum(a.value, a.error);
+  else
+    return a.value.high < a.error ? Number(a.error) : a.value;
+}
 
-/// Returns a / b where b is certainly positive; other lanes hold any finite number.
+/// Returns a / b where b is certainly positive; other lanes hold any finite number with a large error.
 template <class Number>
 TOUCHSTONE_INLINE Bounded<Number> quotient(const Bounded<Number>& a, const Bounded<Number>& b) {
   using Error = ErrorOf<Number>;
-  const Error least = constant<Error>(kLeastDivisor<Number>);
-  const Error certain = maximum(leading(b.value) - constant<Error>(bounds::kWideError) * b.error, least);
-  Number divisor = b.value;
-  if constexpr (std::is_same_v<Number, Pack>)
-    divisor = maximum(divisor, least);
-  else if (b.value.high < kLeastDivisor<Number>)
-    divisor = kLeastDivisor<Number>;
-  const Number value = quotient(a.value, divisor);
+  const Error certain =
+      maximum(leading(b.value) - constant<Error>(bounds::kWideError) * b.error, constant<Error>(ErrorTraits<Number>::least_divisor));
+  const Number value = quotient(a.value, at_least_error(b));
   return {value,
           quotient(a.error + magnitude(value) * b.error, certain) + rounding(value, ErrorTraits<Number>::quotient)};
 }
 
-/// Returns the root where the number is certainly positive; other lanes hold any finite number. If x and y > 0 differ
-/// by e, their roots differ by less than e / sqrt(y).
+/// Returns the root of a number that is not negative. If x > 0 and y >= 0 differ by e, their roots differ by at most
+/// e / sqrt(x); and x may be replaced by e, if that is larger. Other lanes hold any finite number.
 template <class Number>
 TOUCHSTONE_INLINE Bounded<Number> root(const Bounded<Number>& a) {
-  Number radicand = a.value;
-  if constexpr (std::is_same_v<Number, Pack>)
-    radicand = maximum(radicand, all_lanes(kLeastRadicand<Number>));
-  else if (a.value.high < kLeastRadicand<Number>)
-    radicand = kLeastRadicand<Number>;
-  const Number value = square_root(radicand);
+  const Number value = square_root(at_least_error(a));
   return {value, quotient(a.error, leading(value)) + rounding(value, ErrorTraits<Number>::quotient)};
 }
 
