@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geometry/detail/floating_point_state.h"
@@ -59,7 +60,7 @@ std::optional<BigIntPolygon> PreparedPolygon::Parts::find_frame(EdgeIndex::Use u
   for (const double coordinate : vertices->front().coordinates)
     if (std::abs(coordinate) > Frame::kReach) return std::nullopt;
   const std::size_t outer = polygon.loop_end(0);
-  NewellPlane plane(kernels().newell_sums(vertices->data(), outer), outer);
+  NewellPlane plane(kernels().newell_sums(vertices->data(), outer), std::span(*vertices).first(outer));
   std::optional<BigIntPolygon> bigint;
   if (!plane.certain) {
     bigint.emplace(polygon);

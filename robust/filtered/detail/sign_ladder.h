@@ -111,14 +111,10 @@ class IntegerView {
     const auto bits = [](const DoubleDouble& x) { return std::bit_cast<std::uint64_t>(x.high); };
     return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
   }
-  static bool whole(double value) {
-    // From 2^53 on every double is an integer.
-    return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
-  }
   /// Returns whether the number is an integer after the scaling, which must not have made it zero.
   static bool whole(double length, double scale) {
     const double scaled = length * scale;
-    return whole(scaled) && (scaled != 0 || length == 0);  // exact
+    return is_integer(scaled) && (scaled != 0 || length == 0);  // exact
   }
   [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
     return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);
