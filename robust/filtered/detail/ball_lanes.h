@@ -28,7 +28,7 @@ struct BallLanes {
     };
     const Pack given[] = {lanes(0), lanes(1), lanes(2),
                           pack(four[0].radius, four[1].radius, four[2].radius, four[3].radius)};
-    const Pack scale[] = {all_lanes(frame.scale[0]), all_lanes(frame.scale[1])};
+    const Pack scale[] = {all_lanes(frame.unit.down[0]), all_lanes(frame.unit.down[1])};
     const auto scaled = [&scale](const Pack& length) { return length * scale[0] * scale[1]; };
     const Vector3<Pack> to_center{scaled(given[0]) - all_lanes(frame.origin.x),
                                   scaled(given[1]) - all_lanes(frame.origin.y),

@@ -94,17 +94,15 @@ std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
 
 }  // namespace
 
-std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices, int exponent,
-                                    const NewellPlane& plane) {
+std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,
+                                    const LengthUnit& unit, const NewellPlane& plane) {
   const Axes axes(plane);
   const Vector3<DoubleDouble> normal = axes.normal();
   const DoubleDouble height = dot(normal, plane.mean);
   auto edges = lifted_edges(polygon, vertices, axes, axes.shear(height / normal[axes.k]));
   if (!edges) return std::nullopt;
-  const int half = exponent / 2;
-  return FramedPolygon{{.exponent = exponent,
-                        .scale = {std::ldexp(1.0, -half), std::ldexp(1.0, half - exponent)},
-                        .reachable = std::ldexp(Frame::kReach, std::min(exponent, 960)),
+  return FramedPolygon{{.unit = unit,
+                        .reachable = std::ldexp(Frame::kReach, std::min(unit.exponent, 960)),
                         .origin = {vertices[0].coordinates[0], vertices[0].coordinates[1], vertices[0].coordinates[2]},
                         .x = rounded(axes.x()),
                         .y = rounded(axes.y()),

@@ -29,9 +29,9 @@ struct HeightQuery {
 
   /// Requires coordinates and a radius up to frame.reachable.
   __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame) {
-    to_center = {frame.scaled(ball.center[0]) - frame.origin.x, frame.scaled(ball.center[1]) - frame.origin.y,
-                 frame.scaled(ball.center[2]) - frame.origin.z};
-    radius = frame.scaled(ball.radius);
+    to_center = {frame.unit.scaled(ball.center[0]) - frame.origin.x, frame.unit.scaled(ball.center[1]) - frame.origin.y,
+                 frame.unit.scaled(ball.center[2]) - frame.origin.z};
+    radius = frame.unit.scaled(ball.radius);
     height = frame::height(frame.normal, to_center, frame.plane_height);
     const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
     size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
@@ -87,6 +87,7 @@ struct LeafView {
   Pack squared;      ///< rho^2
   unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > boundary_sq)
 
+  LeafView() = default;
   LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
     const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);

@@ -26,7 +26,7 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
   if (frame_reaches(ball, parts)) [[likely]] {
     // Subnormal coordinates are scaled up first, and must not be flushed to zero there.
     std::optional<OwnFloatingPointState> nearest;
-    if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
+    if (parts.frame->unit.exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
     PolygonQuery<Counts> query(ball, parts, counts);
     return pinned((query.*in_frame)());
@@ -37,7 +37,7 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
 
 /// Returns whether the first stage may run in the caller's floating-point state.
 TOUCHSTONE_INLINE bool frame_reaches_at_once(const Ball& ball, const PreparedPolygon::Parts& parts) {
-  return frame_reaches(ball, parts) && parts.frame->exponent >= Frame::kSubnormal;
+  return frame_reaches(ball, parts) && parts.frame->unit.exponent >= Frame::kSubnormal;
 }
 
 /// Returns the certain sign of the ball's distance from the polygon less the radius; 0 if the first stage is unsure.

@@ -9,6 +9,7 @@
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/integer.h"
 #include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/numbers/power_of_two.h"
 #include "robust/filtered/detail/sign_kind.h"
 #include "robust/filtered/stage.h"
 
@@ -100,9 +101,6 @@ class IntegerView {
  private:
   static int exponent(double normal) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(normal) >> 52 & 0x7ff) - 1023;
-  }
-  static double power_of_two(int exponent) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
   }
   /// Returns whether no component has more than Bits bits or a tail. Most numbers fail this test at once.
   static bool short_enough(const Vector3<DoubleDouble>& v) {

@@ -6,6 +6,7 @@
 #include "geometry/contact/answer.h"
 #include "geometry/detail/floating_point_state.h"
 #include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/length_unit.h"
 #include "robust/filtered/detail/sign_ladder.h"
 #include "robust/filtered/detail/triangle_filter.h"
 
@@ -51,6 +52,7 @@ class UnsureTriangle {
     static constexpr bool lifted = false;
     /// The error of the normal's components, in units of bounds::kClosest times the maximum.
     static constexpr double kNormalError = 1;
+    [[nodiscard]] DoubleDouble per_normal_square() const { return DoubleDouble(1) / dot(normal, normal); }
     /// Returns whether this component of the normal is certainly zero.
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
   };
@@ -135,7 +137,7 @@ inline bool bigint_contact(const BallTriangleView& view) {
 class ScaledTriangle {
  public:
   /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of ball and triangle.
-  ScaledTriangle(const BallTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
+  ScaledTriangle(const BallTriangleView& view, double largest) : unit_(std::ilogb(largest) + 1) {
     for (int i = 0; i < 3; ++i) {
       for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
       center_[i] = scaled(view.center[i]);
@@ -144,18 +146,16 @@ class ScaledTriangle {
   }
   /// Returns whether no bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
-  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
-  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] const LengthUnit& unit() const { return unit_; }
   [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
 
  private:
   double scaled(double length) {
-    const double result = std::ldexp(length, -exponent_);
-    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
-    return result;
+    exact_ = exact_ && unit_.is_exact(length);
+    return unit_.scaled(length);
   }
 
-  int exponent_;
+  LengthUnit unit_;
   bool exact_ = true;
   double vertex_[3][3], center_[4];
 };

@@ -144,8 +144,8 @@ void check_frame(const FramedPolygon& found, const Polygon& polygon, const std::
 }
 
 void check(const Kernels& kernels, const Polygon& polygon, const std::string& what, Shares& shares) {
-  const int exponent = frame_exponent(polygon);
-  const auto vertices = scaled_vertices(polygon, exponent);
+  const LengthUnit unit = frame_unit(polygon);
+  const auto vertices = scaled_vertices(polygon, unit);
   ASSERT_TRUE(vertices);
   const std::size_t outer = polygon.loop_end(0);
   const ExactPlane exact(*vertices, outer);
@@ -164,7 +164,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
     raise(shares.normal, real((found - exact.normal[static_cast<std::size_t>(axis)]) / exact.largest()),
           NewellPlane::kError, what);
   }
-  if (const auto found = framed(polygon, *vertices, exponent, plane)) {
+  if (const auto found = framed(polygon, *vertices, unit, plane)) {
     ++shares.framed;
     check_frame(*found, polygon, *vertices, exact, what, shares);
   }
@@ -200,7 +200,7 @@ TEST(PreparedFrame, DecidesTiesOfTheNormalExactly) {
     for (Eigen::Vector3d* corner : {&corners[0], &corners[3]})
       for (int axis = 0; axis < 2; ++axis) (*corner)[axis] += bump();
     const Polygon polygon({corners[0], corners[1], corners[2], corners[3]});
-    const auto vertices = scaled_vertices(polygon, frame_exponent(polygon));
+    const auto vertices = scaled_vertices(polygon, frame_unit(polygon));
     ASSERT_TRUE(vertices);
     const NewellPlane plane(kernels().newell_sums(vertices->data(), 4), *vertices);
     const ExactPlane exact(*vertices, 4);
@@ -216,7 +216,7 @@ TEST(PreparedFrame, DecidesTiesOfTheNormalExactly) {
 TEST(PreparedFrame, LeavesTiesOfManyBitsToIntegersOfAnySize) {
   for (const double off : {0x1p-200, -0x1p-200}) {
     const Polygon polygon({{0, off, 0}, {1, -1, 0}, {1, -1, 3}, {0, off, 3}});
-    const auto vertices = scaled_vertices(polygon, frame_exponent(polygon));
+    const auto vertices = scaled_vertices(polygon, frame_unit(polygon));
     EXPECT_FALSE(NewellPlane(kernels().newell_sums(vertices->data(), 4), *vertices).certain);
     const PreparedPolygon::Parts parts(polygon);
     ASSERT_TRUE(parts.frame);
