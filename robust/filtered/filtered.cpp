@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/filtered.h"
 
+#include <cmath>
+
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
+#include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/prepared.h"
 
@@ -22,6 +25,23 @@ auto ask_once(const Ball& ball, const Polygon& polygon) {
 }
 using Table = KernelTable<NoCounts>;
 
+/// The first stage is so short that the call of a kernel would cost as much. No radius is so large that its difference
+/// from a height would overflow.
+template <class Counts, class Kernel>
+TOUCHSTONE_INLINE PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts,
+                                       const Kernel& kernel) {
+  const double reach = parts.plane.reach;
+  const double widest = larger(larger(std::abs(ball.center[0]), std::abs(ball.center[1])), std::abs(ball.center[2]));
+  if (widest <= reach) [[likely]] {
+    const HeightQuery query(ball, parts.plane);
+    if (query.knows_side()) [[likely]] {
+      counts.count(Stage::Double);
+      return query.side();
+    }
+  }
+  return kernel()(ball, parts, counts);
+}
+
 }  // namespace
 
 bool contact(const Ball& ball, const PreparedPolygon& polygon) {
@@ -31,7 +51,7 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   return kernels().plain.relation(required(ball), parts_of(polygon), uncounted);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
-  return kernels().plain.plane_side(required(ball), parts_of(polygon), uncounted);
+  return plane_side(required(ball), parts_of(polygon), uncounted, [] { return kernels().plain.plane_side; });
 }
 PointLocation foot(const Ball& ball, const PreparedPolygon& polygon) {
   return kernels().plain.foot(required(ball), parts_of(polygon), uncounted);
@@ -50,7 +70,7 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts&
   return kernels().counted.relation(required(ball), parts_of(polygon), counts);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return kernels().counted.plane_side(required(ball), parts_of(polygon), counts);
+  return plane_side(required(ball), parts_of(polygon), counts, [] { return kernels().counted.plane_side; });
 }
 PointLocation foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
   return kernels().counted.foot(required(ball), parts_of(polygon), counts);

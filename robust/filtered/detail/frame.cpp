@@ -94,6 +94,17 @@ std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
 
 }  // namespace
 
+GivenPlane::GivenPlane(const Frame& frame) {
+  if (frame.unit.exponent < Frame::kSubnormal || frame.unit.exponent > kLargest) return;
+  const LengthUnit& frame_unit = frame.unit;
+  reach = frame.reachable;
+  unit = frame_unit.unscaled(1);
+  origin = {frame_unit.unscaled(frame.origin.x), frame_unit.unscaled(frame.origin.y),
+            frame_unit.unscaled(frame.origin.z)};
+  normal = frame.normal;
+  height = frame_unit.unscaled(frame.plane_height);
+}
+
 std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,
                                     const LengthUnit& unit, const NewellPlane& plane) {
   const Axes axes(plane);

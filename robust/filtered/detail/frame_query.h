@@ -22,39 +22,48 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 /// Like FrameQuery, it is valid in every rounding direction and, in frames from Frame::kSubnormal up, under
 /// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
-  Vector3<double> to_center;    ///< from the frame's origin to the centre
-  double size;                  ///< at least 1 and at least every coordinate of the centre in the frame
-  double height, height_error;  ///< the height of the centre above the plane
+  Vector3<double> to_center;  ///< from the frame's origin to the centre
+  double size;                ///< at least the frame's unit and at least every coordinate of the centre in the frame
   double radius;
+  double height, height_error;  ///< the height of the centre above the plane
 
   /// Requires coordinates and a radius up to frame.reachable.
-  __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame) {
-    to_center = {frame.unit.scaled(ball.center[0]) - frame.origin.x, frame.unit.scaled(ball.center[1]) - frame.origin.y,
-                 frame.unit.scaled(ball.center[2]) - frame.origin.z};
-    radius = frame.unit.scaled(ball.radius);
-    height = frame::height(frame.normal, to_center, frame.plane_height);
-    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
-    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+  __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame)
+      : HeightQuery(
+            {frame.unit.scaled(ball.center[0]), frame.unit.scaled(ball.center[1]), frame.unit.scaled(ball.center[2])},
+            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height, 1.0) {
     assert(size <= 8 * Frame::kReach);
-    height_error = bounds::kHeight * bounds::kUnit * size;
   }
+  /// In the caller's unit of length. Requires coordinates up to plane.reach.
+  __attribute__((always_inline)) HeightQuery(const Ball& ball, const GivenPlane& plane)
+      : HeightQuery({ball.center[0], ball.center[1], ball.center[2]}, ball.radius, plane.origin, plane.normal,
+                    plane.height, plane.unit) {}
 
   /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
   [[nodiscard]] int plane_sign() const {
     if (std::abs(height) - height_error > radius) return 1;
     return std::abs(height) + height_error < radius ? -1 : 0;
   }
-  /// Returns whether side() is certain. Without branches, which random balls would mispredict.
+  /// Returns whether side() is certain: a rounded difference that exceeds a double did so before it was rounded.
   [[nodiscard]] __attribute__((always_inline)) bool knows_side() const {
-    const double above = std::abs(height);
-    const int cuts = above + height_error<radius, misses = above - height_error> radius, apart = above > height_error;
-    return (cuts | (misses & apart)) != 0;
+    return std::abs(std::abs(height) - radius) > height_error;  // a plane that misses the ball is beyond its own error
   }
   /// Returns the side of the plane. Requires knows_side().
   [[nodiscard]] __attribute__((always_inline)) PlaneSide side() const {
     static constexpr PlaneSide kSides[] = {PlaneSide::Intersects, PlaneSide::Behind, PlaneSide::InFront};
     const int misses = std::abs(height) > radius, in_front = height > 0;
     return kSides[misses * (1 + in_front)];
+  }
+
+ private:
+  __attribute__((always_inline))
+  HeightQuery(const Vector3<double>& center, double ball_radius, const Vector3<double>& origin,
+              const Vector3<double>& normal, double plane_height, double unit)
+      : to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z}, radius(ball_radius) {
+    height = frame::height(normal, to_center, plane_height);
+    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
+    size = 2 * larger(widest, unit);  // no coordinate in the frame is beyond sqrt(3) widest
+    height_error = bounds::kHeight * bounds::kUnit * size;
   }
 };
 

@@ -69,20 +69,6 @@ Relation relation(const Ball& ball, const PreparedPolygon::Parts& parts, Counts&
 }
 
 template <class Counts>
-PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
-  if (frame_reaches_at_once(ball, parts)) [[likely]] {
-    const HeightQuery query(ball, *parts.frame);
-    if (query.knows_side()) [[likely]] {
-      counts.count(Stage::Double);
-      return query.side();
-    }
-  }
-  return ask<&PolygonQuery<Counts>::plane_side,
-             static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side), PlaneSide>(
-      ball, parts, counts);
-}
-
-template <class Counts>
 bool polygon_contact(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
   return pinned(contact(ball, parts, counts));
 }
@@ -98,7 +84,9 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .set_triangles_hit = set_triangles_hit<Counts>,
     .contact = polygon_contact<Counts>,
     .relation = relation<Counts>,
-    .plane_side = plane_side<Counts>,
+    .plane_side = ask<&PolygonQuery<Counts>::plane_side,
+                      static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side),
+                      PlaneSide, Counts>,
     .foot = ask<&PolygonQuery<Counts>::foot,
                 static_cast<PointLocation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), PointLocation,
                 Counts>,

@@ -68,15 +68,16 @@ std::optional<BigIntPolygon> PreparedPolygon::Parts::find_frame(EdgeIndex::Use u
   for (const double coordinate : vertices->front().coordinates)
     if (std::abs(coordinate) > Frame::kReach) return std::nullopt;
   const std::size_t outer = polygon.loop_end(0);
-  NewellPlane plane(kernels().newell_sums(vertices->data(), outer), std::span(*vertices).first(outer));
+  NewellPlane newell(kernels().newell_sums(vertices->data(), outer), std::span(*vertices).first(outer));
   std::optional<BigIntPolygon> bigint;
-  if (!plane.certain) {
+  if (!newell.certain) {
     bigint.emplace(polygon);
-    plane.take_exact(normal_of(*bigint, unit.exponent), bigint->dropped_axis());
+    newell.take_exact(normal_of(*bigint, unit.exponent), bigint->dropped_axis());
   }
-  if (!plane.certain) return bigint;
-  if (auto in_frame = framed(polygon, *vertices, unit, plane)) {
+  if (!newell.certain) return bigint;
+  if (auto in_frame = framed(polygon, *vertices, unit, newell)) {
     frame = in_frame->frame;
+    plane = GivenPlane(*frame);
     edges.emplace(std::move(in_frame->edges), polygon, use);
   }
   return bigint;

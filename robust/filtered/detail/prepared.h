@@ -41,6 +41,7 @@ struct PreparedPolygon::Parts {
  public:
   const Polygon& polygon;
   std::optional<Frame> frame;      ///< empty if scaling would lose bits, or beyond kMostEdges; then `exact` answers
+  GivenPlane plane;                ///< that of the frame, if it may be used
   std::optional<EdgeIndex> edges;  ///< in the frame, if there is one
 
   /// The polygon in integers of any size, and in double-doubles that are rounded from these if there is a frame.
