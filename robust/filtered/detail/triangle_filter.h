@@ -10,32 +10,21 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
-/// `always`; never if the result is OutOfRange.
-///
-/// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
-template <bool always = false>
-TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, TriangleSigns& signs) {
-  Vector3<Pack> vertex;
-  load_three_points(view.vertex[0], vertex.x, vertex.y, vertex.z);
-  const Vector3<Pack> center{all_lanes(view.center[0]), all_lanes(view.center[1]), all_lanes(view.center[2])};
-  const Pack radius = all_lanes(view.radius());
+/// Vectors of a ball and a triangle as seen from its vertices, one edge a lane.
+struct EdgeLanes {
+  Vector3<Pack> to_center, edge, normal;
+  Pack radius;
+};
 
+/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
+/// `always`. With `scaled`, every vector is in a unit of its own: the radius of a lane in that of `to_center`, the
+/// normal in those of the edges before and after the lane's vertex.
+template <bool always, bool scaled>
+TOUCHSTONE_INLINE FilterResult filter_edges(const EdgeLanes& seen, TriangleSigns& signs) {
+  const auto& [to_center, edge, normal, radius] = seen;
   const auto largest = [](const Vector3<Pack>& v) {
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
-  // If coordinates are at most half the limit, differences are within it and do not overflow.
-  const Pack input = maximum(largest(vertex), magnitude(load(view.center)));
-  if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
-    return FilterResult::OutOfRange;
-
-  const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
-  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
-  const auto difference = [](const Vector3<Pack>& a, const Vector3<Pack>& b) {
-    return Vector3<Pack>{a.x - b.x, a.y - b.y, a.z - b.z};
-  };
-  const Vector3<Pack> to_center = difference(center, vertex), edge = difference(next, vertex);
-  const Vector3<Pack> normal = signs::normal(edge, difference(previous, vertex));
 
   // Maxima may be larger than necessary. From kSmallest on every bound is above kTiny, which need not be added.
   const Pack smallest = all_lanes(bounds::kSmallest);
@@ -51,7 +40,13 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   };
   const Signs vertex_out = certain(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);
   const Signs after_start = certain(signs::along(to_center, edge), bounds::kAlong, m_both);
-  const Signs after_end = certain(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
+  const Signs after_end = [&] {
+    if constexpr (!scaled)
+      return certain(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
+    // As seen from the end of the edge, all terms have the same units.
+    const Vector3<Pack> from_end{next_of_three(to_center.x), next_of_three(to_center.y), next_of_three(to_center.z)};
+    return certain(signs::along(from_end, edge), bounds::kAlong, next_of_three(m_center) * m_edge);
+  }();
   const Signs line_out = certain(signs::line(to_center, edge, radius), bounds::kLine, m_both * m_both);
   const Signs side_in = certain(signs::side(normal, edge, to_center), bounds::kSide, m_normal * m_both);
   const Pack m_plane = m_normal * m_center;
@@ -77,6 +72,35 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   store(signs.to_center, m_center);
   store(signs.edge, m_edge);
   return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+}
+
+/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
+/// `always`; never if the result is OutOfRange.
+///
+/// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
+template <bool always = false>
+TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, TriangleSigns& signs) {
+  Vector3<Pack> vertex;
+  load_three_points(view.vertex[0], vertex.x, vertex.y, vertex.z);
+  const Vector3<Pack> center{all_lanes(view.center[0]), all_lanes(view.center[1]), all_lanes(view.center[2])};
+  const Pack radius = all_lanes(view.radius());
+
+  const auto largest = [](const Vector3<Pack>& v) {
+    return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
+  };
+  // If coordinates are at most half the limit, differences are within it and do not overflow.
+  const Pack input = maximum(largest(vertex), magnitude(load(view.center)));
+  if (negative_lanes(all_lanes(bounds::kLargest / 2) - input) != 0) [[unlikely]]
+    return FilterResult::OutOfRange;
+
+  const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
+  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
+  const auto difference = [](const Vector3<Pack>& a, const Vector3<Pack>& b) {
+    return Vector3<Pack>{a.x - b.x, a.y - b.y, a.z - b.z};
+  };
+  const Vector3<Pack> edge = difference(next, vertex);
+  return filter_edges<always, false>(
+      {difference(center, vertex), edge, signs::normal(edge, difference(previous, vertex)), radius}, signs);
 }
 
 }  // namespace TOUCHSTONE_TARGET
