@@ -76,6 +76,7 @@ struct FrameQuery {
   double x, y;                                          ///< the foot
   double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative if there is no such distance
 
+  FrameQuery() = default;
   FrameQuery(const HeightQuery& ball, const Frame& frame)
       : x(frame::coordinate(frame.x, ball.to_center)), y(frame::coordinate(frame.y, ball.to_center)) {
     using bounds::kNarrow, bounds::kWide;
@@ -196,18 +197,20 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
       for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane)
         if ((far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
     }
-    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;)
-      if ((far >> lane & 1) == 0 && lane != last) stack[open++] = node.child[lane];
+    // Without branches, which depend on the foot.
+    const unsigned beyond = far | 1U << last;
+    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;) {
+      stack[open] = node.child[lane];
+      open += ~beyond >> lane & 1;
+    }
     if (last != EdgeTree::kWidth) stack[open++] = node.child[last];
   }
   return (__builtin_popcount(crossings) & 1) != 0;
 }
 
 /// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
-TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
-  const int plane = height.plane_sign();
-  if (plane > 0) return 1;
-  const FrameQuery query(height, frame);
+/// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
+TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
   const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
   const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
@@ -221,6 +224,10 @@ TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Fra
   if (near_boundary != 0) return 0;
   // If the foot is inside, only the plane matters; if it is outside, only the edges do.
   return inside ? plane : unsure != 0 ? 0 : 1;
+}
+TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
+  const int plane = height.plane_sign();
+  return plane > 0 ? 1 : certain_distance_sign(plane, FrameQuery(height, frame), edges);
 }
 
 }  // namespace TOUCHSTONE_TARGET
