@@ -43,7 +43,9 @@ std::string row(const Measured& m) {
   if (!m.ratios.empty()) {
     const Quartiles q = quartiles(m.ratios);
     ratio = fmt::format("{:>7} {} x {}", number(q.median), spread(q), m.comparison->base);
-    if (const auto& wanted = m.comparison->goal)
+    if (too_noisy(q))
+      goal = "too noisy to tell";
+    else if (const auto& wanted = m.comparison->goal)
       goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
   }
   return line(m.name, std::to_string(m.queries), number(ns.median), deviation(ns), ratio, goal,
@@ -65,20 +67,24 @@ std::string table(const Result& result) {
 }
 
 std::string goals(const std::vector<Result>& results) {
-  std::string missed;
+  std::string missed, unclear;
   std::size_t met = 0, all = 0;
   for (const Result& result : results)
     for (const Measured& m : result.candidates) {
       if (m.ratios.empty() || !m.comparison->goal) continue;
-      const double median = quartiles(m.ratios).median;
+      const Quartiles ratio = quartiles(m.ratios);
+      const double median = ratio.median;
       ++all;
-      if (m.comparison->goal->met_by(median))
+      if (too_noisy(ratio))
+        unclear += fmt::format("  {}: {}\n", title(result), m.name);
+      else if (m.comparison->goal->met_by(median))
         ++met;
       else
         missed += fmt::format("  {}: {} is {} x {}, not {}\n", title(result), m.name, number(median),
                               m.comparison->base, goal_text(*m.comparison->goal));
     }
-  return fmt::format("{} of {} goals met{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed);
+  return fmt::format("{} of {} goals met{}{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed,
+                     unclear.empty() ? "" : "; too noisy to tell:\n" + unclear);
 }
 
 std::string legend() {
@@ -86,7 +92,8 @@ std::string legend() {
 The candidates take turns in every repetition. Each answers the first queries ("asked": their number) of the same
 distinct queries: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the
 distance of the quartiles or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ
-from those of exact, not timed; for "answer" the decisions count, not the numbers.
+from those of exact, not timed; for "answer" the decisions count, not the numbers. A ratio whose quartiles differ by
+more than a factor of 1.5 is too noisy to tell anything.
 )";
 }
 
