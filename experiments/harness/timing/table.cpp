@@ -19,9 +19,7 @@ std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(
 /// Returns half the distance of the quartiles, in % of the median.
 std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
 
-std::string goal_text(const Goal& goal) {
-  return fmt::format("{} {}", goal.at_most ? "<=" : ">=", fmt::format("{:g}", goal.ratio));
-}
+std::string goal_text(const Goal& goal) { return fmt::format("{} {:.3g}", goal.at_most ? "<=" : ">=", goal.ratio); }
 
 std::string wrong_text(const Wrong& wrong) {
   if (wrong.count == 0) return fmt::format("0 of {}", wrong.of);
@@ -32,7 +30,7 @@ std::string wrong_text(const Wrong& wrong) {
 std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
                  const std::string& ratio, const std::string& goal, const std::string& wrong) {
   std::string text =
-      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<17}{}", name, asked, ns, deviation, ratio, goal, wrong);
+      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<18}{}", name, asked, ns, deviation, ratio, goal, wrong);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
