@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/filtered.h"
 
+#include <cmath>
+#include <type_traits>
+
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
+#include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/prepared.h"
 
@@ -22,6 +26,31 @@ auto ask_once(const Ball& ball, const Polygon& polygon) {
 }
 using Table = KernelTable<NoCounts>;
 
+template <class Counts>
+__attribute__((noinline)) PlaneSide unsure_plane_side(const Ball& ball, const PreparedPolygon::Parts& parts,
+                                                      Counts& counts) {
+  if constexpr (std::is_same_v<Counts, NoCounts>)
+    return kernels().plain.plane_side(ball, parts, counts);
+  else
+    return kernels().counted.plane_side(ball, parts, counts);
+}
+
+/// The first stage is so short that the call of a kernel would cost as much. No radius is so large that its difference
+/// from a height would overflow.
+template <class Counts>
+TOUCHSTONE_INLINE PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
+  const double reach = parts.plane.reach;
+  const double widest = larger(larger(std::abs(ball.center[0]), std::abs(ball.center[1])), std::abs(ball.center[2]));
+  if (widest <= reach) [[likely]] {
+    const HeightQuery query(ball, parts.plane);
+    if (query.knows_side()) [[likely]] {
+      counts.count(Stage::Double);
+      return query.side();
+    }
+  }
+  return unsure_plane_side(ball, parts, counts);
+}
+
 }  // namespace
 
 bool contact(const Ball& ball, const PreparedPolygon& polygon) {
@@ -31,7 +60,7 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   return kernels().plain.relation(required(ball), parts_of(polygon), uncounted);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {
-  return kernels().plain.plane_side(required(ball), parts_of(polygon), uncounted);
+  return plane_side(required(ball), parts_of(polygon), uncounted);
 }
 PointLocation foot(const Ball& ball, const PreparedPolygon& polygon) {
   return kernels().plain.foot(required(ball), parts_of(polygon), uncounted);
@@ -50,7 +79,7 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon, StageCounts&
   return kernels().counted.relation(required(ball), parts_of(polygon), counts);
 }
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
-  return kernels().counted.plane_side(required(ball), parts_of(polygon), counts);
+  return plane_side(required(ball), parts_of(polygon), counts);
 }
 PointLocation foot(const Ball& ball, const PreparedPolygon& polygon, StageCounts& counts) {
   return kernels().counted.foot(required(ball), parts_of(polygon), counts);

@@ -41,9 +41,9 @@ namespace touchstone::filtered {
 ///
 /// Throws Rejected with `zero-normal` if there is no supporting plane. Requires that the loops are simple and do not
 /// meet, as `exact::validate` decides. Cost: O(n), 2 to 6 times that of fast::PreparedPolygon; 1 to 3 us per vertex if
-/// double-doubles cannot tell along which axis to lift, as for a plane that two axes meet at the same angle, or if
-/// scaling to the polygon's size loses bits. A query with a small ball then costs about O(log n), if small discs meet
-/// few edges. Memory: O(n), or O(n log n) for loops that wind through every part of the plane.
+/// scaling to the polygon's size loses bits, or if two axes meet the plane at so similar an angle that it takes
+/// coordinates of more than 126 bits to tell them apart. A query with a small ball then costs about O(log n), if small
+/// discs meet few edges. Memory: O(n), or O(n log n) for loops that wind through every part of the plane.
 class PreparedPolygon {
  public:
   /// Prepares the polygon.

@@ -20,9 +20,11 @@ Json candidate(const Measured& m) {
   if (m.ratios.empty()) return json;
   json["ratio"] = summary(m.ratios);
   json["ratio"]["to"] = m.comparison->base;
+  const Quartiles ratio = quartiles(m.ratios);
+  if (too_noisy(ratio)) json["ratio"]["too_noisy"] = true;
   if (const auto& goal = m.comparison->goal)
     json["goal"] = {{goal->at_most ? "at_most" : "at_least", goal->ratio},
-                    {"met", goal->met_by(quartiles(m.ratios).median)}};
+                    {"met", too_noisy(ratio) ? Json() : Json(goal->met_by(ratio.median))}};
   return json;
 }
 

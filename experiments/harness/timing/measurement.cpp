@@ -53,6 +53,8 @@ void find_ratios(std::vector<Measured>& measured) {
 
 }  // namespace
 
+bool too_noisy(const Quartiles& ratio) { return !(ratio.upper <= kMostSpread * ratio.lower); }
+
 Quartiles quartiles(std::vector<double> values) {
   std::ranges::sort(values);
   const auto at = [&](double share) {

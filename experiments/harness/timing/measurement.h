@@ -18,6 +18,11 @@ struct Quartiles {
 /// Returns quartiles, interpolated linearly between neighbouring values. Requires at least one value.
 [[nodiscard]] Quartiles quartiles(std::vector<double> values);
 
+/// The largest quotient of the quartiles of a ratio that says anything.
+inline constexpr double kMostSpread = 1.5;
+/// Returns whether a ratio is too noisy to tell.
+[[nodiscard]] bool too_noisy(const Quartiles& ratio);
+
 struct Wrong {
   std::size_t count, of;
 };

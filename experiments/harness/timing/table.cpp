@@ -19,9 +19,7 @@ std::string spread(const Quartiles& q) { return fmt::format("({} - {})", number(
 /// Returns half the distance of the quartiles, in % of the median.
 std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 * (q.upper - q.lower) / q.median); }
 
-std::string goal_text(const Goal& goal) {
-  return fmt::format("{} {}", goal.at_most ? "<=" : ">=", fmt::format("{:g}", goal.ratio));
-}
+std::string goal_text(const Goal& goal) { return fmt::format("{} {:.3g}", goal.at_most ? "<=" : ">=", goal.ratio); }
 
 std::string wrong_text(const Wrong& wrong) {
   if (wrong.count == 0) return fmt::format("0 of {}", wrong.of);
@@ -32,7 +30,7 @@ std::string wrong_text(const Wrong& wrong) {
 std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
                  const std::string& ratio, const std::string& goal, const std::string& wrong) {
   std::string text =
-      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<17}{}", name, asked, ns, deviation, ratio, goal, wrong);
+      fmt::format("  {:<20}{:>7}{:>11} {:<7}{:<36}{:<18}{}", name, asked, ns, deviation, ratio, goal, wrong);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
@@ -43,7 +41,9 @@ std::string row(const Measured& m) {
   if (!m.ratios.empty()) {
     const Quartiles q = quartiles(m.ratios);
     ratio = fmt::format("{:>7} {} x {}", number(q.median), spread(q), m.comparison->base);
-    if (const auto& wanted = m.comparison->goal)
+    if (too_noisy(q))
+      goal = "too noisy to tell";
+    else if (const auto& wanted = m.comparison->goal)
       goal = goal_text(*wanted) + (wanted->met_by(q.median) ? " met" : " MISSED");
   }
   return line(m.name, std::to_string(m.queries), number(ns.median), deviation(ns), ratio, goal,
@@ -65,20 +65,24 @@ std::string table(const Result& result) {
 }
 
 std::string goals(const std::vector<Result>& results) {
-  std::string missed;
+  std::string missed, unclear;
   std::size_t met = 0, all = 0;
   for (const Result& result : results)
     for (const Measured& m : result.candidates) {
       if (m.ratios.empty() || !m.comparison->goal) continue;
-      const double median = quartiles(m.ratios).median;
+      const Quartiles ratio = quartiles(m.ratios);
+      const double median = ratio.median;
       ++all;
-      if (m.comparison->goal->met_by(median))
+      if (too_noisy(ratio))
+        unclear += fmt::format("  {}: {}\n", title(result), m.name);
+      else if (m.comparison->goal->met_by(median))
         ++met;
       else
         missed += fmt::format("  {}: {} is {} x {}, not {}\n", title(result), m.name, number(median),
                               m.comparison->base, goal_text(*m.comparison->goal));
     }
-  return fmt::format("{} of {} goals met{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed);
+  return fmt::format("{} of {} goals met{}{}\n", met, all, missed.empty() ? "" : "; missed:\n" + missed,
+                     unclear.empty() ? "" : "; too noisy to tell:\n" + unclear);
 }
 
 std::string legend() {
@@ -86,7 +90,8 @@ std::string legend() {
 The candidates take turns in every repetition. Each answers the first queries ("asked": their number) of the same
 distinct queries: all of them, or as many as fit into 50 ms. Times and ratios: medians of the repetitions, +- half the
 distance of the quartiles or (quartiles); a ratio is one of times in the same repetition. Wrong: answers that differ
-from those of exact, not timed; for "answer" the decisions count, not the numbers.
+from those of exact, not timed; for "answer" the decisions count, not the numbers. A ratio whose quartiles differ by
+more than a factor of 1.5 is too noisy to tell anything.
 )";
 }
 

@@ -37,6 +37,13 @@ std::optional<bool> by_distance(const Ball& ball, const Triangle& t) {
   return is_within<Kernel>(point<Kernel>(ball.center), triangle<Kernel>(t), ball.radius);
 }
 
+template <class Kernel>
+bool compares_within(const Ball& ball, const Triangle& t) {
+  const typename Kernel::FT radius = ball.radius;
+  return Kernel().compare_squared_distance_3_object()(point<Kernel>(ball.center), triangle<Kernel>(t),
+                                                      typename Kernel::FT(radius * radius)) != CGAL::LARGER;
+}
+
 /// CGAL's sphere is a surface: it does not intersect a triangle in its interior.
 template <class Kernel>
 std::optional<bool> by_intersection(const Ball& ball, const Triangle& t) {
@@ -74,6 +81,9 @@ namespace cgal {
 bool cartesian_contact(const Ball& ball, const Triangle& t) {
   return is_within<Double>(point<Double>(ball.center), triangle<Double>(t), ball.radius);
 }
+
+bool epick_comparison(const Ball& ball, const Triangle& t) { return compares_within<Epick>(ball, t); }
+bool epeck_comparison(const Ball& ball, const Triangle& t) { return compares_within<Epeck>(ball, t); }
 
 bool epick_contact(const Ball& ball, const Triangle& t) {
   const Epick::Sphere_3 sphere(point<Epick>(ball.center), ball.radius * ball.radius);

@@ -18,7 +18,14 @@ namespace touchstone::methods::cgal {
 /// Computes squared_distance(centre, triangle) <= r^2 in exact numbers, converted from the doubles in each call.
 [[nodiscard]] bool epeck_contact(const Ball& ball, const Triangle& triangle);
 
-/// Computes the same from kernel objects that were made before.
+/// @{
+/// Uses the kernel's predicate compare_squared_distance(centre, triangle, r^2); over EPICK r^2 is rounded, and must be
+/// finite.
+[[nodiscard]] bool epick_comparison(const Ball& ball, const Triangle& triangle);
+[[nodiscard]] bool epeck_comparison(const Ball& ball, const Triangle& triangle);
+/// @}
+
+/// Computes the same as `epeck_contact` from kernel objects that were made before.
 class EpeckQueries {
  public:
   EpeckQueries();

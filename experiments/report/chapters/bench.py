@@ -15,23 +15,38 @@ def ratio_of(contestants, name="filtered"):
     return contestants[name]["ratio"]["median"]
 
 
+def is_noisy(ratio):
+    """Whether `touchstone bench` found a ratio too noisy to tell."""
+    return ratio.get("too_noisy", False)
+
+
 def finding(study):
     every = contests(study)
     sizes = polygons(every)
     most = max(sizes)
+    if any(is_noisy(c["filtered"]["ratio"]) for c in (every["random-triangles", ""], every["half-near", ""], sizes[most])):
+        return "<b>Time.</b> The times of this run are too noisy to tell what certainty costs."
     return (f"<b>Time.</b> Contact of a ball and a triangle took {code('filtered')} {multiple(ratio_of(every['random-triangles', '']), 3)} the time "
             f"of {code('fast')} with balls anywhere and {multiple(ratio_of(every['half-near', '']), 3)} with half of them at "
             f"{power('2', -50)} from contact; of a small ball and a prepared polygon of {count(most)} vertices "
             f"{multiple(ratio_of(sizes[most]))}.")
 
 
+def is_quoted(contestants, name):
+    return "ratio" in contestants.get(name, {}) and not is_noisy(contestants[name]["ratio"])
+
+
 def line(about, contestants):
     ours, fast = contestants["filtered"], contestants["fast"]
     ratio, goal, wrong = ours["ratio"], ours.get("goal"), fast.get("wrong")
-    aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
+    if is_noisy(ratio):
+        quoted, aim = "too noisy to tell", ""
+    else:
+        quoted = (f"{multiple(ratio['median'], 3)}<br><small>{rounded(ratio['lower_quartile'], 3)} to "
+                  f"{rounded(ratio['upper_quartile'], 3)}</small>")
+        aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
     return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
-            f"{multiple(ratio['median'], 3)}<br><small>{rounded(ratio['lower_quartile'], 3)} to {rounded(ratio['upper_quartile'], 3)}</small>", aim,
-            *(multiple(ratio_of(contestants, other)) if other in contestants and "ratio" in contestants[other] else "" for other in OTHERS),
+            quoted, aim, *(multiple(ratio_of(contestants, other)) if is_quoted(contestants, other) else "" for other in OTHERS),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
 
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "experiments/studies/bench/families.h"
+#include "experiments/studies/bench/fast_tree.h"
 #include "experiments/studies/bench/polygon_queries.h"
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
@@ -28,7 +29,7 @@ const std::vector<Size>& sizes() {
                                       {128, timing::Goal{0.25}},
                                       {1024, timing::Goal{0.08}},
                                       {10'000, {}},
-                                      {100'000, timing::Goal{0.002}}};
+                                      {100'000, timing::Goal{0.001}}};
   return list;
 }
 
@@ -113,6 +114,12 @@ timing::Benchmark contacts(Outline outline, const Size& size, const Settings& se
   const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
   timing::Benchmark benchmark =
       compare(std::string(to_string(outline)), polygons, size.vertices, settings, kContact, size.goal);
+  // The least share of the time of filtered that the same walk takes without bounds.
+  const auto queries =
+      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
+  benchmark.candidates.push_back(asks("fast, same tree", prepare<FastTree>(polygons), queries,
+                                      truths(kContact, polygons, queries, benchmark.checked), kContact,
+                                      timing::Comparison{"filtered", timing::Goal{1 / 1.3, false}}));
   benchmark.note = fmt::format("{} of {} vertices",
                                polygons.size() == 1 ? "one polygon" : fmt::format("{} polygons", polygons.size()),
                                polygons.front().vertex_count());
@@ -173,6 +180,47 @@ timing::Benchmark asked_once(std::size_t vertices, const Settings& settings) {
   return benchmark;
 }
 
+/// Polygons that are each queried `questions` times, preparation included.
+timing::Benchmark asked_often(std::size_t vertices, std::size_t questions, const Settings& settings) {
+  const auto polygons =
+      std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
+  std::vector<PolygonQuery> in_turn = draw_balls(*polygons, settings.seed, settings.samples), drawn;
+  // All queries about the first polygon, then all about the next.
+  for (std::size_t first = 0; first < polygons->size(); ++first)
+    for (std::size_t i = first; i < in_turn.size(); i += polygons->size()) drawn.push_back(in_turn[i]);
+  const auto queries = std::make_shared<const std::vector<PolygonQuery>>(std::move(drawn));
+  timing::Benchmark benchmark;
+  benchmark.name = fmt::format("asked {} times", questions);
+  benchmark.note = "all outlines, preparation included; a ratio of 1 breaks even";
+  benchmark.checked = checked(settings, vertices);
+  const auto truth = truths(kContact, *polygons, queries, benchmark.checked);
+  const auto asks_prepared = [&]<class Prepared>(const char* name, std::optional<timing::Comparison> comparison) {
+    const auto each_answer = [polygons, queries, questions](std::size_t count, const auto& visit) {
+      std::optional<Prepared> prepared;
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& [ball, polygon] = (*queries)[i];
+        if (i % questions == 0 || polygon != (*queries)[i - 1].polygon) prepared.emplace((*polygons)[polygon]);
+        visit(i, contact(ball, *prepared));
+      }
+    };
+    const auto ask = [each_answer](std::size_t count) {
+      std::uint64_t touching = 0;
+      each_answer(count, [&](std::size_t, bool touches) { touching += touches ? 1 : 0; });
+      return touching;
+    };
+    const auto count_wrong = [each_answer, truth](std::size_t count) {
+      std::size_t wrong = 0;
+      each_answer(count, [&](std::size_t i, bool touches) { wrong += touches != (*truth)[i] ? 1 : 0; });
+      return wrong;
+    };
+    return timing::Candidate{name, queries->size(), ask, count_wrong, {}, std::move(comparison)};
+  };
+  benchmark.candidates = {
+      asks_prepared.operator()<fast::PreparedPolygon<>>("fast", std::nullopt),
+      asks_prepared.operator()<filtered::PreparedPolygon>("filtered", timing::Comparison{"fast", {}})};
+  return benchmark;
+}
+
 /// Beyond this, a turn of distinct polygons that are each prepared takes minutes.
 constexpr std::size_t kMostAskedOnce = 128;
 
@@ -184,6 +232,10 @@ Family contact_family(const Size& size) {
   family.benchmarks.emplace_back([=](const Settings& settings) { return preparations(size.vertices, settings); });
   if (size.vertices <= kMostAskedOnce)
     family.benchmarks.emplace_back([=](const Settings& settings) { return asked_once(size.vertices, settings); });
+  if (size.vertices == 8 || size.vertices == 32 || size.vertices == 1024)
+    for (const std::size_t questions : {2U, 8U, 32U, 128U})
+      family.benchmarks.emplace_back(
+          [=](const Settings& settings) { return asked_often(size.vertices, questions, settings); });
   return family;
 }
 

@@ -21,7 +21,9 @@ using TriangleQueries = std::vector<workloads::TriangleQuery>;
 std::optional<timing::Goal> goal_of(workloads::TriangleFamily family) {
   switch (family) {
     case workloads::TriangleFamily::Random: return timing::Goal{1};
-    case workloads::TriangleFamily::HalfNear: return timing::Goal{3};
+    case workloads::TriangleFamily::HalfNear: return timing::Goal{2.5};
+    case workloads::TriangleFamily::Near: return timing::Goal{4};
+    case workloads::TriangleFamily::Extreme: return timing::Goal{10};
     case workloads::TriangleFamily::LatticeTangent: return timing::Goal{10};
     default: return std::nullopt;
   }
@@ -100,9 +102,13 @@ timing::Benchmark draw(workloads::TriangleFamily family, const Settings& setting
     const auto cartesian = [](const Ball& b, const Triangle& t) { return methods::cgal::cartesian_contact(b, t); };
     const auto epick = [](const Ball& b, const Triangle& t) { return methods::cgal::epick_contact(b, t); };
     const auto epeck = [](const Ball& b, const Triangle& t) { return methods::cgal::epeck_contact(b, t); };
+    const auto epick_compare = [](const Ball& b, const Triangle& t) { return methods::cgal::epick_comparison(b, t); };
+    const auto epeck_compare = [](const Ball& b, const Triangle& t) { return methods::cgal::epeck_comparison(b, t); };
     add("CGAL, doubles", cartesian, timing::Comparison{"filtered", {}});
     add("EPICK", epick, timing::Comparison{"filtered", {}});
+    add("EPICK, compare", epick_compare, timing::Comparison{"filtered", {}});
     add("EPECK", epeck, timing::Comparison{"filtered", goal});
+    add("EPECK, compare", epeck_compare, timing::Comparison{"filtered", {}});
     benchmark.candidates.push_back(prepared_epeck(queries, truth));
   }
   return benchmark;

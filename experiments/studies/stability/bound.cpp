@@ -260,7 +260,7 @@ void BoundTrial::observe_prepared_signs(const Ball& ball, std::size_t edge, doub
   const filtered::EdgeOperands operands = seen.operands(axis);
   if (!(std::max(operands.maxima.to_center, operands.maxima.edge) <= bounds::kLargest)) return;
 
-  const int exponent = parts.frame->exponent;
+  const int exponent = parts.frame->unit.exponent;
   const RationalVector from = exactly(ball.center) - lifted_[edge],
                        along = lifted_[polygon_.next(edge)] - lifted_[edge];
   const View<Rational> view{scaled(from, -exponent), scaled(along, -exponent), scaled(normal_, -2 * exponent),
@@ -284,10 +284,10 @@ void BoundTrial::observe_frame(const Ball& ball, std::size_t edge, const Floatin
                                std::vector<Observation>& observations) const {
   const filtered::Frame& frame = *parts_of(prepared_).frame;
   const InFrame computed = [&] {
-    const Environment environment(frame.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
+    const Environment environment(frame.unit.exponent < filtered::Frame::kSubnormal ? FloatingPointMode() : mode);
     return quantities_in_frame(ball, parts_of(prepared_), edge);
   }();
-  const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.exponent);
+  const RationalVector from = scaled(exactly(ball.center) - lifted_[edge], -frame.unit.exponent);
   const RationalVector direction = lifted_[polygon_.next(edge)] - lifted_[edge];
   const mpf_class normal_length = sqrt(real(filtered::dot(normal_, normal_)));
   const mpf_class edge_length = sqrt(real(filtered::dot(direction, direction)));

@@ -104,6 +104,7 @@ std::string_view to_string(TriangleFamily family) {
   switch (family) {
     case TriangleFamily::Random: return "random-triangles";
     case TriangleFamily::HalfNear: return "half-near";
+    case TriangleFamily::Near: return "near";
     case TriangleFamily::LatticeTangent: return "lattice-tangent";
     case TriangleFamily::Slivers: return "slivers";
     case TriangleFamily::Far: return "far";
@@ -116,6 +117,7 @@ std::string_view summary(TriangleFamily family) {
   switch (family) {
     case TriangleFamily::Random: return "vertices and centre uniform in the unit cube, radius in [0, 0.5)";
     case TriangleFamily::HalfNear: return "random-triangles, a random half with r = distance x (1 +- 2^-50)";
+    case TriangleFamily::Near: return "all with r = distance x (1 +- 2^-50), to face, edge or vertex";
     case TriangleFamily::LatticeTangent: return "exactly touching face, edge or vertex; integers up to 2^20";
     case TriangleFamily::Slivers: return "random-triangles, flattened to an aspect of 1e-8";
     case TriangleFamily::Far: return "random-triangles, 1e6 sizes from the origin";
@@ -126,7 +128,7 @@ std::string_view summary(TriangleFamily family) {
 
 const std::vector<TriangleFamily>& all_triangle_families() {
   static const std::vector<TriangleFamily> families{
-      TriangleFamily::Random,  TriangleFamily::HalfNear, TriangleFamily::LatticeTangent,
+      TriangleFamily::Random,  TriangleFamily::HalfNear, TriangleFamily::Near,   TriangleFamily::LatticeTangent,
       TriangleFamily::Slivers, TriangleFamily::Far,      TriangleFamily::Extreme};
   return families;
 }
@@ -136,6 +138,7 @@ TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std
   switch (family) {
     case TriangleFamily::Random: break;
     case TriangleFamily::HalfNear: return random.coin() ? near_query(random) : random_query(random);
+    case TriangleFamily::Near: return near_query(random);
     case TriangleFamily::LatticeTangent: return with_vertices_in_any_order(draw_lattice_tangent(random), random);
     case TriangleFamily::Slivers: return with_vertices_in_any_order(sliver_query(random), random);
     case TriangleFamily::Far: return far_query(random);

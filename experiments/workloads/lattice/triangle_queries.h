@@ -23,6 +23,7 @@ enum class TriangleFamily {
   Slivers,         ///< Random, but the third vertex at 1e-8 of the length of an edge from that edge
   Far,             ///< Random, moved by 1e6 in a random direction
   Extreme,  ///< Random, times 2^-1000, 2^-500, 2^480 or 2^1000, or each point and the radius times its own one of these
+  Near,     ///< as the near half of HalfNear
 };
 
 [[nodiscard]] std::string_view to_string(TriangleFamily family);

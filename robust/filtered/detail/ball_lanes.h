@@ -4,7 +4,7 @@
 #include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/numbers/pack.h"
 
-/// The first stage of contact for four balls and one polygon of few edges: a lane of each Pack belongs to a ball.
+/// The first stage of contact for four balls and one polygon: a lane of each Pack belongs to a ball.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -28,7 +28,7 @@ struct BallLanes {
     };
     const Pack given[] = {lanes(0), lanes(1), lanes(2),
                           pack(four[0].radius, four[1].radius, four[2].radius, four[3].radius)};
-    const Pack scale[] = {all_lanes(frame.scale[0]), all_lanes(frame.scale[1])};
+    const Pack scale[] = {all_lanes(frame.unit.down[0]), all_lanes(frame.unit.down[1])};
     const auto scaled = [&scale](const Pack& length) { return length * scale[0] * scale[1]; };
     const Vector3<Pack> to_center{scaled(given[0]) - all_lanes(frame.origin.x),
                                   scaled(given[1]) - all_lanes(frame.origin.y),
@@ -82,11 +82,8 @@ struct EdgesInView {
   }
 };
 
-/// Returns which of four balls certainly touch the polygon, and which certainly do not. Requires edges that are
-/// scanned, a frame from Frame::kSubnormal up, and balls that the frame reaches.
-inline CertainContacts certain_contacts(const Ball* four, const Frame& frame, const EdgeIndex& edges) {
-  const BallLanes balls(four, frame);
-  if ((balls.missed_plane & 0xF) == 0xF) return {0, 0xF};
+/// Returns which of four balls certainly touch the polygon, and which certainly do not, by all of its edges.
+inline CertainContacts scan_for(const BallLanes& balls, const EdgeIndex& edges) {
   EdgesInView view;
   for (const EdgeTree::Leaf& leaf : edges.leaves())
     for (std::uint32_t lane = 0; lane < leaf.count; ++lane) view.add(leaf, lane, balls);
@@ -99,6 +96,33 @@ inline CertainContacts certain_contacts(const Ball* four, const Frame& frame, co
   const unsigned touching = ~balls.missed_plane & (hit | (off_boundary & inside & balls.cut_plane));
   const unsigned separate = balls.missed_plane | (misses_edges & ~hit);
   return {touching, separate};
+}
+
+/// The same by the hierarchy of edges, for one ball after the other.
+inline CertainContacts walk_for(const BallLanes& balls, const EdgeIndex& edges) {
+  double x[kLanes], y[kLanes], hit[kLanes], miss[kLanes], boundary[kLanes];
+  store(x, balls.x), store(y, balls.y);
+  store(hit, balls.certain_hit_sq), store(miss, balls.certain_miss_sq), store(boundary, balls.boundary_sq);
+  CertainContacts certain{0, balls.missed_plane};
+  for (unsigned met = ~balls.missed_plane & 0xF; met != 0; met &= met - 1) {
+    const int lane = __builtin_ctz(met);
+    const unsigned bit = 1U << lane;
+    FrameQuery query;
+    query.x = x[lane], query.y = y[lane];
+    query.certain_hit_sq = (balls.may_hit & bit) != 0 ? hit[lane] : -1;
+    query.certain_miss_sq = miss[lane], query.boundary_sq = boundary[lane];
+    const int sign = certain_distance_sign((balls.cut_plane & bit) != 0 ? -1 : 0, query, edges);
+    if (sign != 0) (sign < 0 ? certain.touching : certain.separate) |= bit;
+  }
+  return certain;
+}
+
+/// Returns which of four balls certainly touch the polygon, and which certainly do not. Requires a frame from
+/// Frame::kSubnormal up, and balls that the frame reaches.
+inline CertainContacts certain_contacts(const Ball* four, const Frame& frame, const EdgeIndex& edges) {
+  const BallLanes balls(four, frame);
+  if ((balls.missed_plane & 0xF) == 0xF) return {0, 0xF};
+  return edges.is_scanned() ? scan_for(balls, edges) : walk_for(balls, edges);
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -102,16 +102,20 @@ inline constexpr double kCross = 4;
 /// The relative error of quotients and roots of double-doubles, in units of kDoubleDoubleUnit.
 inline constexpr double kQuotient = 2;
 
-/// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift; the
-/// lifted component of an edge to kLiftedEdge times the largest component of the edge as it was given.
+/// Double-doubles (prepared.h, exact_edges.h), lengths in the frame's unit. A vertex's lift is known to kLift, a slope
+/// of the plane to kSlope kDoubleDoubleUnit; the lifted component of an edge to kLiftedEdge times the largest component
+/// of the edge as it was given.
 inline constexpr double kLift = 0x1p-99;
-inline constexpr double kLiftedEdge = 0x1p-98;
+inline constexpr double kSlope = 4.0625;
+inline constexpr double kLiftedEdge = 0x1p-99;
 /// With maxima this many times as large (that of vertices is 1) lifted numbers are known to kDoubleDoubleUnit.
 inline constexpr double kLiftedMaximum = 32;
 /// Signs require that a component of a polygon's normal is known to kNormal units of m_N. Closest points require more:
 /// the step along the normal is proportional to N_k in coordinate k, so N_k must be known to kDoubleDoubleUnit |N_k|
 /// plus kNormalUnderflow.
 inline constexpr double kNormalUnderflow = 0x1p-1074;
+/// 1 / N.N is known to kPerSquare kDoubleDoubleUnit of itself.
+inline constexpr double kPerSquare = 12.0625;
 /// Closest points and distances (closest_point.h), with direction D and maxima m_w, m_D. The step D.to_center D_k / D.D
 /// is known to kClosest m_w m_D |D_k| / D.D; plus kClosest m_e for lifted edges, between whose ends the foot lies; plus
 /// kClosest m_w m_N / |N| for computed normals. A distance from an edge or a plane is known to kClosest times the sum

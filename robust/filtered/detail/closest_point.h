@@ -30,14 +30,15 @@ constexpr bool surely_nearest(const Number& high, const Number& low, const Numbe
   return high + (low + wide) == high && high + (low - wide) == high;  // compared as rounded
 }
 
-/// Returns the double nearest to the number times 2^exponent, if every number within the error rounds to it, as a
-/// normal double or as an exact zero.
-inline std::optional<double> rounded(const Enclosed& number, int exponent) {
+/// Returns the double nearest to the number in the caller's unit of length, if every number within the error rounds to
+/// it, as a normal double or as an exact zero. `Edges` as below.
+template <class Edges>
+std::optional<double> rounded(const Enclosed& number, const Edges& edges) {
   const double high = number.value.high, low = number.value.low;
   if (high == 0 && low == 0 && number.error == 0) return 0.0;            // exact
   assert(number.error == 0 || number.error >= 0x1p-52 * std::abs(low));  // exact
   if (!surely_nearest(high, low, number.error)) return std::nullopt;
-  const double result = std::ldexp(high, exponent);
+  const double result = edges.unscaled(high);
   if (!(std::abs(result) >= 0x1p-1020 && std::abs(result) < 0x1p1023)) return std::nullopt;
   return result;
 }
@@ -46,33 +47,45 @@ inline std::optional<double> rounded(const Enclosed& number, int exponent) {
 // underflow on a step and on the components of its direction is smaller than the slack in the two units of the result.
 inline constexpr double kShortestDirection = 0x1p-100, kSmallestResult = 0x1p-300;
 
-/// Computes each coordinate of the feature's point closest to the centre. `Edges` are those of a prepared polygon
-/// (ExactEdges) or of a triangle (ExactTriangle).
+/// Computes the feature's point closest to the centre, and their distance: that from the feature's plane, line or
+/// point. `Edges` are those of a prepared polygon (ExactEdges) or of a triangle (ExactTriangle).
 ///
 /// Requires that each component of a direction has a small relative error, except for lifts and kNormalError: then a
-/// coordinate that the step hardly changes has an error much smaller than the step.
+/// coordinate that the step hardly changes has an error much smaller than the step. Requires during its lifetime that
+/// no other edge of `edges` is looked at.
 template <class Edges>
 class ClosestPointOnFeature {
  public:
   ClosestPointOnFeature(const Edges& edges, const Feature& feature) : edges_(edges), feature_(feature) {
-    if (vertex() || !edges.scales()) return;
-    // The start plus a multiple of the direction.
-    view_.emplace(edges.edge_view(feature.index));
-    const DoubleDouble length_squared = dot(direction(), direction());
-    length_squared_ = length_squared.high;
-    if (maximum() >= kShortestDirection) multiple_ = dot(direction(), view_->to_center) / length_squared;
+    if (!edges.scales()) return;
+    view_ = &edges.edge_view(feature.index);
+    if (vertex() || maximum() < kShortestDirection) return;
+    // The point is the start plus a multiple of the direction.
+    per_square_ = face() ? view_->per_normal_square() : DoubleDouble(1) / dot(direction(), direction());
+    along_ = dot(direction(), view_->to_center);
+    multiple_ = along_ * per_square_;
   }
 
   /// Returns the coordinate as the nearest double; zero as +0.
   [[nodiscard]] double coordinate(int axis) const {
     const bool moved = edges_.lifts(axis);
     if (vertex() && !moved) return edges_.given_vertex(feature_.index, axis) + 0.0;  // -0 becomes +0
-    if (const auto result = in_doubles(axis, moved)) {
+    if (const auto result = coordinate_in_doubles(axis, moved)) {
       edges_.counts().count(Stage::DoubleDouble);
       return *result;
     }
     edges_.counts().count(Stage::BigInteger);
     return edges_.bigint_point(feature_, axis);
+  }
+
+  /// Returns the distance as the nearest double.
+  [[nodiscard]] double distance() const {
+    if (const auto result = distance_in_doubles()) {
+      edges_.counts().count(Stage::DoubleDouble);
+      return *result;
+    }
+    edges_.counts().count(Stage::BigInteger);
+    return edges_.bigint_distance(feature_);
   }
 
  private:
@@ -83,69 +96,58 @@ class ClosestPointOnFeature {
   [[nodiscard]] const Vector3<DoubleDouble>& direction() const { return face() ? view_->normal : view_->edge; }
   [[nodiscard]] double maximum() const { return face() ? view_->maxima.normal : view_->maxima.edge; }
 
-  [[nodiscard]] std::optional<double> in_doubles(int axis, bool moved) const {
+  [[nodiscard]] std::optional<double> coordinate_in_doubles(int axis, bool moved) const {
     if (!edges_.scales()) return std::nullopt;
-    const int exponent = edges_.exponent();
     DoubleDouble start = face() ? edges_.center(axis) : edges_.vertex(feature_.index, axis);
     if (moved && !face()) start = start + edges_.lift(feature_.index);
     const double lift_error = moved ? 2 * bounds::kLift : 0;
-    if (vertex()) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, exponent);
+    if (vertex()) return rounded({start, lift_error + 2 * bounds::kDoubleDoubleUnit * std::abs(start.high)}, edges_);
     if (maximum() < kShortestDirection) return std::nullopt;
 
-    const DoubleDouble& along = direction()[axis];
-    if (!moved && along.high == 0) {  // exact
-      if (!face() || view_->no_normal(axis)) return rounded({start, 0}, exponent);
-      if (EdgeView::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
+    const DoubleDouble& component = direction()[axis];
+    if (!moved && component.high == 0) {  // exact
+      if (!face() || view_->no_normal(axis)) return rounded({start, 0}, edges_);
+      if constexpr (EdgeView::kNormalError == 0) return std::nullopt;  // exact: scaling may have made it zero
     }
-    const DoubleDouble step = multiple_ * along, value = face() ? start - step : start + step;
+    const DoubleDouble step = multiple_ * component, value = face() ? start - step : start + step;
     if (!(std::abs(value.high) >= kSmallestResult)) return std::nullopt;
-    const double share =
-        std::abs(along.high) / length_squared_ + (face() ? EdgeView::kNormalError / std::sqrt(length_squared_) : 0);
+    double share = std::abs(component.high) * per_square_.high;
+    if constexpr (EdgeView::kNormalError != 0)
+      if (face()) share += EdgeView::kNormalError * std::sqrt(per_square_.high);
     const double error = bounds::kClosest * (view_->maxima.to_center * maximum() * share) +
                          bounds::kClosest * (view_->lifted ? view_->maxima.edge : 0) +
                          2 * bounds::kDoubleDoubleUnit * (std::abs(start.high) + std::abs(value.high)) + lift_error;
-    return rounded({value, error}, exponent);
+    return rounded({value, error}, edges_);
+  }
+
+  [[nodiscard]] std::optional<double> distance_in_doubles() const {
+    if (!edges_.scales()) return std::nullopt;
+    if (is_zero(view_->to_center) && !view_->lifted) return 0;
+    const Enclosed enclosed = enclosed_distance();
+    if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
+    return rounded(enclosed, edges_);
+  }
+  [[nodiscard]] Enclosed enclosed_distance() const {
+    if (vertex()) {
+      const DoubleDouble value = sqrt(dot(view_->to_center, view_->to_center));
+      return {value, bounds::kClosest * (value.high + (view_->lifted ? view_->maxima.to_center : 0))};
+    }
+    if (maximum() < kShortestDirection) return {};
+    const DoubleDouble value = sqrt((face() ? along_ * along_ : squared_moment()) * per_square_);
+    const double per_length = std::sqrt(per_square_.high);
+    return {value, bounds::kClosest * (view_->maxima.to_center * maximum() * per_length + value.high)};
+  }
+  [[nodiscard]] DoubleDouble squared_moment() const {
+    const auto moment = cross(view_->to_center, view_->edge);
+    return dot(moment, moment);
   }
 
   const Edges& edges_;
   const Feature feature_;
-  std::optional<EdgeView> view_;  // of an edge or the face, if the doubles hold it
-  DoubleDouble multiple_;
-  double length_squared_ = 0;
+  const EdgeView* view_ = nullptr;  // if the doubles hold it
+  // 1 / D.D, D.to_center and their product, for the direction D of an edge or the face.
+  DoubleDouble per_square_, along_, multiple_;
 };
-
-/// Returns the distance of the ball's centre from the feature's plane, line or point, as the nearest double.
-template <class Edges>
-double distance(const Edges& edges, const Feature& feature) {
-  const auto in_doubles = [&]() -> std::optional<double> {
-    if (!edges.scales()) return std::nullopt;
-    const auto& view = edges.edge_view(feature.index);
-    const auto enclosed = [&]() -> Enclosed {
-      if (feature.kind == Feature::Kind::Vertex) {
-        const DoubleDouble value = sqrt(dot(view.to_center, view.to_center));
-        return {value, bounds::kClosest * (value.high + (view.lifted ? view.maxima.to_center : 0))};
-      }
-      const bool face = feature.kind == Feature::Kind::Face;
-      const Vector3<DoubleDouble>& direction = face ? view.normal : view.edge;
-      const double maximum = face ? view.maxima.normal : view.maxima.edge;
-      if (maximum < kShortestDirection) return {};
-      const DoubleDouble length = sqrt(dot(direction, direction)), height = dot(view.normal, view.to_center);
-      const auto moment = cross(view.to_center, view.edge);
-      const DoubleDouble product = face ? (height.high < 0 ? -height : height) : sqrt(dot(moment, moment));
-      const DoubleDouble value = product / length;
-      return {value, bounds::kClosest * (view.maxima.to_center * maximum / length.high + value.high)};
-    }();
-    if (is_zero(view.to_center) && !view.lifted) return 0;
-    if (!(enclosed.value.high >= kSmallestResult)) return std::nullopt;
-    return rounded(enclosed, edges.exponent());
-  };
-  if (const auto result = in_doubles()) {
-    edges.counts().count(Stage::DoubleDouble);
-    return *result;
-  }
-  edges.counts().count(Stage::BigInteger);
-  return edges.bigint_distance(feature);
-}
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::filtered

@@ -23,10 +23,10 @@ class ExactEdges {
         form_(parts.exact_form()),
         counts_(counts),
         radius_(scaled(ball.radius)),
-        usable_(restores(ball.radius)) {
+        usable_(is_exact(ball.radius)) {
     for (int axis = 0; axis < 3; ++axis) {
       center_[axis] = scaled(ball.center[axis]);
-      usable_ = usable_ && restores(ball.center[axis]);
+      usable_ = usable_ && is_exact(ball.center[axis]);
     }
   }
 
@@ -35,7 +35,7 @@ class ExactEdges {
   /// Returns the centre in the frame's unit of length, 2^exponent; exact if `scales()`.
   [[nodiscard]] double center(int axis) const { return center_[axis]; }
   [[nodiscard]] bool scales() const { return usable_; }
-  [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
+  [[nodiscard]] double unscaled(double length) const { return parts_.frame->unit.unscaled(length); }
   /// Returns a coordinate of a vertex before any lift, exact: in the frame's unit of length, or as given.
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return scaled(given_vertex(i, axis)); }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return parts_.polygon.coordinates(axis)[i]; }
@@ -71,6 +71,7 @@ class ExactEdges {
   struct EdgeView {
     Vector3<DoubleDouble> to_center, edge;
     const Vector3<DoubleDouble>& normal;
+    const DoubleDouble& per_square;  ///< 1 / N.N
     double radius;
     Maxima maxima;
     bool lifted, exact_normal;
@@ -78,6 +79,7 @@ class ExactEdges {
     [[nodiscard]] EdgeOperands operands(int axis) const {
       return {to_center, edge, normal, radius, axis, maxima, lifted, nullptr, exact_normal};
     }
+    [[nodiscard]] const DoubleDouble& per_normal_square() const { return per_square; }
     /// Returns whether this component of the normal is exactly zero.
     [[nodiscard]] bool no_normal(int axis) const { return exact_normal && normal[axis].high == 0; }  // exact
     /// The error of the normal's components beyond their relative error, in units of bounds::kClosest times the
@@ -103,6 +105,7 @@ class ExactEdges {
                {two_difference(vertex(next, 0), p[0]), two_difference(vertex(next, 1), p[1]),
                 two_difference(vertex(next, 2), p[2])},
                lifted.normal,
+               lifted.per_square,
                radius_,
                {radius_, 0, lifted.normal_maximum},
                !lifted.lifts.empty(),
@@ -115,7 +118,7 @@ class ExactEdges {
       DoubleDouble& to_center_k = k == 0 ? s.to_center.x : k == 1 ? s.to_center.y : s.to_center.z;
       DoubleDouble& edge_k = k == 0 ? s.edge.x : k == 1 ? s.edge.y : s.edge.z;
       to_center_k = to_center_k - lifted.lifts[edge];
-      edge_k = edge_k - dot(lifted.normal, s.edge) / lifted.normal[k];
+      edge_k = -(lifted.slope_a * s.edge[(k + 1) % 3] + lifted.slope_b * s.edge[(k + 2) % 3]);
     }
     s.maxima.to_center = std::max(s.maxima.to_center, largest(s.to_center));
     s.maxima.edge = std::max(s.maxima.edge, largest(s.edge));
@@ -125,10 +128,8 @@ class ExactEdges {
   static double largest(const Vector3<DoubleDouble>& v) {
     return std::max(std::max(std::abs(v.x.high), std::abs(v.y.high)), std::abs(v.z.high));
   }
-  [[nodiscard]] double scaled(double length) const { return parts_.frame->scaled(length); }
-  [[nodiscard]] bool restores(double length) const {
-    return std::ldexp(scaled(length), parts_.frame->exponent) == length;  // exact
-  }
+  [[nodiscard]] double scaled(double length) const { return parts_.frame->unit.scaled(length); }
+  [[nodiscard]] bool is_exact(double length) const { return parts_.frame->unit.is_exact(length); }
 
   const Ball& ball_;
   const PreparedPolygon::Parts& parts_;

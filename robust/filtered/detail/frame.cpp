@@ -94,17 +94,26 @@ std::optional<std::vector<EdgeTree::Edge>> lifted_edges(const Polygon& polygon,
 
 }  // namespace
 
-std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices, int exponent,
-                                    const NewellPlane& plane) {
+GivenPlane::GivenPlane(const Frame& frame) {
+  if (frame.unit.exponent < Frame::kSubnormal || frame.unit.exponent > kLargest) return;
+  const LengthUnit& frame_unit = frame.unit;
+  reach = frame.reachable;
+  unit = frame_unit.unscaled(1);
+  origin = {frame_unit.unscaled(frame.origin.x), frame_unit.unscaled(frame.origin.y),
+            frame_unit.unscaled(frame.origin.z)};
+  normal = frame.normal;
+  height = frame_unit.unscaled(frame.plane_height);
+}
+
+std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,
+                                    const LengthUnit& unit, const NewellPlane& plane) {
   const Axes axes(plane);
   const Vector3<DoubleDouble> normal = axes.normal();
   const DoubleDouble height = dot(normal, plane.mean);
   auto edges = lifted_edges(polygon, vertices, axes, axes.shear(height / normal[axes.k]));
   if (!edges) return std::nullopt;
-  const int half = exponent / 2;
-  return FramedPolygon{{.exponent = exponent,
-                        .scale = {std::ldexp(1.0, -half), std::ldexp(1.0, half - exponent)},
-                        .reachable = std::ldexp(Frame::kReach, std::min(exponent, 960)),
+  return FramedPolygon{{.unit = unit,
+                        .reachable = std::ldexp(Frame::kReach, std::min(unit.exponent, 960)),
                         .origin = {vertices[0].coordinates[0], vertices[0].coordinates[1], vertices[0].coordinates[2]},
                         .x = rounded(axes.x()),
                         .y = rounded(axes.y()),

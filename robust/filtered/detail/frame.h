@@ -6,6 +6,7 @@
 
 #include "geometry/shapes/polygon.h"
 #include "robust/filtered/detail/edge_tree.h"
+#include "robust/filtered/detail/length_unit.h"
 #include "robust/filtered/detail/newell_plane.h"
 #include "robust/filtered/detail/scaled_vertices.h"
 #include "robust/filtered/detail/vector3.h"
@@ -24,18 +25,29 @@ struct Frame {
   /// caller's flush-to-zero setting must be suspended first.
   static constexpr int kSubnormal = -900;
 
-  int exponent;            ///< frame lengths are true lengths times 2^-exponent
-  double scale[2];         ///< two factors whose product is 2^-exponent
+  LengthUnit unit;         ///< of lengths in the frame
   double reachable;        ///< the limit for coordinates of centres and for radii up to which the frame may be used
   Vector3<double> origin;  ///< vertex 0, scaled
   Vector3<double> x, y, normal;
   double plane_height;  ///< the height of the plane above the origin
   int dropped_axis;     ///< along which vertices are lifted
+};
 
-  /// Returns the length in the frame's unit, rounded where the scaling loses bits.
-  [[nodiscard]] __attribute__((always_inline)) double scaled(double length) const {
-    return length * scale[0] * scale[1];
-  }
+/// The plane of a frame in the caller's unit of length, for balls that need not be scaled.
+///
+/// Scaling by a power of two changes nothing but what underflows, and bounds.h allows for that from Frame::kSubnormal
+/// up. Up to kLargest, nothing overflows.
+struct GivenPlane {
+  static constexpr int kLargest = 900;  ///< of a frame's exponent
+
+  double reach = -1;       ///< the limit for coordinates of centres; negative if there is no such plane
+  double unit = 1;         ///< the frame's
+  Vector3<double> origin;  ///< vertex 0
+  Vector3<double> normal;
+  double height = 0;  ///< of the plane above the origin
+
+  GivenPlane() = default;
+  explicit GivenPlane(const Frame& frame);
 };
 
 /// A polygon in a frame.
@@ -48,6 +60,6 @@ struct FramedPolygon {
 /// Returns the polygon in a frame in a plane that is `certain`; nothing if an edge is so short, or so steep above the
 /// plane, that the bounds of `edges` would not hold. Requires round to nearest. Cost: linear.
 [[nodiscard]] std::optional<FramedPolygon> framed(const Polygon& polygon, const std::vector<ScaledVertex>& vertices,
-                                                  int exponent, const NewellPlane& plane);
+                                                  const LengthUnit& unit, const NewellPlane& plane);
 
 }  // namespace touchstone::filtered

@@ -22,39 +22,48 @@ TOUCHSTONE_INLINE double larger(double a, double b) { return a > b ? a : b; }
 /// Like FrameQuery, it is valid in every rounding direction and, in frames from Frame::kSubnormal up, under
 /// flush-to-zero, and raises no flags except INEXACT and UNDERFLOW.
 struct HeightQuery {
-  Vector3<double> to_center;    ///< from the frame's origin to the centre
-  double size;                  ///< at least 1 and at least every coordinate of the centre in the frame
-  double height, height_error;  ///< the height of the centre above the plane
+  Vector3<double> to_center;  ///< from the frame's origin to the centre
+  double size;                ///< at least the frame's unit and at least every coordinate of the centre in the frame
   double radius;
+  double height, height_error;  ///< the height of the centre above the plane
 
   /// Requires coordinates and a radius up to frame.reachable.
-  __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame) {
-    to_center = {frame.scaled(ball.center[0]) - frame.origin.x, frame.scaled(ball.center[1]) - frame.origin.y,
-                 frame.scaled(ball.center[2]) - frame.origin.z};
-    radius = frame.scaled(ball.radius);
-    height = frame::height(frame.normal, to_center, frame.plane_height);
-    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
-    size = 2 * larger(widest, 1.0);  // no coordinate in the frame is beyond sqrt(3) widest
+  __attribute__((always_inline)) HeightQuery(const Ball& ball, const Frame& frame)
+      : HeightQuery(
+            {frame.unit.scaled(ball.center[0]), frame.unit.scaled(ball.center[1]), frame.unit.scaled(ball.center[2])},
+            frame.unit.scaled(ball.radius), frame.origin, frame.normal, frame.plane_height, 1.0) {
     assert(size <= 8 * Frame::kReach);
-    height_error = bounds::kHeight * bounds::kUnit * size;
   }
+  /// In the caller's unit of length. Requires coordinates up to plane.reach.
+  __attribute__((always_inline)) HeightQuery(const Ball& ball, const GivenPlane& plane)
+      : HeightQuery({ball.center[0], ball.center[1], ball.center[2]}, ball.radius, plane.origin, plane.normal,
+                    plane.height, plane.unit) {}
 
   /// Returns +1 if the plane misses the ball, -1 if it cuts it, 0 if that is not certain.
   [[nodiscard]] int plane_sign() const {
     if (std::abs(height) - height_error > radius) return 1;
     return std::abs(height) + height_error < radius ? -1 : 0;
   }
-  /// Returns whether side() is certain. Without branches, which random balls would mispredict.
+  /// Returns whether side() is certain: a rounded difference that exceeds a double did so before it was rounded.
   [[nodiscard]] __attribute__((always_inline)) bool knows_side() const {
-    const double above = std::abs(height);
-    const int cuts = above + height_error<radius, misses = above - height_error> radius, apart = above > height_error;
-    return (cuts | (misses & apart)) != 0;
+    return std::abs(std::abs(height) - radius) > height_error;  // a plane that misses the ball is beyond its own error
   }
   /// Returns the side of the plane. Requires knows_side().
   [[nodiscard]] __attribute__((always_inline)) PlaneSide side() const {
     static constexpr PlaneSide kSides[] = {PlaneSide::Intersects, PlaneSide::Behind, PlaneSide::InFront};
     const int misses = std::abs(height) > radius, in_front = height > 0;
     return kSides[misses * (1 + in_front)];
+  }
+
+ private:
+  __attribute__((always_inline))
+  HeightQuery(const Vector3<double>& center, double ball_radius, const Vector3<double>& origin,
+              const Vector3<double>& normal, double plane_height, double unit)
+      : to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z}, radius(ball_radius) {
+    height = frame::height(normal, to_center, plane_height);
+    const double widest = larger(larger(std::abs(to_center.x), std::abs(to_center.y)), std::abs(to_center.z));
+    size = 2 * larger(widest, unit);  // no coordinate in the frame is beyond sqrt(3) widest
+    height_error = bounds::kHeight * bounds::kUnit * size;
   }
 };
 
@@ -67,10 +76,11 @@ struct FrameQuery {
   double x, y;                                          ///< the foot
   double certain_hit_sq, certain_miss_sq, boundary_sq;  ///< squares; negative if there is no such distance
 
+  FrameQuery() = default;
   /// A foot alone, whose coordinates are known to `error` beyond the error of feet.
-  FrameQuery(double foot_x, double foot_y, double size, double error)
+  FrameQuery(double foot_x, double foot_y, double foot_size, double error)
       : x(foot_x), y(foot_y), certain_hit_sq(-1), certain_miss_sq(-1) {
-    const double margin = bounds::kNear * (bounds::kDistance * bounds::kUnit * size + error);
+    const double margin = bounds::kNear * (bounds::kDistance * bounds::kUnit * foot_size + error);
     boundary_sq = margin * margin;
   }
   FrameQuery(const HeightQuery& ball, const Frame& frame)
@@ -93,6 +103,7 @@ struct LeafView {
   Pack squared;      ///< rho^2
   unsigned crossed;  ///< a bit an edge: the ray to the right from the foot crosses it (right where rho^2 > boundary_sq)
 
+  LeafView() = default;
   LeafView(const EdgeTree::Leaf& leaf, const FrameQuery& query) {
     const Pack x = all_lanes(query.x), y = all_lanes(query.y), zero = all_lanes(0);
     const Pack start_x = load(leaf.start_x), start_y = load(leaf.start_y);
@@ -192,18 +203,20 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
       for (unsigned lane = 0; lane < EdgeTree::kWidth; ++lane)
         if ((far >> lane & 1) == 0 && (last == EdgeTree::kWidth || distances[lane] < distances[last])) last = lane;
     }
-    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;)
-      if ((far >> lane & 1) == 0 && lane != last) stack[open++] = node.child[lane];
+    // Without branches, which depend on the foot.
+    const unsigned beyond = far | 1U << last;
+    for (unsigned lane = EdgeTree::kWidth; lane-- > 0;) {
+      stack[open] = node.child[lane];
+      open += ~beyond >> lane & 1;
+    }
     if (last != EdgeTree::kWidth) stack[open++] = node.child[last];
   }
   return (__builtin_popcount(crossings) & 1) != 0;
 }
 
 /// Returns +1 if the ball certainly misses the polygon, -1 if it certainly overlaps it, 0 if neither is certain.
-TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
-  const int plane = height.plane_sign();
-  if (plane > 0) return 1;
-  const FrameQuery query(height, frame);
+/// `plane`: the certain sign of the distance to the plane less the radius, -1 or 0.
+TOUCHSTONE_INLINE int certain_distance_sign(int plane, const FrameQuery& query, const EdgeIndex& edges) {
   const double limit_sq = larger(query.certain_miss_sq, query.boundary_sq);
   unsigned hit = 0, near_boundary = 0, unsure = 0;
   const bool inside = walk(edges, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
@@ -217,6 +230,10 @@ TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Fra
   if (near_boundary != 0) return 0;
   // If the foot is inside, only the plane matters; if it is outside, only the edges do.
   return inside ? plane : unsure != 0 ? 0 : 1;
+}
+TOUCHSTONE_INLINE int certain_distance_sign(const HeightQuery& height, const Frame& frame, const EdgeIndex& edges) {
+  const int plane = height.plane_sign();
+  return plane > 0 ? 1 : certain_distance_sign(plane, FrameQuery(height, frame), edges);
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -30,7 +30,9 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .set_triangles_hit = set_triangles_hit<Counts>,
     .contact = polygon_contact<Counts>,
     .relation = relation<Counts>,
-    .plane_side = plane_side<Counts>,
+    .plane_side = ask<&PolygonQuery<Counts>::plane_side,
+                      static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side),
+                      PlaneSide, Counts>,
     .foot = ask<&PolygonQuery<Counts>::foot,
                 static_cast<PointLocation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::foot), PointLocation,
                 Counts>,
@@ -48,7 +50,7 @@ inline void balls_contact(std::span<const Ball> balls, const PreparedPolygon::Pa
   NoCounts counts;
   const auto reached = [&parts](const Ball& ball) { return frame_reaches_at_once(ball, parts); };
   std::size_t i = 0;
-  for (; i + kLanes <= balls.size() && parts.edges && parts.edges->is_scanned(); i += kLanes) {
+  for (; i + kLanes <= balls.size() && parts.edges; i += kLanes) {
     const std::span<const Ball> four = balls.subspan(i, kLanes);
     CertainContacts certain{0, 0};
     if (reached(four[0]) && reached(four[1]) && reached(four[2]) && reached(four[3])) [[likely]]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "robust/filtered/detail/newell_sums.h"
 #include "robust/filtered/detail/vector3.h"
 
@@ -18,8 +20,8 @@ struct NewellPlane {
   /// arithmetic must tell.
   bool certain;
 
-  /// The plane of a loop of `count` vertices with these sums. Requires round to nearest.
-  NewellPlane(const NewellSums& sums, std::size_t count);
+  /// The plane of a loop with these sums. Requires round to nearest.
+  NewellPlane(const NewellSums& sums, std::span<const ScaledVertex> loop);
 
   /// The smallest largest component of a normal in a frame: squares of it and of smaller ones do not underflow.
   static constexpr double kSmallest = 0x1p-400;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/pack_pair.h"
 #include "robust/filtered/detail/scaled_vertices.h"
 
@@ -36,14 +35,12 @@ inline NewellSums newell_sums(const ScaledVertex* vertices, std::size_t count) {
     const PackPair p = two_difference(here, origin), edge = two_difference(next, here);
     here = next;
 
-    const auto product = [](const Pack& a, const Pack& a_rest, const Pack& b, const Pack& b_rest) -> PackPair {
-      const PackPair exact = two_product(a, b);
-      return {exact.high, exact.low + multiply_add(a, b_rest, a_rest * b)};
+    const auto next_of = [](const PackPair& v) { return PackPair(next_of_three(v.high), next_of_three(v.low)); };
+    const auto previous_of = [](const PackPair& v) {
+      return PackPair(previous_of_three(v.high), previous_of_three(v.low));
     };
-    const PackPair first =
-        product(next_of_three(p.high), next_of_three(p.low), previous_of_three(edge.high), previous_of_three(edge.low));
-    const PackPair second =
-        product(previous_of_three(p.high), previous_of_three(p.low), next_of_three(edge.high), next_of_three(edge.low));
+    const PackPair first = unnormalised_product(next_of(p), previous_of(edge));
+    const PackPair second = unnormalised_product(previous_of(p), next_of(edge));
     const PackPair term = two_difference(first.high, second.high);
     const PackPair high = two_sum(normal.high, term.high);
     const PackPair low = two_sum(normal.low, high.low + (term.low + (first.low - second.low)));

@@ -11,6 +11,7 @@
 #include "robust/filtered/detail/closest_point.h"
 #include "robust/filtered/detail/exact_edges.h"
 #include "robust/filtered/detail/frame_query.h"
+#include "robust/filtered/detail/seen_leaves.h"
 
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
@@ -43,6 +44,12 @@ class PolygonQuery {
   [[nodiscard]] const FrameQuery& query() {
     if (!query_) query_.emplace(height_, *parts_.frame);
     return *query_;
+  }
+  /// Visits edges near the foot, as `walk` does.
+  template <bool nearest_first = false, class Visit>
+  bool near_edges(const double& limit_sq, const Visit& visit) {
+    if (seen_ != nullptr && seen_->reach(limit_sq)) return seen_->visit(visit);
+    return walk<nearest_first>(*parts_.edges, query(), limit_sq, visit);
   }
   /// Returns the exact signs. The first call suspends the caller's floating-point state.
   const ExactEdges<Counts>& exact() {
@@ -105,6 +112,7 @@ class PolygonQuery {
   Counts& counts_;
   HeightQuery height_;
   std::optional<FrameQuery> query_;
+  const SeenLeaves* seen_ = nullptr;  ///< what an answer saw before it decided anything
   std::optional<OwnFloatingPointState> state_;
   std::optional<ExactEdges<Counts>> exact_;
 };
@@ -159,10 +167,9 @@ template <class Counts>
 PointLocation PolygonQuery<Counts>::foot_uncounted() {
   const FrameQuery& query = this->query();
   bool near_boundary = false;
-  const bool inside =
-      walk(*parts_.edges, query, query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-        return near_boundary = (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
-      });
+  const bool inside = near_edges(query.boundary_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    return near_boundary = (not_above(view.squared, query.boundary_sq) & lanes(leaf)) != 0;
+  });
   if (near_boundary) return exact_foot();
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }
@@ -251,16 +258,16 @@ std::vector<std::size_t> PolygonQuery<Counts>::edges_hit_uncounted() {
   std::vector<std::size_t> hit;
   if (height_.plane_sign() > 0) return hit;
   const FrameQuery& query = this->query();
-  walk(*parts_.edges, query, larger(query.certain_miss_sq, query.boundary_sq),
-       [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
-         const unsigned certain = below(view.squared, query.certain_hit_sq) & lanes(leaf);
-         any_edge(leaf, certain, [&](std::size_t edge) { return hit.push_back(edge), false; });
-         return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & ~certain & lanes(leaf),
-                         [&](std::size_t edge) {
-                           if (exact().distance_sign(edge) <= 0) hit.push_back(edge);
-                           return false;
-                         });
-       });
+  near_edges(larger(query.certain_miss_sq, query.boundary_sq), [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+    const unsigned certain = below(view.squared, query.certain_hit_sq) & lanes(leaf);
+    if (certain != 0 && hit.empty()) hit.reserve(EdgeTree::kWidth);
+    any_edge(leaf, certain, [&](std::size_t edge) { return hit.push_back(edge), false; });
+    return any_edge(leaf, not_above(view.squared, query.certain_miss_sq) & ~certain & lanes(leaf),
+                    [&](std::size_t edge) {
+                      if (exact().distance_sign(edge) <= 0) hit.push_back(edge);
+                      return false;
+                    });
+  });
   // With a comparison of this target, so that std::sort is instantiated for this target only.
   std::sort(hit.begin(), hit.end(), [](std::size_t a, std::size_t b) { return a < b; });
   return hit;
@@ -279,10 +286,13 @@ Feature PolygonQuery<Counts>::nearest_of_edge(std::size_t edge, double along, do
 
 template <class Counts>
 Feature PolygonQuery<Counts>::nearest_on_boundary() {
-  const EdgeIndex& index = *parts_.edges;
   const FrameQuery& query = this->query();
   double least = 0x1p500, bound = least;  // larger than any distance, and finite
-  walk<true>(index, query, bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
+  if (seen_ != nullptr) {
+    least = seen_->least_sq();
+    bound = larger(least, query.boundary_sq);
+  }
+  near_edges<true>(bound, [&](const EdgeTree::Leaf&, const LeafView& view) {
     double squared[kLanes];
     store(squared, view.squared);
     for (const double s : squared) least = std::min(least, s);
@@ -295,7 +305,7 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
   const double wider = std::sqrt(least) * bounds::kWide + margin,
                limit_sq = larger(wider * wider * bounds::kWide, query.boundary_sq);
   std::optional<Feature> nearest;
-  walk(index, query, limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
+  near_edges(limit_sq, [&](const EdgeTree::Leaf& leaf, const LeafView& view) {
     unsigned near = not_above(view.squared, limit_sq) & lanes(leaf);
     if (near == 0) return false;
     double along[kLanes], length[kLanes];
@@ -321,17 +331,20 @@ Feature PolygonQuery<Counts>::nearest_on_boundary() {
 template <class Counts>
 Answer PolygonQuery<Counts>::answer() {
   const ExactEdges<Counts>& edges = exact();
+  const SeenLeaves seen(*parts_.edges, query());
+  seen_ = &seen;
   const PointLocation place = foot_uncounted();
   const Feature feature = place == PointLocation::Inside ? Feature{Feature::Kind::Face, 0} : nearest_on_boundary();
   const ClosestPointOnFeature closest(edges, feature);
-  const double distance = filtered::distance(edges, feature);
+  const Eigen::Vector3d point{closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)};
+  const double distance = closest.distance();
   return {.plane = plane_side_uncounted(),
           .plane_tangent = plane_sign() == 0,
           .foot = place,
           .edges_hit = edges_hit_uncounted(),
           .relation = relation_at(distance),
           .nearest = feature,
-          .point = {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)},
+          .point = point,
           .distance = distance,
           .off_plane = edges.bigint().off_plane()};
 }

@@ -25,7 +25,7 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
   if (frame_reaches(ball, parts)) [[likely]] {
     // Subnormal coordinates are scaled up first, and must not be flushed to zero there.
     std::optional<OwnFloatingPointState> nearest;
-    if (parts.frame->exponent < Frame::kSubnormal) [[unlikely]]
+    if (parts.frame->unit.exponent < Frame::kSubnormal) [[unlikely]]
       nearest.emplace();
     PolygonQuery<Counts> query(ball, parts, counts);
     return pinned((query.*in_frame)());
@@ -36,7 +36,7 @@ __attribute__((noinline)) Result ask(const Ball& ball, const PreparedPolygon::Pa
 
 /// Returns whether the first stage may run in the caller's floating-point state.
 TOUCHSTONE_INLINE bool frame_reaches_at_once(const Ball& ball, const PreparedPolygon::Parts& parts) {
-  return frame_reaches(ball, parts) && parts.frame->exponent >= Frame::kSubnormal;
+  return frame_reaches(ball, parts) && parts.frame->unit.exponent >= Frame::kSubnormal;
 }
 
 /// Returns the certain sign of the ball's distance from the polygon less the radius; 0 if the first stage is unsure.
@@ -64,20 +64,6 @@ Relation relation(const Ball& ball, const PreparedPolygon::Parts& parts, Counts&
     return sign < 0 ? Relation::Overlapping : Relation::Separate;
   return ask<&PolygonQuery<Counts>::relation,
              static_cast<Relation (*)(const Ball&, const exact::PreparedPolygon&)>(exact::relation), Relation>(
-      ball, parts, counts);
-}
-
-template <class Counts>
-PlaneSide plane_side(const Ball& ball, const PreparedPolygon::Parts& parts, Counts& counts) {
-  if (frame_reaches_at_once(ball, parts)) [[likely]] {
-    const HeightQuery query(ball, *parts.frame);
-    if (query.knows_side()) [[likely]] {
-      counts.count(Stage::Double);
-      return query.side();
-    }
-  }
-  return ask<&PolygonQuery<Counts>::plane_side,
-             static_cast<PlaneSide (*)(const Ball&, const exact::PreparedPolygon&)>(exact::plane_side), PlaneSide>(
       ball, parts, counts);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geometry/detail/floating_point_state.h"
@@ -17,7 +18,7 @@ std::vector<DoubleDouble> lifts(const Polygon& polygon, const Frame& frame, cons
                                 const DoubleDouble& height) {
   std::vector<DoubleDouble> result;
   const auto from_origin = [&](std::size_t i, int axis) {
-    return two_difference(frame.scaled(polygon.coordinates(axis)[i]), frame.origin[axis]);
+    return two_difference(frame.unit.scaled(polygon.coordinates(axis)[i]), frame.origin[axis]);
   };
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
     const Vector3<DoubleDouble> p{from_origin(i, 0), from_origin(i, 1), from_origin(i, 2)};
@@ -31,8 +32,16 @@ Vector3<DoubleDouble> normal_of(const BigIntPolygon& bigint, int exponent) {
 }
 
 LiftedPolygon lifted_polygon(const Polygon& polygon, const BigIntPolygon& bigint, const Frame& frame) {
-  const int exponent = frame.exponent;
-  LiftedPolygon lifted{normal_of(bigint, exponent), 0, true, {}};
+  const int exponent = frame.unit.exponent;
+  const Vector3<DoubleDouble> normal = normal_of(bigint, exponent);
+  const int k = frame.dropped_axis;
+  LiftedPolygon lifted{.normal = normal,
+                       .per_square = DoubleDouble(1) / dot(normal, normal),
+                       .normal_maximum = 0,
+                       .exact_normal = true,
+                       .slope_a = normal[(k + 1) % 3] / normal[k],
+                       .slope_b = normal[(k + 2) % 3] / normal[k],
+                       .lifts = {}};
   for (int axis = 0; axis < 3; ++axis) {
     lifted.normal_maximum = std::max(lifted.normal_maximum, std::abs(lifted.normal[axis].high));
     lifted.exact_normal = lifted.exact_normal && bigint.normal_fits(axis, -2 * exponent);
@@ -52,22 +61,23 @@ PreparedPolygon::Parts::Parts(const Polygon& loops, EdgeIndex::Use use)
 
 std::optional<BigIntPolygon> PreparedPolygon::Parts::find_frame(EdgeIndex::Use use) {
   if (polygon.vertex_count() > EdgeTree::kMostEdges) return std::nullopt;
-  const int exponent = frame_exponent(polygon);
-  const auto vertices = scaled_vertices(polygon, exponent);
+  const LengthUnit unit = frame_unit(polygon);
+  const auto vertices = scaled_vertices(polygon, unit);
   if (!vertices) return std::nullopt;
   // A polygon parallel to a coordinate plane may be arbitrarily far from it, in units of its size.
   for (const double coordinate : vertices->front().coordinates)
     if (std::abs(coordinate) > Frame::kReach) return std::nullopt;
   const std::size_t outer = polygon.loop_end(0);
-  NewellPlane plane(kernels().newell_sums(vertices->data(), outer), outer);
+  NewellPlane newell(kernels().newell_sums(vertices->data(), outer), std::span(*vertices).first(outer));
   std::optional<BigIntPolygon> bigint;
-  if (!plane.certain) {
+  if (!newell.certain) {
     bigint.emplace(polygon);
-    plane.take_exact(normal_of(*bigint, exponent), bigint->dropped_axis());
+    newell.take_exact(normal_of(*bigint, unit.exponent), bigint->dropped_axis());
   }
-  if (!plane.certain) return bigint;
-  if (auto in_frame = framed(polygon, *vertices, exponent, plane)) {
+  if (!newell.certain) return bigint;
+  if (auto in_frame = framed(polygon, *vertices, unit, newell)) {
     frame = in_frame->frame;
+    plane = GivenPlane(*frame);
     edges.emplace(std::move(in_frame->edges), polygon, use);
   }
   return bigint;

@@ -22,8 +22,10 @@ namespace touchstone::filtered {
 /// The lifted polygon in double-doubles, in the frame's unit of length but along the axes of the input.
 struct LiftedPolygon {
   Vector3<DoubleDouble> normal;     ///< each component N_k to kDoubleDoubleUnit |N_k| + kNormalUnderflow (bounds.h)
+  DoubleDouble per_square;          ///< 1 / N.N, to bounds::kPerSquare
   double normal_maximum;            ///< an upper bound of the magnitudes of its components
   bool exact_normal;                ///< whether the normal above is exact
+  DoubleDouble slope_a, slope_b;    ///< N_a / N_k and N_b / N_k, to bounds::kSlope: k is the dropped axis, a the next
   std::vector<DoubleDouble> lifts;  ///< along the dropped axis, to bounds::kLift; empty if nothing is lifted
 };
 
@@ -39,6 +41,7 @@ struct PreparedPolygon::Parts {
  public:
   const Polygon& polygon;
   std::optional<Frame> frame;      ///< empty if scaling would lose bits, or beyond kMostEdges; then `exact` answers
+  GivenPlane plane;                ///< that of the frame, if it may be used
   std::optional<EdgeIndex> edges;  ///< in the frame, if there is one
 
   /// The polygon in integers of any size, and in double-doubles that are rounded from these if there is a frame.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/shapes/polygon.h"
+#include "robust/filtered/detail/length_unit.h"
 
 namespace touchstone::filtered {
 
@@ -13,11 +14,11 @@ struct ScaledVertex {
   double coordinates[4];
 };
 
-/// Returns the exponent of a frame's unit of length: no vertex is farther than 1/4 from vertex 0 in any coordinate.
-[[nodiscard]] int frame_exponent(const Polygon& polygon);
+/// Returns a frame's unit of length: no vertex is farther than 1/4 from vertex 0 in any coordinate.
+[[nodiscard]] LengthUnit frame_unit(const Polygon& polygon);
 
-/// Returns the vertices in the unit 2^exponent; nothing if that loses a bit. Requires round to nearest, and subnormal
+/// Returns the vertices in this unit; nothing if that loses a bit. Requires round to nearest, and subnormal
 /// numbers.
-[[nodiscard]] std::optional<std::vector<ScaledVertex>> scaled_vertices(const Polygon& polygon, int exponent);
+[[nodiscard]] std::optional<std::vector<ScaledVertex>> scaled_vertices(const Polygon& polygon, const LengthUnit& unit);
 
 }  // namespace touchstone::filtered

@@ -9,6 +9,7 @@
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/integer.h"
 #include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/numbers/power_of_two.h"
 #include "robust/filtered/detail/sign_kind.h"
 #include "robust/filtered/stage.h"
 
@@ -101,9 +102,6 @@ class IntegerView {
   static int exponent(double normal) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(normal) >> 52 & 0x7ff) - 1023;
   }
-  static double power_of_two(int exponent) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
-  }
   /// Returns whether no component has more than Bits bits or a tail. Most numbers fail this test at once.
   static bool short_enough(const Vector3<DoubleDouble>& v) {
     if (v.x.low != 0 || v.y.low != 0 || v.z.low != 0) return false;  // exact: tails of error-free differences
@@ -111,14 +109,10 @@ class IntegerView {
     const auto bits = [](const DoubleDouble& x) { return std::bit_cast<std::uint64_t>(x.high); };
     return ((bits(v.x) | bits(v.y) | bits(v.z)) & rest) == 0;
   }
-  static bool whole(double value) {
-    // From 2^53 on every double is an integer.
-    return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
-  }
   /// Returns whether the number is an integer after the scaling, which must not have made it zero.
   static bool whole(double length, double scale) {
     const double scaled = length * scale;
-    return whole(scaled) && (scaled != 0 || length == 0);  // exact
+    return is_integer(scaled) && (scaled != 0 || length == 0);  // exact
   }
   [[nodiscard]] bool whole(const Vector3<DoubleDouble>& v) const {
     return whole(v.x.high, scale_) && whole(v.y.high, scale_) && whole(v.z.high, scale_);

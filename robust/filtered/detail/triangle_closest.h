@@ -20,7 +20,6 @@ class ExactTriangle {
   ExactTriangle(const BallTriangleView& view, Counts& counts) : given_(view), view_(view), counts_(counts) {
     if (const double largest = largest_number(view); !(largest >= 0x1p-30 && largest <= 0x1p30)) {
       scaled_.emplace(view, largest);
-      exponent_ = scaled_->exponent();
       view_ = scaled_->view();
     }
     scales_ = !scaled_ || scaled_->exact();
@@ -38,13 +37,17 @@ class ExactTriangle {
 
   [[nodiscard]] Counts& counts() const { return counts_; }
   [[nodiscard]] bool scales() const { return scales_; }
-  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] double unscaled(double length) const { return scaled_ ? scaled_->unit().unscaled(length) : length; }
   [[nodiscard]] double center(int axis) const { return view_.center[axis]; }
   [[nodiscard]] double vertex(std::size_t i, int axis) const { return view_.vertex[i][axis]; }
   [[nodiscard]] double given_vertex(std::size_t i, int axis) const { return given_.vertex[i][axis]; }
   [[nodiscard]] static bool lifts(int) { return false; }
   [[nodiscard]] static DoubleDouble lift(std::size_t) { return {}; }
-  [[nodiscard]] auto edge_view(std::size_t edge) const { return triangle().edge_view(static_cast<int>(edge)); }
+  /// Returns the edge. Keeps the last one.
+  [[nodiscard]] const auto& edge_view(std::size_t edge) const {
+    kept_.emplace(triangle().edge_view(static_cast<int>(edge)));
+    return *kept_;
+  }
   [[nodiscard]] double bigint_point(const Feature& feature, int axis) const {
     return filtered::bigint_point(given_, feature, axis);
   }
@@ -59,7 +62,7 @@ class ExactTriangle {
   std::optional<ScaledTriangle> scaled_;
   Counts& counts_;
   TriangleSigns signs_;
-  int exponent_ = 0;
+  mutable std::optional<typename UnsureTriangle<Counts>::EdgeView> kept_;
   bool scales_;
 };
 
@@ -72,7 +75,8 @@ Feature nearest_feature(BallTriangleView view, Counts& counts) {
 template <class Counts>
 double feature_distance(BallTriangleView view, const Feature& feature, Counts& counts) {
   const FloatingPointState nearest;
-  return pinned(distance(ExactTriangle<Counts>(view, counts), feature));
+  const ExactTriangle<Counts> triangle(view, counts);
+  return pinned(ClosestPointOnFeature(triangle, feature).distance());
 }
 
 template <class Counts>

@@ -6,6 +6,7 @@
 #include "geometry/contact/answer.h"
 #include "geometry/detail/floating_point_state.h"
 #include "robust/filtered/detail/bigint_sign.h"
+#include "robust/filtered/detail/scaled_triangle.h"
 #include "robust/filtered/detail/sign_ladder.h"
 #include "robust/filtered/detail/triangle_filter.h"
 
@@ -51,6 +52,7 @@ class UnsureTriangle {
     static constexpr bool lifted = false;
     /// The error of the normal's components, in units of bounds::kClosest times the maximum.
     static constexpr double kNormalError = 1;
+    [[nodiscard]] DoubleDouble per_normal_square() const { return DoubleDouble(1) / dot(normal, normal); }
     /// Returns whether this component of the normal is certainly zero.
     [[nodiscard]] bool no_normal(int axis) const { return no_normals[axis]; }
   };
@@ -118,71 +120,41 @@ class UnsureTriangle {
   Counts& counts_;
 };
 
-/// Returns whether ball and triangle touch, computed only in integers of any size.
-inline bool bigint_contact(const BallTriangleView& view) {
-  const auto sign = [&view](SignKind kind, int i) { return bigint_sign(kind, view, i); };
-  bool outside = false;
-  for (int i = 0; i < 3; ++i) outside = outside || sign(SignKind::Side, i) < 0;
-  if (!outside) return sign(SignKind::Plane, 0) <= 0;
+/// Returns whether ball and triangle touch. Computes the signs that are not certain in integers of any size.
+inline bool bigint_contact(const BallTriangleView& view, const TriangleSigns& signs) {
+  const auto sign = [&view](SignKind kind, const CertainSigns& certain, int i) {
+    const int known = certain.of(i);
+    return known != 0 ? known : bigint_sign(kind, view, i);
+  };
+  bool outside = signs.side.negative != 0;
+  for (int i = 0; i < 3 && !outside; ++i) outside = sign(SignKind::Side, signs.side, i) < 0;
+  if (!outside) return sign(SignKind::Plane, signs.plane, 0) <= 0;
   for (int i = 0; i < 3; ++i) {
-    if (sign(SignKind::Vertex, i) <= 0) return true;
-    if (sign(SignKind::Along, i) > 0 && sign(SignKind::Beyond, i) < 0 && sign(SignKind::Line, i) <= 0) return true;
+    if (sign(SignKind::Vertex, signs.vertex, i) <= 0) return true;
+    if (signs.line.of(i) > 0) continue;
+    if (sign(SignKind::Along, signs.along, i) > 0 && sign(SignKind::Beyond, signs.beyond, i) < 0 &&
+        sign(SignKind::Line, signs.line, i) <= 0)
+      return true;
   }
   return false;
-}
-
-/// A triangle and a ball times a power of two.
-class ScaledTriangle {
- public:
-  /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of ball and triangle.
-  ScaledTriangle(const BallTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
-    for (int i = 0; i < 3; ++i) {
-      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
-      center_[i] = scaled(view.center[i]);
-    }
-    center_[3] = scaled(view.radius());
-  }
-  /// Returns whether no bit was lost.
-  [[nodiscard]] bool exact() const { return exact_; }
-  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
-  [[nodiscard]] int exponent() const { return exponent_; }
-  [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
-
- private:
-  double scaled(double length) {
-    const double result = std::ldexp(length, -exponent_);
-    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
-    return result;
-  }
-
-  int exponent_;
-  bool exact_ = true;
-  double vertex_[3][3], center_[4];
-};
-
-/// Returns the largest magnitude of a number of ball and triangle.
-inline double largest_number(const BallTriangleView& view) {
-  double largest = view.radius();
-  for (int i = 0; i < 3; ++i)
-    for (const double x : {view.vertex[i][0], view.vertex[i][1], view.vertex[i][2], view.center[i]})
-      largest = std::max(largest, std::abs(x));
-  return largest;
 }
 
 /// Returns whether ball and triangle touch, after scaling very large or very small numbers to ordinary size.
 template <class Counts>
 __attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, double largest, Counts& counts) {
+  TriangleSigns signs;
+  if (const FilterResult result = scaled_filter(view, signs); result != FilterResult::Unsure) {
+    counts.count(Stage::Double);
+    return result == FilterResult::Yes;
+  }
   const ScaledTriangle scaled(view, largest);
   if (!scaled.exact()) {
     counts.count(Stage::BigInteger);
-    return bigint_contact(view);
+    return bigint_contact(view, signs);
   }
   const BallTriangleView same = scaled.view();
-  TriangleSigns signs;
-  const FilterResult result = triangle_filter(same, signs);
-  if (result == FilterResult::Unsure) return UnsureTriangle<Counts>(same, signs, counts).contact();
-  counts.count(Stage::Double);
-  return result == FilterResult::Yes;
+  (void)triangle_filter<true>(same, signs);
+  return UnsureTriangle<Counts>(same, signs, counts).contact();
 }
 
 /// Returns whether ball and triangle touch, for queries that the first stage could not decide.

@@ -26,21 +26,29 @@ TOUCHSTONE_INLINE LaneSigns certain_signs(const Pack& value, double constant, co
 /// is above kTiny, which need not be added.
 TOUCHSTONE_INLINE Pack not_too_small(const Pack& largest) { return maximum(largest, all_lanes(bounds::kSmallest)); }
 
-/// A triangle, one corner and the edge from it a lane; lane 3 repeats a corner.
+/// A triangle as seen from its corners, one corner and the edge from it a lane; lane 3 repeats a corner.
 struct TriangleLanes {
-  Vector3<Pack> vertex, edge, normal;
+  Vector3<Pack> edge, normal;
   Pack m_edge, m_normal;  ///< maxima
 
-  TOUCHSTONE_INLINE explicit TriangleLanes(const Vector3<Pack>& vertices) : vertex(vertices) {
-    const Vector3<Pack> next{next_of_three(vertex.x), next_of_three(vertex.y), next_of_three(vertex.z)};
-    const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
-    edge = difference(next, vertex);
-    normal = signs::normal(edge, difference(previous, vertex));
-    m_edge = not_too_small(largest_component(edge));
+  TOUCHSTONE_INLINE TriangleLanes(const Vector3<Pack>& edges, const Vector3<Pack>& normals)
+      : edge(edges), normal(normals), m_edge(not_too_small(largest_component(edge))) {
     const Pack m_edges = m_edge * previous_of_three(m_edge);
     m_normal = m_edges + m_edges;
   }
 };
+
+/// Returns the vector that each lane's successor holds.
+TOUCHSTONE_INLINE Vector3<Pack> next_of_three(const Vector3<Pack>& v) {
+  return {next_of_three(v.x), next_of_three(v.y), next_of_three(v.z)};
+}
+
+/// Returns the triangle with these vertices.
+TOUCHSTONE_INLINE TriangleLanes triangle_lanes(const Vector3<Pack>& vertex) {
+  const Vector3<Pack> previous{previous_of_three(vertex.x), previous_of_three(vertex.y), previous_of_three(vertex.z)};
+  const Vector3<Pack> edge = difference(next_of_three(vertex), vertex);
+  return {edge, signs::normal(edge, difference(previous, vertex))};
+}
 
 /// Loads three vertices.
 TOUCHSTONE_INLINE Vector3<Pack> vertex_lanes(const double (*vertex)[3]) {
@@ -54,19 +62,26 @@ TOUCHSTONE_INLINE Vector3<Pack> point_lanes(const double* point) {
 }
 
 /// A ball as seen from a triangle's corners and edges, with every sign of signs.h that matters for contact.
+///
+/// If `scaled`, every vector is in a unit of its own: the radius of a lane in that of `to_center`, the normal in those
+/// of the edges before and after the lane's vertex.
+template <bool scaled = false>
 struct BallAtTriangle {
   Vector3<Pack> to_center;
   Pack m_center;  ///< maximum
   LaneSigns vertex_out, after_start, after_end, line_out, side_in, plane_out;
 
-  TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& center, const Pack& radius)
-      : to_center(difference(center, triangle.vertex)),
-        m_center(not_too_small(maximum(largest_component(to_center), radius))) {
-    const auto& [vertex, edge, normal, m_edge, m_normal] = triangle;
+  TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& from_corners, const Pack& radius)
+      : to_center(from_corners), m_center(not_too_small(maximum(largest_component(to_center), radius))) {
+    const auto& [edge, normal, m_edge, m_normal] = triangle;
     const Pack m_both = m_center * m_edge, m_plane = m_normal * m_center;
     vertex_out = certain_signs(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);
     after_start = certain_signs(signs::along(to_center, edge), bounds::kAlong, m_both);
-    after_end = certain_signs(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
+    if constexpr (scaled)  // as seen from the end of the edge, all terms have the same units
+      after_end =
+          certain_signs(signs::along(next_of_three(to_center), edge), bounds::kAlong, next_of_three(m_center) * m_edge);
+    else
+      after_end = certain_signs(signs::beyond(to_center, edge), bounds::kBeyond, maximum(m_both, m_edge * m_edge));
     line_out = certain_signs(signs::line(to_center, edge, radius), bounds::kLine, m_both * m_both);
     side_in = certain_signs(signs::side(normal, edge, to_center), bounds::kSide, m_normal * m_both);
     plane_out = certain_signs(signs::plane(normal, to_center, radius), bounds::kPlane, m_plane * m_plane);
@@ -98,6 +113,27 @@ TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const double* ball)
 }
 
 /// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
+/// `always`.
+template <bool always, bool scaled>
+TOUCHSTONE_INLINE FilterResult filter_edges(const TriangleLanes& triangle, const BallAtTriangle<scaled>& ball,
+                                            TriangleSigns& signs) {
+  const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
+  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
+  if (!always && yes != no) [[likely]]
+    return yes ? FilterResult::Yes : FilterResult::No;
+  const auto both = [](const LaneSigns& s) {
+    return CertainSigns{BallAtTriangle<>::lanes(s.positive), BallAtTriangle<>::lanes(s.negative)};
+  };
+  signs.vertex = both(ball.vertex_out), signs.line = both(ball.line_out);
+  signs.along = both(ball.after_start), signs.beyond = both(ball.after_end);
+  signs.side = both(ball.side_in), signs.plane = both(ball.plane_out);
+  signs.reachable = ball.edges_missed() ^ BallAtTriangle<>::all;
+  store(signs.to_center, ball.m_center);
+  store(signs.edge, triangle.m_edge);
+  return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+}
+
+/// Returns whether the ball touches the triangle, if doubles can decide it. Writes `signs` if they cannot, or always if
 /// `always`; never if the result is OutOfRange.
 ///
 /// Valid in every rounding direction and under flush-to-zero. Raises no flags except INEXACT and UNDERFLOW.
@@ -106,22 +142,9 @@ TOUCHSTONE_INLINE FilterResult triangle_filter(const BallTriangleView& view, Tri
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view.center)) [[unlikely]]
     return FilterResult::OutOfRange;
-  const TriangleLanes triangle(vertex);
-  const BallAtTriangle ball(triangle, point_lanes(view.center), all_lanes(view.radius()));
-  const bool yes = ball.certainly_touches(), no = ball.certainly_misses();
-  // Never both. g++ compiles `yes | no` to two branches, the first of which depends on the data and is mispredicted.
-  if (!always && yes != no) [[likely]]
-    return yes ? FilterResult::Yes : FilterResult::No;
-  const auto both = [](const LaneSigns& s) {
-    return CertainSigns{BallAtTriangle::lanes(s.positive), BallAtTriangle::lanes(s.negative)};
-  };
-  signs.vertex = both(ball.vertex_out), signs.line = both(ball.line_out);
-  signs.along = both(ball.after_start), signs.beyond = both(ball.after_end);
-  signs.side = both(ball.side_in), signs.plane = both(ball.plane_out);
-  signs.reachable = ball.edges_missed() ^ BallAtTriangle::all;
-  store(signs.to_center, ball.m_center);
-  store(signs.edge, triangle.m_edge);
-  return yes ? FilterResult::Yes : no ? FilterResult::No : FilterResult::Unsure;
+  const TriangleLanes triangle = triangle_lanes(vertex);
+  const BallAtTriangle<> ball(triangle, difference(point_lanes(view.center), vertex), all_lanes(view.radius()));
+  return filter_edges<always>(triangle, ball, signs);
 }
 
 }  // namespace TOUCHSTONE_TARGET

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,25 @@ TEST(FilteredManyEdges, AreAnsweredAsByExact) {
       }
 }
 
+// Balls with feet and radii of their own: the lanes of a batch do not know each other.
+TEST(FilteredManyEdges, AreAnsweredInBatchesAsOneByOne) {
+  for (const Family family : {Family::Spiral, Family::Koch, Family::Star}) {
+    workloads::Workload workload;
+    workload.family = family, workload.vertices = 192;
+    const Polygon polygon = in_plane(workloads::draw_outline(workload, 2026, 0));
+    const filtered::PreparedPolygon prepared(polygon);
+    std::vector<Ball> balls;
+    for (std::uint64_t i = 0; i < 403; ++i) {
+      Random random(2026, i, 97);
+      balls.push_back(draw_ball(random, polygon));
+    }
+    const std::unique_ptr<bool[]> touches(new bool[balls.size()]);
+    filtered::contact(balls, prepared, {touches.get(), balls.size()});
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      EXPECT_EQ(touches[i], filtered::contact(balls[i], prepared)) << to_string(family) << ", ball " << i;
+  }
+}
+
 // The distance of the plane, in units of the polygon's size, exceeds what squares can hold.
 TEST(FilteredManyEdges, InAPlaneFarFromTheOriginAreAnsweredAsByExact) {
   workloads::Workload workload;
@@ -77,6 +97,7 @@ TEST(FilteredManyEdges, InAPlaneFarFromTheOriginAreAnsweredAsByExact) {
       Random random(2026, i, 98);
       const Ball ball = draw_ball(random, polygon);
       const std::string what = "2^" + std::to_string(exponent) + " above the origin, ball " + std::to_string(i);
+      EXPECT_EQ(filtered::plane_side(ball, prepared), exact::plane_side(ball, truth)) << what;
       EXPECT_EQ(filtered::foot(ball, prepared), exact::foot(ball, truth)) << what;
       EXPECT_EQ(filtered::relation(ball, prepared), exact::relation(ball, truth)) << what;
       EXPECT_EQ(filtered::edges_hit(ball, prepared), exact::edges_hit(ball, truth)) << what;

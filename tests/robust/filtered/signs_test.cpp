@@ -170,7 +170,7 @@ TEST(Signs, InDoubleDoublesLieWithinTheirBounds) {
     if (!maxima.within_limits) return;
     const Exact exact = exact_signs(drawn.ball, drawn.triangle);
     for_each_sign(
-        drawn.ball, drawn.triangle, filtered::two_difference, [](double r) { return DoubleDouble(r); },
+        drawn.ball, drawn.triangle, filtered::two_difference<double>, [](double r) { return DoubleDouble(r); },
         [&](std::size_t i, const DoubleDouble& value) {
           const double bound = maxima.bound(i, bounds::kDoubleDoubleUnit);
           EXPECT_LE(abs(exactly(value) - exact[i]), exactly(bound)) << kNames[i] << " of " << drawn.id;

@@ -54,9 +54,9 @@ Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double sha
       filtered::bounds::kFrameLength;
   const double off = share * kUnit;
   const Frame& frame = framed.frame;
-  const double from[] = {std::ldexp(center[0], -frame.exponent) - frame.origin.x,
-                         std::ldexp(center[1], -frame.exponent) - frame.origin.y,
-                         std::ldexp(center[2], -frame.exponent) - frame.origin.z};
+  const double from[] = {std::ldexp(center[0], -frame.unit.exponent) - frame.origin.x,
+                         std::ldexp(center[1], -frame.unit.exponent) - frame.origin.y,
+                         std::ldexp(center[2], -frame.unit.exponent) - frame.origin.z};
   Framed result = framed;
   const auto displace = [&](filtered::Vector3<double>& axis, double by) {
     axis.x += std::copysign(by, by * from[0]);
@@ -79,8 +79,7 @@ Framed displaced(const Framed& framed, const Eigen::Vector3d& center, double sha
   return result;
 }
 
-/// The double-doubles, each component of the normal displaced by `units` of bounds::kDoubleDoubleUnit of itself, each
-/// lift by `units` of bounds::kLift.
+/// The double-doubles, each displaced by `units` of what bounds.h allows for it.
 filtered::LiftedPolygon displaced(const filtered::LiftedPolygon& lifted, double units, Signs& signs) {
   filtered::LiftedPolygon result = lifted;
   const auto displace = [&](DoubleDouble& x, double size) {
@@ -88,6 +87,10 @@ filtered::LiftedPolygon displaced(const filtered::LiftedPolygon& lifted, double 
   };
   for (DoubleDouble* x : {&result.normal.x, &result.normal.y, &result.normal.z})
     displace(*x, filtered::bounds::kDoubleDoubleUnit * std::abs(x->high));
+  displace(result.per_square,
+           filtered::bounds::kPerSquare * filtered::bounds::kDoubleDoubleUnit * result.per_square.high);
+  for (DoubleDouble* slope : {&result.slope_a, &result.slope_b})
+    displace(*slope, filtered::bounds::kSlope * filtered::bounds::kDoubleDoubleUnit);
   for (DoubleDouble& lift : result.lifts) displace(lift, filtered::bounds::kLift);
   result.exact_normal = false;
   return result;

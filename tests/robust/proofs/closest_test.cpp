@@ -44,8 +44,11 @@ TEST(LiftBounds, HoldForVertices) {
 }
 
 TEST(LiftBounds, HoldForEdges) {
-  const ErrorBound along = dot(vector_within(1, kDouble), vector_within(1, 0));
-  const ErrorBound lifted = within(1, 0) - within(along.magnitude(), error_of_share(along));
+  const mpq_class of_slope = error_of_share(within(1, kDouble));
+  EXPECT_LE(of_slope, bounds::kSlope * kDouble);
+  EXPECT_GT(of_slope, bounds::kSlope * kDouble * mpq_class(15, 16)) << "it is loose";
+  const ErrorBound slope = within(1, bounds::kSlope * kDouble), edge = within(1, 0);
+  const ErrorBound lifted = slope * edge + slope * edge;
   EXPECT_LE(lifted.error, bounds::kLiftedEdge);
   EXPECT_GT(lifted.error, mpq_class(bounds::kLiftedEdge) / 2) << "it is loose";
   EXPECT_LE(bounds::kLiftedEdge, kDouble * bounds::kLiftedMaximum);
@@ -74,12 +77,19 @@ mpq_class error_of_product(const Situation& s) {
   return dot(vector_within(s.direction, s.direction_error), vector_within(1, s.from_error)).error;
 }
 
-/// The step is D.to_center D_k / D.D; its errors in units of |D_k| / D.D, without those of D_k. |D.to_center| is at
+/// The step is D.to_center (1 / D.D) D_k; its errors in units of |D_k| / D.D, without those of D_k. |D.to_center| is at
 /// most |D| times the root of 3, and |D| at most that times the largest component: the shorter D is, the less its
 /// errors' share counts.
 mpq_class error_of_step(const Situation& s) {
   const mpq_class longest = kRootOfThree * s.direction, product = kRootOfThree * longest;
-  return (error_of_product(s) + product * (error_of_square(s, longest) + kQuotient + kDouble)) * kSecondOrder;
+  return (error_of_product(s) + product * (error_of_square(s, longest) + kQuotient + 2 * kDouble)) * kSecondOrder;
+}
+
+// Each component of a polygon's normal is known to a unit of itself, so each square to two.
+TEST(ClosestBounds, HoldForTheNormalOfAPolygon) {
+  const mpq_class found = (2 * kDouble + error_of_square(kExactEdge, 1) + kQuotient) * kSecondOrder;
+  EXPECT_LE(found, bounds::kPerSquare * kDouble);
+  EXPECT_GT(found, bounds::kPerSquare * kDouble * mpq_class(15, 16)) << "it is loose";
 }
 
 TEST(ClosestBounds, HoldForSteps) {
@@ -111,7 +121,7 @@ TEST(ClosestBounds, AllowForComponentsThatUnderflow) {
   EXPECT_LE((of_component + of_share * largest_normal + 8 * operation) * kSecondOrder, left_over);
 }
 
-// |D.to_center| / |D| and |D x to_center| / |D|, in units of 1 / |D| and of themselves.
+// The roots of (D.to_center)^2 (1 / D.D) and |D x to_center|^2 (1 / D.D), in units of 1 / |D| and of themselves.
 TEST(ClosestBounds, HoldForDistances) {
   for (const Situation& s : kEvery) {
     const Vector3<ErrorBound> moment =
@@ -122,7 +132,8 @@ TEST(ClosestBounds, HoldForDistances) {
     EXPECT_LE((numerator + of_length) * kSecondOrder, bounds::kClosest / 2);
   }
   const Situation exact{1, 0, 0};
-  const mpq_class of_itself = error_of_square(exact, 1) + 3 * kQuotient;  // two roots of sums of squares, a quotient
+  // A sum of squares, times one over a sum of squares; the root halves what that is off, and adds its own.
+  const mpq_class of_itself = (2 * error_of_square(exact, 1) + kQuotient + kDouble) / 2 + kQuotient;
   EXPECT_LE(of_itself * kSecondOrder, bounds::kClosest);
   // From a vertex: the root of a sum of squares; what is lifted is known to a unit of the maximum.
   EXPECT_LE((error_of_square(exact, 1) + kQuotient) * kSecondOrder, bounds::kClosest);

@@ -4,6 +4,8 @@
 //
 // Lengths are in the frame's unit, with W = 1 and S = 2. That is the worst case: every error here is a sum of lengths
 // times coefficients that are not negative, W and the frame's unit are at most S / 2, and the bounds grow with S.
+#include "robust/filtered/detail/frame.h"
+
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -41,15 +43,25 @@ TEST(FrameBounds, ExtentIsThatOfALiftedPolygon) {
   EXPECT_LE(3 * other, bounds::kExtent) << "of the plane";
 }
 
-// A comparison of height +- error with a radius, or their sum or difference that goes into a product, is rounded once.
-TEST(FrameBounds, OfHeightsCoverTheirComparison) {
-  const ErrorBound axis = known(1, kUnit), from = known(1, kUnit + kFlushed);
+/// The error of a height, of the radius that it is compared with, and of one rounded sum of it and this error.
+mpq_class error_of_height(const ErrorModel& model) {
+  const ErrorBound axis = known(1, kUnit, model), from = known(1, kUnit + 2 * kFlushed, model);
   const ErrorBound height = frame::height(Vector3<ErrorBound>{axis, axis, axis}, Vector3<ErrorBound>{from, from, from},
-                                          known(bounds::kExtent, kUnit));
+                                          known(bounds::kExtent, kUnit + kFlushed, model));
   const mpq_class of_radius = kFlushed;
-  const mpq_class needed = height.error + of_radius + kUnit * (height.magnitude() + bound_of(bounds::kHeight));
+  return height.error + of_radius + kUnit * (height.magnitude() + bound_of(bounds::kHeight));
+}
+
+TEST(FrameBounds, OfHeightsCoverTheirComparison) {
+  const mpq_class needed = error_of_height(kAnyRounding);
   EXPECT_LE(needed, bound_of(bounds::kHeight));
   EXPECT_GT(needed, bound_of(bounds::kHeight) * 15 / 16) << "it is loose";
+}
+
+// In the caller's unit of length everything is up to 2^900 times as small, so underflow costs as much more.
+TEST(FrameBounds, OfHeightsCoverUnderflowInTheGivenUnit) {
+  const ErrorModel given{kUnit, kAnyRounding.underflow * power(2, -Frame::kSubnormal), true};
+  EXPECT_LE(error_of_height(given), bound_of(bounds::kHeight));
 }
 
 /// How far the root of the computed square of the length of (x, y) may be from that of the exact numbers, if it is at

@@ -64,7 +64,7 @@ Largest errors_of_normals(int least_slope, int most_slope) {
     const PreparedPolygon prepared(almost_level(random, static_cast<int>(random.integer(0, 2)), slope));
     const PreparedPolygon::Parts& parts = parts_of(prepared);
     if (!parts.frame) continue;
-    const auto exact = exact_normal(parts.polygon, -2 * parts.frame->exponent);
+    const auto exact = exact_normal(parts.polygon, -2 * parts.frame->unit.exponent);
     const Vector3<DoubleDouble>& normal = parts.exact_form().lifted.normal;
     for (int k = 0; k < 3; ++k) {
       const mpq_class& component = exact[static_cast<std::size_t>(k)];

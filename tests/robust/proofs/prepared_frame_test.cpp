@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -143,8 +144,8 @@ void check_frame(const FramedPolygon& found, const Polygon& polygon, const std::
 }
 
 void check(const Kernels& kernels, const Polygon& polygon, const std::string& what, Shares& shares) {
-  const int exponent = frame_exponent(polygon);
-  const auto vertices = scaled_vertices(polygon, exponent);
+  const LengthUnit unit = frame_unit(polygon);
+  const auto vertices = scaled_vertices(polygon, unit);
   ASSERT_TRUE(vertices);
   const std::size_t outer = polygon.loop_end(0);
   const ExactPlane exact(*vertices, outer);
@@ -154,7 +155,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
     EXPECT_LE(abs(normal - exact.normal[axis]), mpq_class(sums.error[axis])) << what;
     EXPECT_LE(sums.error[axis], 0x1p-90) << what << ": the bound is loose";
   }
-  const NewellPlane plane(sums, outer);
+  const NewellPlane plane(sums, std::span(*vertices).first(outer));
   if (!plane.certain) return;
   ++shares.certain;
   EXPECT_EQ(plane.dropped_axis, exact.dropped_axis) << what;
@@ -163,7 +164,7 @@ void check(const Kernels& kernels, const Polygon& polygon, const std::string& wh
     raise(shares.normal, real((found - exact.normal[static_cast<std::size_t>(axis)]) / exact.largest()),
           NewellPlane::kError, what);
   }
-  if (const auto found = framed(polygon, *vertices, exponent, plane)) {
+  if (const auto found = framed(polygon, *vertices, unit, plane)) {
     ++shares.framed;
     check_frame(*found, polygon, *vertices, exact, what, shares);
   }
@@ -185,16 +186,42 @@ TEST(PreparedFrame, IsAsAccurateAsStatedWithEveryKernel) {
   }
 }
 
-// Two components of the normal are equal, or as good as equal: only exact arithmetic can tell which axis is dropped.
-TEST(PreparedFrame, LeavesTiesOfTheNormalToIntegers) {
-  for (const double off : {0.0, 0x1p-52}) {
-    const Polygon polygon({{0, 0, 0}, {1 + off, -1, 0}, {1 + off, -1, 3}, {0, 0, 3}});
-    const auto vertices = scaled_vertices(polygon, frame_exponent(polygon));
-    EXPECT_FALSE(NewellPlane(kernels().newell_sums(vertices->data(), 4), 4).certain);
+// Two components of the normal are equal, or as good as equal: doubles cannot tell which axis is dropped. The tie is
+// broken by 2^-k, where differences from vertex 0 need two doubles.
+TEST(PreparedFrame, DecidesTiesOfTheNormalExactly) {
+  std::uint64_t first = 0, second = 0;
+  for (std::uint64_t index = 0; index < kPolygons; ++index) {
+    Random random(2033, index);
+    const int least = random.coin() ? -58 : -118;  // for either width of integers
+    const auto bump = [&] {
+      return std::ldexp(static_cast<double>(random.integer(-1, 1)), static_cast<int>(random.integer(least, -40)));
+    };
+    Eigen::Vector3d corners[] = {{0, 0, 0}, {1, -1, 0}, {1, -1, 3}, {0, 0, 3}};
+    for (Eigen::Vector3d* corner : {&corners[0], &corners[3]})
+      for (int axis = 0; axis < 2; ++axis) (*corner)[axis] += bump();
+    const Polygon polygon({corners[0], corners[1], corners[2], corners[3]});
+    const auto vertices = scaled_vertices(polygon, frame_unit(polygon));
+    ASSERT_TRUE(vertices);
+    const NewellPlane plane(kernels().newell_sums(vertices->data(), 4), *vertices);
+    const ExactPlane exact(*vertices, 4);
+    EXPECT_TRUE(plane.certain) << "polygon " << index;
+    EXPECT_EQ(plane.dropped_axis, exact.dropped_axis) << "polygon " << index;
+    ++(plane.dropped_axis == 0 ? first : second);
+  }
+  EXPECT_GT(first, kPolygons / 4);
+  EXPECT_GT(second, kPolygons / 4);
+}
+
+// Bits that are too far apart for integers of fixed width.
+TEST(PreparedFrame, LeavesTiesOfManyBitsToIntegersOfAnySize) {
+  for (const double off : {0x1p-200, -0x1p-200}) {
+    const Polygon polygon({{0, off, 0}, {1, -1, 0}, {1, -1, 3}, {0, off, 3}});
+    const auto vertices = scaled_vertices(polygon, frame_unit(polygon));
+    EXPECT_FALSE(NewellPlane(kernels().newell_sums(vertices->data(), 4), *vertices).certain);
     const PreparedPolygon::Parts parts(polygon);
     ASSERT_TRUE(parts.frame);
     EXPECT_EQ(parts.frame->dropped_axis, parts.exact_form().bigint.dropped_axis());
-    EXPECT_EQ(parts.frame->dropped_axis, off == 0 ? 0 : 1);
+    EXPECT_EQ(parts.frame->dropped_axis, off > 0 ? 0 : 1);
   }
 }
 

@@ -34,15 +34,16 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
     return FilterResult::OutOfRange;
-  const TriangleLanes triangle(vertex);
-  const auto& [corner, edge, normal, m_edge, m_normal] = triangle;
+  const TriangleLanes triangle = triangle_lanes(vertex);
+  const auto& [edge, normal, m_edge, m_normal] = triangle;
   const Vector3<Pack> center = point_lanes(view.motion), to = point_lanes(view.motion + 4);
   const Pack radius = all_lanes(view.radius());
-  constexpr unsigned all = BallAtTriangle::all;
-  const auto lanes = BallAtTriangle::lanes;
+  constexpr unsigned all = BallAtTriangle<>::all;
+  const auto lanes = BallAtTriangle<>::lanes;
 
-  const BallAtTriangle start(triangle, center, radius), end(triangle, to, radius);
-  const auto front = [&](const BallAtTriangle& ball) {
+  const BallAtTriangle<> start(triangle, difference(center, vertex), radius);
+  const BallAtTriangle<> end(triangle, difference(to, vertex), radius);
+  const auto front = [&](const BallAtTriangle<>& ball) {
     return certain_signs(signs::front(normal, ball.to_center), bounds::kFront, m_normal * ball.m_center);
   };
   const LaneSigns starts_front = front(start), ends_front = front(end);
@@ -64,8 +65,7 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   const Pack vertex_missed = vertex_out.positive | approaches.positive | departs.negative;
 
   // An edge and the motion's segment.
-  const Vector3<Pack> from_end{next_of_three(start.to_center.x), next_of_three(start.to_center.y),
-                               next_of_three(start.to_center.z)};
+  const Vector3<Pack> from_end = next_of_three(start.to_center);
   const Pack m_start = maximum(m_center, next_of_three(m_center)), m_both = m_velocity * m_edge;
   const Pack m_all = m_start * m_both, m_edge_sign = m_all * m_velocity, m_way_sign = m_all * m_edge;
   const LaneSigns apart = certain_signs(signs::apart(start.to_center, edge, velocity), bounds::kApart, m_all);

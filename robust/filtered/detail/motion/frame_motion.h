@@ -26,7 +26,7 @@ struct FrameMotion {
         x(frame::coordinate(frame.x, start.to_center)),
         y(frame::coordinate(frame.y, start.to_center)) {
     const auto component = [&](int axis) {
-      return frame.scaled(motion.to[axis]) - frame.scaled(motion.ball.center[axis]);
+      return frame.unit.scaled(motion.to[axis]) - frame.unit.scaled(motion.ball.center[axis]);
     };
     const Vector3<double> given{component(0), component(1), component(2)};
     const double widest =

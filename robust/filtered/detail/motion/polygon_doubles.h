@@ -19,13 +19,12 @@ template <class Counts>
 class PolygonMotionDoubles {
  public:
   PolygonMotionDoubles(const Motion& motion, const PreparedPolygon::Parts& parts, Counts& counts)
-      : parts_(parts), edges_(motion.ball, parts, counts), radius_(parts.frame->scaled(motion.ball.radius)) {
+      : parts_(parts), edges_(motion.ball, parts, counts), radius_(parts.frame->unit.scaled(motion.ball.radius)) {
     usable_ = edges_.scales();
     DoubleDouble velocity[3];
     for (int axis = 0; axis < 3; ++axis) {
-      const double to = parts.frame->scaled(motion.to[axis]);
-      usable_ = usable_ && std::ldexp(to, exponent()) == motion.to[axis];  // exact
-      velocity[axis] = two_difference(to, edges_.center(axis));
+      usable_ = usable_ && parts.frame->unit.is_exact(motion.to[axis]);
+      velocity[axis] = two_difference(parts.frame->unit.scaled(motion.to[axis]), edges_.center(axis));
     }
     velocity_ = known_within({velocity[0], velocity[1], velocity[2]}, 0);
     const LiftedPolygon& lifted = parts.exact_form().lifted;
@@ -46,7 +45,7 @@ class PolygonMotionDoubles {
             {radius_, 0}};
   }
   [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
-  [[nodiscard]] int exponent() const { return parts_.frame->exponent; }
+  [[nodiscard]] double unscaled(double length) const { return edges_.unscaled(length); }
   [[nodiscard]] double center(int axis) const { return edges_.center(axis); }
   [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const {
     const DoubleDouble given = edges_.vertex(i, axis);

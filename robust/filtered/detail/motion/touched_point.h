@@ -11,9 +11,14 @@
 ///
 /// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()`, `center(axis)`,
 /// `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate,
-/// `lifts(axis)`, and `exponent()`: lengths are true lengths times 2^-exponent.
+/// `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
+
+/// What converts a time.
+struct Unitless {
+  [[nodiscard]] static double unscaled(double time) { return time; }
+};
 
 /// Returns when and whether the centre's distance from the supporting plane becomes r.
 template <class Doubles>
@@ -53,7 +58,7 @@ class TouchedPoint {
 
   /// Returns the first contact, if the rounding of time and point is certain.
   [[nodiscard]] std::optional<FirstContact> rounded_contact() const {
-    const auto time = rounded(enclosed(time_), 0);
+    const auto time = rounded(enclosed(time_), Unitless());
     const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
     if (!time || !x || !y || !z) return std::nullopt;
     const bool passes = feature_.kind == Feature::Kind::Face && !(moving_.radius.value.high > 0);
@@ -72,11 +77,11 @@ class TouchedPoint {
       return doubles.rounded_vertex(feature_.index, axis);
     if (feature_.kind == Feature::Kind::Edge)
       return rounded(enclosed(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis)),
-                     doubles_.exponent());
+                     doubles_);
     Bounded<DoubleDouble> value =
         Bounded<DoubleDouble>{doubles.center(axis), 0} + time_ * component(moving_.velocity, axis);
     if (moving_.radius.value.high > 0) value = value + multiple_ * component(doubles.normal(), axis);
-    return rounded(enclosed(value), doubles_.exponent());
+    return rounded(enclosed(value), doubles_);
   }
   static Bounded<DoubleDouble> component(const BoundedVector<DoubleDouble>& vector, int axis) {
     return {vector.value[axis], vector.error};

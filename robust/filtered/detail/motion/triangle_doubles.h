@@ -6,10 +6,12 @@
 #include <optional>
 
 #include "robust/filtered/detail/closest_point.h"
+#include "robust/filtered/detail/length_unit.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
+#include "robust/filtered/detail/scaled_triangle.h"
 
 /// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
 namespace touchstone::filtered {
@@ -28,24 +30,22 @@ inline double largest_number(const MotionTriangleView& view) {
 class ScaledMotion {
  public:
   /// Requires the largest number of motion and triangle.
-  ScaledMotion(const MotionTriangleView& view, double largest) : exponent_(std::ilogb(largest) + 1) {
+  ScaledMotion(const MotionTriangleView& view, double largest) : unit_(unit_of(largest)) {
     for (int i = 0; i < 7; ++i) motion_[i] = scaled(view.motion[i]);
     for (int i = 0; i < 9; ++i) vertex_[i / 3][i % 3] = scaled(view.vertex[i / 3][i % 3]);
   }
   /// Returns whether no bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
-  /// Returns the exponent: the scaled numbers are the given ones times 2^-exponent.
-  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] const LengthUnit& unit() const { return unit_; }
   [[nodiscard]] MotionTriangleView view() const { return {vertex_, motion_}; }
 
  private:
   double scaled(double length) {
-    const double result = std::ldexp(length, -exponent_);
-    exact_ = exact_ && std::ldexp(result, exponent_) == length;  // exact
-    return result;
+    exact_ = exact_ && unit_.is_exact(length);
+    return unit_.scaled(length);
   }
 
-  int exponent_;
+  LengthUnit unit_;
   bool exact_ = true;
   double vertex_[3][3], motion_[7];
 };
@@ -54,10 +54,10 @@ class ScaledMotion {
 /// bounds::kLongestMotion / 2.
 class TriangleMotionDoubles {
  public:
-  /// `exponent`: lengths are true lengths times 2^-exponent.
-  TriangleMotionDoubles(const MotionTriangleView& view, int exponent)
+  /// The unit is null if lengths are those of the caller.
+  TriangleMotionDoubles(const MotionTriangleView& view, const LengthUnit* unit)
       : view_(view),
-        exponent_(exponent),
+        unit_(unit),
         edges_{difference(view.vertex[1], view.vertex[0]), difference(view.vertex[2], view.vertex[1]),
                difference(view.vertex[0], view.vertex[2])},
         velocity_(difference(view.motion + 4, view.motion)),
@@ -67,13 +67,13 @@ class TriangleMotionDoubles {
   [[nodiscard]] MovingEdge<DoubleDouble> moving(std::size_t i) const {
     return {difference(view_.motion, view_.vertex[i]), edges_[i], velocity_, {view_.radius(), 0}};
   }
-  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] double unscaled(double length) const { return unit_ != nullptr ? unit_->unscaled(length) : length; }
   [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
   [[nodiscard]] double center(int axis) const { return view_.center(axis); }
   [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const { return {view_.vertex[i][axis], 0}; }
   /// Returns the coordinate of a vertex as given; zero as +0.
   [[nodiscard]] std::optional<double> rounded_vertex(std::size_t i, int axis) const {
-    return std::ldexp(view_.vertex[i][axis], exponent_) + 0.0;
+    return unscaled(view_.vertex[i][axis]) + 0.0;
   }
   /// Returns whether all vertices have the same coordinate along an axis, exactly.
   [[nodiscard]] bool flat(int axis) const {
@@ -120,7 +120,7 @@ class TriangleMotionDoubles {
   }
 
   const MotionTriangleView view_;
-  const int exponent_;
+  const LengthUnit* const unit_;
   BoundedVector<DoubleDouble> edges_[3], velocity_, normal_;
 };
 

@@ -100,7 +100,7 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
       view = scaled->view();
     }
   }
-  const TriangleMotionDoubles doubles(view, scaled ? scaled->exponent() : 0);
+  const TriangleMotionDoubles doubles(view, scaled ? &scaled->unit() : nullptr);
   std::optional<FirstContact> found;
   if (known.feature) {
     found = TouchedPoint(doubles, *known.feature, event_time(doubles, *known.feature)).rounded_contact();

@@ -37,6 +37,16 @@ using DoubleDouble = DoubleWord<double>;
 
 inline namespace TOUCHSTONE_TARGET {
 
+/// @{
+/// What the functions below need of words. Packs of doubles (pack_pair.h) have the same.
+__attribute__((always_inline)) inline double multiplied(double factor, double a) { return factor * a; }
+#if defined(__FMA__)
+__attribute__((always_inline)) inline double fused_multiply_subtract(double a, double b, double c) {
+  return __builtin_fma(a, b, -c);
+}
+#endif
+/// @}
+
 /// a + b exactly. Requires |a| >= |b| or a = 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
@@ -44,23 +54,29 @@ inline DoubleDouble quick_two_sum(double a, double b) {
 }
 
 /// a + b exactly.
-inline DoubleDouble two_sum(double a, double b) {
-  const double sum = a + b, b_part = sum - a;
+template <class Word>
+__attribute__((always_inline)) inline DoubleWord<Word> two_sum(const Word& a, const Word& b) {
+  const Word sum = a + b, b_part = sum - a;
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
 /// a - b exactly.
-inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
+template <class Word>
+__attribute__((always_inline)) inline DoubleWord<Word> two_difference(const Word& a, const Word& b) {
+  const Word difference = a - b, b_part = difference - a;
+  return {difference, (a - (difference - b_part)) - (b + b_part)};
+}
 
 /// a b exactly. Requires |a|, |b| < 2^995.
-inline DoubleDouble two_product(double a, double b) {
-  const double product = a * b;
+template <class Word>
+__attribute__((always_inline)) inline DoubleWord<Word> two_product(const Word& a, const Word& b) {
+  const Word product = a * b;
 #if defined(__FMA__)
-  return {product, __builtin_fma(a, b, -product)};
+  return {product, fused_multiply_subtract(a, b, product)};
 #else
   constexpr double splitter = 0x1p27 + 1;
-  const double a_shifted = splitter * a, a_high = a_shifted - (a_shifted - a), a_low = a - a_high;
-  const double b_shifted = splitter * b, b_high = b_shifted - (b_shifted - b), b_low = b - b_high;
+  const Word a_shifted = multiplied(splitter, a), a_high = a_shifted - (a_shifted - a), a_low = a - a_high;
+  const Word b_shifted = multiplied(splitter, b), b_high = b_shifted - (b_shifted - b), b_low = b - b_high;
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 #endif
 }

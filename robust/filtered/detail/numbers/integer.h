@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -13,6 +14,12 @@ inline namespace TOUCHSTONE_TARGET {
 
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
+
+/// Returns whether the double is an integer.
+inline bool is_integer(double value) {
+  // From 2^53 on every double is an integer.
+  return std::abs(value) >= 0x1p53 || static_cast<double>(static_cast<std::int64_t>(value)) == value;  // exact
+}
 
 /// An integer of magnitude below 2^Bits, in as few 64-bit words as possible.
 ///
@@ -60,6 +67,17 @@ class Integer {
  private:
   Storage storage_;
 };
+
+/// Returns the number in fewer bits. Requires |number| < 2^To.
+template <int To, int From>
+constexpr Integer<To> narrowed(const Integer<From>& number) {
+  if constexpr (To >= 128) {
+    return Integer<To>(number.template extended<Integer<To>::words>());
+  } else {
+    const auto words = number.template extended<2>();
+    return Integer<To>(static_cast<typename Integer<To>::Storage>(Uint128{words[1]} << 64 | words[0]));
+  }
+}
 
 /// a + b, or a - b where Negative.
 template <bool Negative, int A, int B>

@@ -125,12 +125,27 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
   EXPECT_NE(timing::goals({result}).find("1 of 1 goals met\n"), std::string::npos);
 }
 
+TEST(BenchOutput, ANoisyRatioMeetsNoGoalAndMissesNone) {
+  timing::Result result{"test",
+                        "",
+                        "",
+                        "query",
+                        "",
+                        {{"base", 10, {2, 2}, {}, {}, {}},
+                         {"other", 10, {2, 6}, {}, timing::Comparison{"base", timing::Goal{9}}, {1, 1, 1, 3, 3}}}};
+  EXPECT_NE(timing::table(result).find("too noisy to tell"), std::string::npos);
+  EXPECT_NE(timing::goals({result}).find("0 of 1 goals met; too noisy to tell:\n  test: other\n"), std::string::npos);
+  const auto other = timing::json({result})[0]["contestants"][1];
+  EXPECT_TRUE(other["goal"]["met"].is_null());
+  EXPECT_EQ(other["ratio"]["too_noisy"], true);
+}
+
 // Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.
 TEST(BenchCommand, PrintsAndWritesEveryRow) {
   const Scratch scratch;
   const auto file = scratch.path / "it's new" / "bench.json";
   const std::string families =
-      "random-triangles,half-near,lattice-tangent,slivers,far,extreme,polygons-8,off-plane,questions,batches";
+      "random-triangles,half-near,near,lattice-tangent,slivers,far,extreme,polygons-8,off-plane,questions,batches";
   testing::internal::CaptureStdout();
   ASSERT_EQ(run_bench({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--json",
                        file.string()}),
@@ -142,7 +157,7 @@ TEST(BenchCommand, PrintsAndWritesEveryRow) {
   EXPECT_TRUE(all["run"].contains("flags"));
   EXPECT_TRUE(all["processor_features"].contains("compiled_for"));
   EXPECT_TRUE(fs::exists(file.parent_path() / "run.json"));
-  EXPECT_EQ(all["contests"].size(), 6U + (4 + 1 + 2) + 3 + 10 + 4);
+  EXPECT_EQ(all["contests"].size(), 7U + (4 + 1 + 2 + 4) + 3 + 10 + 4);
   for (const auto& benchmark : all["contests"]) {
     const std::string family = benchmark["family"], name = benchmark["name"];
     EXPECT_NE(text.find("\n" + family + (name.empty() ? "" : ", " + name)), std::string::npos);
@@ -191,13 +206,15 @@ TEST(BenchFamilies, KnowTheirGoals) {
   };
   EXPECT_EQ(goal("random-triangles", "filtered"), 1);
   EXPECT_EQ(goal("random-triangles", "EPECK"), 100);
-  EXPECT_EQ(goal("half-near", "filtered"), 3);
+  EXPECT_EQ(goal("half-near", "filtered"), 2.5);
+  EXPECT_EQ(goal("near", "filtered"), 4);
+  EXPECT_EQ(goal("extreme", "filtered"), 10);
   EXPECT_EQ(goal("half-near", "EPECK"), 50);
   EXPECT_EQ(goal("lattice-tangent", "filtered"), 10);
   EXPECT_EQ(goal("slivers", "filtered"), 0);
   EXPECT_EQ(goal("polygons-128", "filtered"), 0.25);
   EXPECT_EQ(goal("polygons-1024", "filtered"), 0.08);
-  EXPECT_EQ(goal("polygons-100000", "filtered"), 0.002);
+  EXPECT_EQ(goal("polygons-100000", "filtered"), 0.001);
 }
 
 TEST(BenchCommand, CountsAsksOneCandidateOnly) {
