@@ -57,7 +57,7 @@ NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {
 
 bool NearestSearch::touched(const Met& met) const {
   if (ball_.radius == kLargest) return true;  // exact: it has never shrunk
-  return met.triangle != nullptr ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
+  return met.triangle ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
 }
 
 void NearestSearch::shrink_to(double distance) {
@@ -87,7 +87,7 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
 
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
   const Feature feature = nearest_feature(ball_.center, triangle);
-  met_.push_back({{first_.object, first_.face + number}, feature, &triangle, nullptr, std::nullopt});
+  met_.push_back({{first_.object, first_.face + number}, feature, triangle, nullptr, std::nullopt});
   shrink(triangle, feature);
 }
 
@@ -95,7 +95,7 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
   const Answer answer = filtered::answer({ball_.center, 0}, polygon);
   met_.push_back({{first_.object, first_.face + number},
                   answer.nearest,
-                  nullptr,
+                  std::nullopt,
                   &polygon,
                   filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
   shrink_to(answer.distance);
@@ -105,12 +105,12 @@ std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met
   if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
   if (met.polygon != nullptr && !parts_of(*met.polygon).exact_form().bigint.planar()) return std::nullopt;
   const auto vertex = [&met](std::size_t i) {
-    return met.triangle != nullptr ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
+    return met.triangle ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
   };
   const std::size_t i = met.feature.index;
   Vector3d first = vertex(i);
   if (met.feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
-  Vector3d second = vertex(met.triangle != nullptr ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
+  Vector3d second = vertex(met.triangle ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
   if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
   return std::pair(first, second);
 }

@@ -29,8 +29,8 @@ class NearestSearch {
   /// Gives the ball its first finite radius, from a face of that set. No effect if it has one.
   void expect(const Triangle& triangle);
   void expect(const filtered::PreparedPolygon& polygon);
-  /// Adds a face that the ball touches, by its number in the set. Keeps a pointer to it. Cost: about 0.2 us for a
-  /// triangle, that of filtered::answer for a polygon.
+  /// Adds a face that the ball touches, by its number in the set. Keeps a pointer to a polygon. Cost: about 0.2 us for
+  /// a triangle, that of filtered::answer for a polygon.
   void meet(const Triangle& triangle, std::uint32_t number);
   void meet(const filtered::PreparedPolygon& polygon, std::uint32_t number);
 
@@ -42,7 +42,7 @@ class NearestSearch {
   struct Met {
     FaceId id;
     Feature feature;
-    const Triangle* triangle;                       ///< either this
+    std::optional<Triangle> triangle;               ///< either this
     const filtered::PreparedPolygon* polygon;       ///< or this
     std::optional<filtered::ClosestPoint> closest;  ///< for polygons only
   };

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/triangle_contact.h"
+#include "robust/scene/detail/face_sets.h"
+#include "robust/scene/detail/own_frame.h"
+#include "robust/scene/detail/posed_vertices.h"
+
+/// The triangles of a set, where they stand or in their own frame, and a ball that asks about them.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
+///
+/// Compares the differences from the vertices one by one: if a difference is at most r in magnitude, so is its rounded
+/// value. Requires round to nearest, without flush-to-zero.
+TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
+  const filtered::Pack center = filtered::load_three(ball.center.data());
+  // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
+  const filtered::Pack radius = filtered::all_lanes(ball.radius + 0.0);
+  const filtered::Pack a = center - filtered::load_three(triangle.a.data());
+  const filtered::Pack b = center - filtered::load_three(triangle.b.data());
+  const filtered::Pack c = center - filtered::load_three(triangle.c.data());
+  const filtered::Pack below = maximum(a, maximum(b, c)) + radius, above = radius - minimum(a, minimum(b, c));
+  return (negative_lanes(below | above) & 0b111) != 0;
+}
+
+/// Triangles that stand where they are.
+class StandingTriangles {
+ public:
+  StandingTriangles(const TriangleSet& set, const Ball& ball) : triangles_(set.placed->triangles.data()), ball_(ball) {}
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  /// Returns a ball that touches the boxes of all triangles that the ball touches.
+  [[nodiscard]] const Ball& culling() const { return ball_; }
+  void set_radius(double radius) { ball_.radius = radius; }
+
+  [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  /// Returns whether the ball touches the triangle at a place.
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
+    if (misses_box(ball_, triangles_[place])) return false;
+    filtered::NoCounts counts;
+    return filtered::contact(filtered::view_of(ball_, triangles_[place]), counts);
+  }
+
+ private:
+  const Triangle* triangles_;
+  Ball ball_;
+};
+
+/// Triangles in their own frame. Most are decided there; the others are posed.
+class TrianglesInOwnFrame {
+ public:
+  TrianglesInOwnFrame(const TriangleSet& set, const Ball& ball)
+      : triangles_(set.placed->triangles.data()), frame_(*set.frame), ball_(ball), seen_(frame_.seen(ball)) {}
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Ball& culling() const { return seen_.outer; }
+  void set_radius(double radius) {
+    ball_.radius = radius;
+    seen_ = frame_.seen(ball_);
+  }
+
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const {
+    return posed_vertices(frame_.pose(), triangles_[place]);
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
+    const Triangle& own = triangles_[place];
+    if (misses_box(seen_.outer, own)) return false;
+    filtered::TriangleSigns signs;
+    const Ball inner = seen_.inner_ball();
+    switch (triangle_filter(filtered::view_of(seen_.outer, own), signs)) {
+      case filtered::FilterResult::No: return false;
+      case filtered::FilterResult::Yes:
+        if (inner.radius >= 0 && triangle_filter(filtered::view_of(inner, own), signs) == filtered::FilterResult::Yes)
+          return true;
+        [[fallthrough]];
+      default: return touches_posed(place);
+    }
+  }
+
+ private:
+  [[nodiscard]] __attribute__((noinline)) bool touches_posed(std::uint32_t place) const {
+    const Triangle posed = triangle(place);
+    filtered::NoCounts counts;
+    return filtered::contact(filtered::view_of(ball_, posed), counts);
+  }
+
+  const Triangle* triangles_;
+  const OwnFrame& frame_;
+  Ball ball_;
+  SeenBall seen_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene
