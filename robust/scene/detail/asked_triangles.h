@@ -5,6 +5,7 @@
 
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_contact.h"
+#include "robust/scene/detail/distance_bound.h"
 #include "robust/scene/detail/face_sets.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/posed_vertices.h"
@@ -28,6 +29,13 @@ TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
   return (negative_lanes(below | above) & 0b111) != 0;
 }
 
+/// Returns false if the ball certainly misses the triangle, by doubles.
+TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const Triangle& triangle) {
+  if (misses_box(ball, triangle)) return false;
+  filtered::TriangleSigns signs;
+  return triangle_filter(filtered::view_of(ball, triangle), signs) != filtered::FilterResult::No;
+}
+
 /// Triangles that stand where they are.
 class StandingTriangles {
  public:
@@ -39,6 +47,14 @@ class StandingTriangles {
   void set_radius(double radius) { ball_.radius = radius; }
 
   [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  /// Returns whether the ball may touch the triangle at a place.
+  [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
+    return may_touch_ball(ball_, triangles_[place]);
+  }
+  /// Returns at least the distance of the centre from the triangle; infinite if that is not known.
+  [[nodiscard]] double distance_at_most(std::uint32_t place) const {
+    return scene::distance_at_most(ball_.center, triangles_[place]);
+  }
   /// Returns whether the ball touches the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
     if (misses_box(ball_, triangles_[place])) return false;
@@ -66,6 +82,12 @@ class TrianglesInOwnFrame {
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const {
     return posed_vertices(frame_.pose(), triangles_[place]);
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
+    return may_touch_ball(seen_.outer, triangles_[place]);
+  }
+  [[nodiscard]] double distance_at_most(std::uint32_t place) const {
+    return frame_.radius_under_pose(ball_.center, scene::distance_at_most(seen_.outer.center, triangles_[place]));
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
     const Triangle& own = triangles_[place];

@@ -24,23 +24,6 @@ Vector3d corner(const Triangle& triangle, std::size_t i) {
   return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
 }
 
-/// Returns approximately a triangle's distance, or slightly more; arbitrary if squares overflow or underflow.
-double guess(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
-  const Vector3d u = triangle.b - triangle.a, v = triangle.c - triangle.b, from_a = center - triangle.a;
-  const double lengths = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>() + from_a.lpNorm<Eigen::Infinity>();
-  const auto distance = [&]() -> double {
-    const Vector3d from = center - corner(triangle, feature.index);
-    if (feature.kind == Feature::Kind::Vertex) return from.norm();
-    if (feature.kind == Feature::Kind::Edge) {
-      const Vector3d edge = corner(triangle, (feature.index + 1) % 3) - corner(triangle, feature.index);
-      return std::sqrt(edge.cross(from).squaredNorm() / edge.squaredNorm());
-    }
-    const Vector3d normal = u.cross(v);
-    return std::abs(normal.dot(from_a)) / normal.norm();
-  };
-  return distance() + 0x1p-40 * lengths;
-}
-
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
   return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
@@ -56,7 +39,7 @@ double feature_distance(const Vector3d& center, const Triangle& triangle, const 
 NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
 
 bool NearestSearch::touched(const Met& met) const {
-  if (ball_.radius == kLargest) return true;  // exact: it has never shrunk
+  if (!has_shrunk()) return true;
   return met.triangle ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
 }
 
@@ -64,21 +47,14 @@ void NearestSearch::shrink_to(double distance) {
   ball_.radius = std::min(ball_.radius, std::nextafter(distance, std::numeric_limits<double>::infinity()));
 }
 
-void NearestSearch::shrink(const Triangle& triangle, const Feature& feature) {
-  const double radius = guess(ball_.center, triangle, feature);
-  if (radius >= ball_.radius && std::isfinite(radius)) return;
-  if (radius < ball_.radius && filtered::contact({ball_.center, radius}, triangle))
-    ball_.radius = radius;
-  else
-    shrink_to(feature_distance(ball_.center, triangle, feature));
-}
+bool NearestSearch::has_shrunk() const { return ball_.radius < kLargest; }
 
-void NearestSearch::expect(const Triangle& triangle) {
-  if (ball_.radius == kLargest) shrink(triangle, nearest_feature(ball_.center, triangle));  // exact: never shrunk
+void NearestSearch::shrink(const Triangle& triangle) {
+  shrink_to(feature_distance(ball_.center, triangle, nearest_feature(ball_.center, triangle)));
 }
 
 void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
-  if (ball_.radius < kLargest) return;
+  if (has_shrunk()) return;
   const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
   const Ball around{ball_.center,
                     (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).exact_form().bigint.off_plane()};
@@ -88,7 +64,6 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
   const Feature feature = nearest_feature(ball_.center, triangle);
   met_.push_back({{first_.object, first_.face + number}, feature, triangle, nullptr, std::nullopt});
-  shrink(triangle, feature);
 }
 
 void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {

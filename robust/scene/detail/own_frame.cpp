@@ -11,6 +11,11 @@ namespace {
 
 using namespace own_frame;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Returns whether the centre is not too far away to be moved into a frame.
+bool sees(const Eigen::Vector3d& center) { return center.lpNorm<Eigen::Infinity>() <= kLargestOfCenters; }
+
 /// Returns a bound of the norm of a matrix less the identity, but for rounding.
 double distance_from_identity(const Eigen::Matrix3d& product) {
   const Eigen::Matrix3d rest = (product - Eigen::Matrix3d::Identity()).cwiseAbs();
@@ -48,8 +53,7 @@ double OwnFrame::spread(const Eigen::Vector3d& center) const { return (center - 
 double OwnFrame::lost(double spread) const { return (rounding_ + (residual_ + kCenter) * spread) * kWide; }
 
 SeenBall OwnFrame::seen(const Ball& ball) const {
-  if (!(ball.center.lpNorm<Eigen::Infinity>() <= kLargestOfBalls && ball.radius <= kLargestOfBalls))
-    return {{Eigen::Vector3d::Zero(), std::numeric_limits<double>::infinity()}, -1};
+  if (!sees(ball.center)) return {{Eigen::Vector3d::Zero(), kInfinity}, -1};
   const double spread = this->spread(ball.center);
   return {{inverse_ * (ball.center - pose_.translation),
            (shorter_ * ball.radius + (margin_ + kCenter * shorter_ * spread)) * kWide},
@@ -57,7 +61,7 @@ SeenBall OwnFrame::seen(const Ball& ball) const {
 }
 
 double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius) const {
-  return (longer_ * radius + lost(spread(center))) * kWide;
+  return sees(center) ? (longer_ * radius + lost(spread(center))) * kWide : kInfinity;
 }
 
 double distance_from_origin(const Eigen::Vector3d& point) { return point.norm() * kWide + 0x1p-500; }

@@ -27,10 +27,10 @@ inline constexpr double kRounding = 1.75 * 0x1p-53;
 inline constexpr double kTiny = 0x1p-900;
 /// Cover the rounding of each length that is computed from these.
 inline constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
-/// The limit for the residual, and for lengths of models and poses. Balls have a limit of their own.
+/// The limits for the residual, for lengths of models and poses, and for the coordinates of centres.
 inline constexpr double kMostResidual = 0x1p-20;
 inline constexpr double kLargest = 0x1p60;
-inline constexpr double kLargestOfBalls = 0x1p500;
+inline constexpr double kLargestOfCenters = 0x1p500;
 
 }  // namespace own_frame
 
@@ -65,7 +65,7 @@ class OwnFrame {
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] SeenBall seen(const Ball& ball) const;
   /// Returns the radius of a ball about `center` that touches, under the pose, each triangle that the ball of this
-  /// radius about `seen(center)` touches in its own frame.
+  /// radius about the seen centre touches in its own frame; infinite for centres beyond the limit.
   [[nodiscard]] double radius_under_pose(const Eigen::Vector3d& center, double radius) const;
 
  private:

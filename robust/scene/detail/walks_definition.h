@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "robust/scene/detail/asked_triangles.h"
 #include "robust/scene/detail/ball_walk.h"
 #include "robust/scene/detail/walks.h"
@@ -75,22 +77,44 @@ void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std
   });
 }
 
+/// Returns whether the ball may touch the triangle at a place. Walks that count ask exactly.
+template <class Triangles>
+TOUCHSTONE_INLINE bool may_touch(const Triangles& triangles, std::uint32_t place, NoTally) {
+  return triangles.may_touch(place);
+}
+template <class Triangles>
+bool may_touch(const Triangles& triangles, std::uint32_t place, Tally& tally) {
+  return touches(triangles, place, tally);
+}
+
+// Upper bounds of distances shrink the ball; only triangles that it may still touch at the end are compared exactly.
 template <class T>
 void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
   tally.ask(set.size(), set.edge_count());
   if (set.size() == 0) return;
   const BoxTree& tree = set.placed->tree;
+  std::vector<std::uint32_t> met;
   with_triangles(set, search.ball(), [&](auto triangles) {
-    search.expect(triangles.triangle(0));
-    triangles.set_radius(search.ball().radius);
+    const auto shrink = [&](std::uint32_t place) {
+      const double bound = triangles.distance_at_most(place);
+      if (bound >= search.ball().radius && std::isfinite(bound)) return false;
+      if (std::isfinite(bound))
+        search.shrink(bound);
+      else
+        search.shrink(triangles.triangle(place));
+      triangles.set_radius(search.ball().radius);
+      return true;
+    };
+    if (!search.has_shrunk()) shrink(0);
     CullingBall culling_ball(triangles.culling(), tree);
     walk<true>(tree, culling_ball, [&](std::uint32_t place) {
-      if (!touches(triangles, place, tally)) return false;
-      search.meet(triangles.triangle(place), tree.order()[place]);
-      triangles.set_radius(search.ball().radius);
-      culling_ball.set_radius(triangles.culling().radius, tree);
+      if (!may_touch(triangles, place, tally)) return false;
+      met.push_back(place);
+      if (shrink(place)) culling_ball.set_radius(triangles.culling().radius, tree);
       return false;
     });
+    for (const std::uint32_t place : met)
+      if (triangles.may_touch(place)) search.meet(triangles.triangle(place), tree.order()[place]);
   });
 }
 
