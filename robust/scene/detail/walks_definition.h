@@ -24,6 +24,20 @@ TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon
   return filtered::contact(ball, polygon);
 }
 
+/// Adds a face to those that are touched. The first makes room for more.
+TOUCHSTONE_INLINE void add(std::vector<FaceId>& faces, FaceId face) {
+  constexpr std::size_t kFew = 16;
+  if (faces.capacity() == 0) faces.reserve(kFew);
+  faces.push_back(face);
+}
+
+/// For polygons, which lie where they were prepared.
+inline constexpr auto kFetchNothing = [](std::uint32_t, std::uint32_t) {};
+/// Returns what fetches triangles from memory, by their first place and their number.
+inline auto prefetch_of(const std::vector<Triangle>& triangles) {
+  return [&triangles](std::uint32_t first, std::uint32_t count) { prefetch(&triangles[first], count); };
+}
+
 /// Returns whether this face settles the query, so that the walk can stop.
 template <class Asked, class Face>
 TOUCHSTONE_INLINE bool ends(const Asked& asked, const Face& face, NoTally tally) {
@@ -41,8 +55,9 @@ bool touches_triangle(const Ball& ball, const TriangleSet& set, T& tally) {
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
   return with_triangles(set, ball, [&](const auto& triangles) {
-    return walk<false>(tree, CullingBall(triangles.culling(), tree),
-                       [&](std::uint32_t place) { return ends(triangles, place, tally); });
+    return walk<false>(
+        tree, CullingBall(triangles.culling(), tree),
+        [&](std::uint32_t place) { return ends(triangles, place, tally); }, prefetch_of(set.placed->triangles));
   });
 }
 
@@ -50,8 +65,9 @@ template <class T>
 bool touches_polygon(const Ball& ball, const PolygonSet& set, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
   const CullingBall culling_ball(ball, set.tree);
-  return walk<false>(set.tree, culling_ball,
-                     [&](std::uint32_t place) { return ends(ball, set.prepared[set.tree.order()[place]], tally); });
+  return walk<false>(
+      set.tree, culling_ball,
+      [&](std::uint32_t place) { return ends(ball, set.prepared[set.tree.order()[place]], tally); }, kFetchNothing);
 }
 
 template <class T>
@@ -59,10 +75,13 @@ void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, s
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
   with_triangles(set, ball, [&](const auto& triangles) {
-    walk<false>(tree, CullingBall(triangles.culling(), tree), [&](std::uint32_t place) {
-      if (touches(triangles, place, tally)) faces.push_back({first.object, first.face + tree.order()[place]});
-      return false;
-    });
+    walk<false>(
+        tree, CullingBall(triangles.culling(), tree),
+        [&](std::uint32_t place) {
+          if (touches(triangles, place, tally)) add(faces, {first.object, first.face + tree.order()[place]});
+          return false;
+        },
+        prefetch_of(set.placed->triangles));
   });
 }
 
@@ -70,11 +89,14 @@ template <class T>
 void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
   const CullingBall culling_ball(ball, set.tree);
-  walk<false>(set.tree, culling_ball, [&](std::uint32_t place) {
-    const std::uint32_t number = set.tree.order()[place];
-    if (touches(ball, set.prepared[number], tally)) faces.push_back({first.object, first.face + number});
-    return false;
-  });
+  walk<false>(
+      set.tree, culling_ball,
+      [&](std::uint32_t place) {
+        const std::uint32_t number = set.tree.order()[place];
+        if (touches(ball, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
+        return false;
+      },
+      kFetchNothing);
 }
 
 /// Returns whether the ball may touch the triangle at a place. Walks that count ask exactly.
@@ -107,12 +129,15 @@ void nearest_triangle(const TriangleSet& set, NearestSearch& search, T& tally) {
     };
     if (!search.has_shrunk()) shrink(0);
     CullingBall culling_ball(triangles.culling(), tree);
-    walk<true>(tree, culling_ball, [&](std::uint32_t place) {
-      if (!may_touch(triangles, place, tally)) return false;
-      met.push_back(place);
-      if (shrink(place)) culling_ball.set_radius(triangles.culling().radius, tree);
-      return false;
-    });
+    walk<true>(
+        tree, culling_ball,
+        [&](std::uint32_t place) {
+          if (!may_touch(triangles, place, tally)) return false;
+          met.push_back(place);
+          if (shrink(place)) culling_ball.set_radius(triangles.culling().radius, tree);
+          return false;
+        },
+        prefetch_of(set.placed->triangles));
     for (const std::uint32_t place : met)
       if (triangles.may_touch(place)) search.meet(triangles.triangle(place), tree.order()[place]);
   });
@@ -124,13 +149,16 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
   if (set.polygons.empty()) return;
   search.expect(set.prepared[0]);
   CullingBall culling_ball(search.ball(), set.tree);
-  walk<true>(set.tree, culling_ball, [&](std::uint32_t place) {
-    const std::uint32_t number = set.tree.order()[place];
-    if (!touches(search.ball(), set.prepared[number], tally)) return false;
-    search.meet(set.prepared[number], number);
-    culling_ball.set_radius(search.ball().radius, set.tree);
-    return false;
-  });
+  walk<true>(
+      set.tree, culling_ball,
+      [&](std::uint32_t place) {
+        const std::uint32_t number = set.tree.order()[place];
+        if (!touches(search.ball(), set.prepared[number], tally)) return false;
+        search.meet(set.prepared[number], number);
+        culling_ball.set_radius(search.ball().radius, set.tree);
+        return false;
+      },
+      kFetchNothing);
 }
 
 /// The walks of the target that this is compiled for.
