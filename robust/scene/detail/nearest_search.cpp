@@ -109,8 +109,8 @@ int NearestSearch::compare(const Met& first, double first_distance, const Met& s
 std::optional<NearestFace> NearestSearch::nearest() const {
   const Met* best = nullptr;
   std::optional<double> least;  // the distance of the best face
+  // A face that the ball does not touch is farther than some other that it touches.
   for (const Met& met : met_) {
-    if (!touched(met)) continue;
     if (best == nullptr) {
       best = &met;
       continue;
@@ -118,6 +118,7 @@ std::optional<NearestFace> NearestSearch::nearest() const {
     int order = 0;
     std::optional<double> here = least;
     if (const auto at = place(met); !at || at != place(*best)) {  // exact: coordinates as they were given
+      if (!touched(met)) continue;
       if (!least) least = distance(*best);
       here = distance(met);
       order = compare(met, *here, *best, *least);
