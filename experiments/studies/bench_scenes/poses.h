@@ -21,8 +21,8 @@ struct PoseCosts {
 /// The goals for objects of every size: nanoseconds, and ratios.
 inline constexpr timing::Goal kSetPoseGoal{1000}, kPosedQueryGoal{1.5};
 
-/// Turns and moves an object of these triangles many times, and asks about balls near it. Both scenes take turns.
-/// Throws std::logic_error if they differ about a ball.
+/// Turns and moves an object of these triangles many times, and asks about balls near it. Both scenes take turns, of
+/// which the quickest count. Throws std::logic_error if they differ about a ball.
 [[nodiscard]] PoseCosts measure_poses(const std::vector<Triangle>& triangles, std::span<const Ball> balls,
                                       unsigned repetitions);
 
