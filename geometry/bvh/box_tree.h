@@ -19,11 +19,11 @@ namespace touchstone {
 /// The tree depends only on the boxes, not on the caller's rounding mode and flush-to-zero setting. Source: [wald2007]
 /// (binned surface area heuristic).
 ///
-/// Why not a library: `touchstone bench --scene` compares. For a million triangles and small balls near them a scene on
-/// this tree took 0.9 to 1.05 of the time of Embree 3, whose boxes are floats that cannot support exact answers; less
-/// than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls, which test
-/// little more than boxes, it took 1.3 times Embree's time. This tree takes 90 bytes per triangle, including the
-/// triangle; the libraries take 117, 65 and 136 in addition to it.
+/// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
+/// this tree took 0.7 to 1 of the processor time of Embree 3, whose boxes are floats that cannot support exact answers;
+/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took 0.5
+/// times Embree's time to find the nearest triangle, and 1 to 1.2 times to test little more than boxes. This tree takes
+/// 90 bytes per triangle, including the triangle; the libraries take 117, 65 and 136 in addition to it.
 class BoxTree {
  public:
   static constexpr std::size_t kWidth = 4;                         ///< the number of children of a node

@@ -12,6 +12,7 @@
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/numbers/double_double.h"
 #include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/detail/rounded_sum.h"
 
 namespace touchstone::scene {
@@ -127,6 +128,11 @@ Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {
 
 Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point, filtered::StageCounts& counts) {
   return posed_point(pose, point, counts);
+}
+
+Triangle posed_vertices(const Pose& pose, const Triangle& triangle) {
+  const Posing place(pose);
+  return {place(triangle.a), place(triangle.b), place(triangle.c)};
 }
 
 Triangle posed(const Pose& pose, const Triangle& triangle) {

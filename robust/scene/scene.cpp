@@ -40,10 +40,10 @@ struct Scene::Object {
         triangles(made(name, 0, [&] { return TriangleSet(other.triangles, pose); })),
         polygons(made(name, triangle_count(), [&] { return PolygonSet(other.polygons, pose); })) {}
 
-  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.triangles.size()); }
+  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size()); }
 
   static FaceId first_triangle(std::uint32_t number) { return {number, 0}; }
-  [[nodiscard]] bool has_triangles() const { return !triangles.triangles.empty(); }
+  [[nodiscard]] bool has_triangles() const { return triangles.size() > 0; }
   [[nodiscard]] bool has_polygons() const { return !polygons.polygons.empty(); }
   [[nodiscard]] FaceId first_polygon(std::uint32_t number) const { return {number, triangle_count()}; }
 
@@ -169,7 +169,7 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     search.enter(object.first_triangle(number));
     for (std::uint32_t place = 0; place < object.triangle_count(); ++place)
-      search.meet(object.triangles.triangles[place], object.triangles.tree.order()[place]);
+      search.meet(object.triangles.triangle(place), object.triangles.placed->tree.order()[place]);
     search.enter(object.first_polygon(number));
     for (std::uint32_t i = 0; i < object.polygons.polygons.size(); ++i) search.meet(object.polygons.prepared[i], i);
     return false;

@@ -105,6 +105,7 @@ int measure_scenes(const SceneOptions& options) {
     results.push_back(measure_scene(
         make(), libraries, options.settings, stop, [&](const SceneResult& result) { print(builds_table(result)); },
         [&](const SceneBenchmark& benchmark) { print(table(benchmark.result)); }));
+    print(poses_table(results.back()));
     ::malloc_trim(0);  // the next, larger scene needs it
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

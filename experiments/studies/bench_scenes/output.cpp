@@ -69,6 +69,25 @@ Json growth_json(const Growth& growth) {
           {"log_times", growth.log_times}};
 }
 
+struct PoseRow {
+  const char* name;
+  const std::vector<double>* values;
+  timing::Goal goal;
+};
+
+std::vector<PoseRow> pose_rows(const PoseCosts& poses) {
+  if (poses.nanoseconds.empty()) return {};
+  return {{"set_pose, nanoseconds", &poses.nanoseconds, kSetPoseGoal},
+          {"posed, any, in times of a scene built so", &poses.any, kPosedQueryGoal},
+          {"posed, all, in times of a scene built so", &poses.all, kPosedQueryGoal},
+          {"posed, nearest, in times of a scene built so", &poses.nearest, kPosedQueryGoal}};
+}
+
+Json poses_json(const PoseCosts& poses) {
+  return {
+      {"set_pose_nanoseconds", poses.nanoseconds}, {"any", poses.any}, {"all", poses.all}, {"nearest", poses.nearest}};
+}
+
 struct QueryRow {
   const SceneResult* scene;
   const SceneBenchmark* benchmark;
@@ -155,6 +174,16 @@ std::string builds_table(const SceneResult& result) {
   return text;
 }
 
+std::string poses_table(const SceneResult& result) {
+  std::string text;
+  for (const PoseRow& row : pose_rows(result.poses)) {
+    const timing::Quartiles q = timing::quartiles(*row.values);
+    text += fmt::format("  {:<46}{:>7.3g} ({:.3g} - {:.3g})   <= {:g} {}\n", row.name, q.median, q.lower, q.upper,
+                        row.goal.ratio, verdict(row.goal, q.median));
+  }
+  return text.empty() ? "" : fmt::format("\n{}, poses\n", title(result)) + text;
+}
+
 std::string growth_table(const std::vector<Growth>& growths, const std::string& library) {
   std::string text;
   for (const Growth& growth : growths)
@@ -181,6 +210,9 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
               fmt::format("{}, {}, in times of {}", benchmark.result.family, benchmark.result.name, m.comparison->base),
               *m.comparison->goal, timing::quartiles(m.ratios).median);
   }
+  for (const SceneResult& result : results)
+    for (const PoseRow& row : pose_rows(result.poses))
+      goals.add(title(result) + ", " + row.name, row.goal, timing::quartiles(*row.values).median);
   for (const Growth& growth : growths(results))
     if (growth.library == library) goals.add("growth, " + title(growth), {growth.log_times}, growth.times);
   return goals.text();
@@ -200,17 +232,16 @@ Wrong: answers that differ from those of Scene; for Scene, from exact, asked tri
 right if its distance, correctly rounded, is the least. These checks are not timed.
 Memory: as allocated by malloc or, for Embree, as it reports itself, with its copy of the triangles in floats; the given
 triangles are not counted.
+Poses: the time of set_pose for an object of all triangles, and that of queries near it afterwards, relative to a scene
+that was built of the posed triangles.
 )";
 }
 
 Json json(const std::vector<SceneResult>& results) {
   Json scenes = Json::array(), growth = Json::array();
   for (const SceneResult& result : results) {
-    Json scene = {{"scene", result.kind},
-                  {"triangles", result.triangles},
-                  {"builds", Json::array()},
-                  {"contests", Json::array()},
-                  {"disputes", result.disputes}};
+    Json scene = {{"scene", result.kind},      {"triangles", result.triangles},     {"builds", Json::array()},
+                  {"contests", Json::array()}, {"poses", poses_json(result.poses)}, {"disputes", result.disputes}};
     for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
     for (const SceneBenchmark& benchmark : result.benchmarks) {
       Json one = json(std::vector<timing::Result>{benchmark.result}).front();

@@ -13,9 +13,11 @@ namespace touchstone::bench_scenes {
 
 /// Returns the build times and memory of one scene.
 [[nodiscard]] std::string builds_table(const SceneResult& result);
+/// Returns the costs of poses of one scene; nothing if they were not measured.
+[[nodiscard]] std::string poses_table(const SceneResult& result);
 /// Returns how the exact library's time grew.
 [[nodiscard]] std::string growth_table(const std::vector<Growth>& growths, const std::string& library);
-/// Returns every goal: ratios, builds, memory, growth; how many were met, and which were not.
+/// Returns every goal: ratios, builds, memory, poses, growth; how many were met, and which were not.
 [[nodiscard]] std::string scene_goals(const std::vector<SceneResult>& results, const std::string& library);
 /// Returns the legend: the comparisons, and the meaning of the columns.
 [[nodiscard]] std::string scene_legend();

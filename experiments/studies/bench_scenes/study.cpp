@@ -149,14 +149,6 @@ std::string name_of(BallPlace place, SceneQuestion question) {
   return fmt::format("{}, {}", to_string(place), to_string(question));
 }
 
-/// The goals for the exact library apply to a million triangles; there is no goal for balls that just touch.
-std::optional<timing::Goal> goal_of(std::size_t triangles, BallPlace place, SceneQuestion question) {
-  const auto millions = static_cast<double>(triangles) / 1e6;
-  if (std::lround(millions) != 1 || place == BallPlace::Touching || question == SceneQuestion::Nearest)
-    return std::nullopt;
-  return timing::Goal{1};
-}
-
 timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>& built, const Built& exact,
                                BallPlace place, SceneQuestion question, const Balls& balls,
                                std::vector<std::string>& disputes, std::uint64_t seed) {
@@ -176,7 +168,7 @@ timing::Benchmark benchmark_of(const NamedScene& scene, const std::vector<Built>
     candidate.ask = [asking, one = b.scene](std::size_t count) { return asking->sum(*one, count); };
     if (b.library->exact) {
       candidate.most_checked = brute_force_count(scene.triangles.size(), benchmark.checked);
-      if (embree) candidate.comparison = {kEmbree, goal_of(scene.triangles.size(), place, question)};
+      if (embree) candidate.comparison = {kEmbree, kQueryGoal};
       candidate.count_wrong = [&scene, &disputes, seed, asking, one = b.scene,
                                name = benchmark.name](std::size_t count) {
         std::size_t wrong = 0;
@@ -266,6 +258,10 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
                                        [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
       keep(result.benchmarks.back());
     }
+  }
+  if (!stop) {
+    const Balls balls = draw(BallPlace::Near, scene, settings, *exact->scene);
+    result.poses = measure_poses(scene.triangles, *balls, settings.repetitions);
   }
   return result;
 }

@@ -10,6 +10,7 @@
 
 #include "experiments/harness/timing/measurement.h"
 #include "experiments/studies/bench_scenes/library.h"
+#include "experiments/studies/bench_scenes/poses.h"
 #include "experiments/studies/bench_scenes/scenes.h"
 
 /// The study of query time against the number of triangles: `touchstone bench-scenes`.
@@ -45,6 +46,7 @@ struct SceneResult {
   std::vector<Build> builds;
   std::vector<SceneBenchmark> benchmarks;
   std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
+  PoseCosts poses = {};
 };
 
 struct SceneSettings {
@@ -55,11 +57,14 @@ struct SceneSettings {
 };
 
 /// The goals for a million triangles: build seconds, and bytes per triangle.
-inline constexpr timing::Goal kBuildGoal{1}, kMemoryGoal{100};
+inline constexpr timing::Goal kBuildGoal{0.5}, kMemoryGoal{64};
+/// The goal for the time of the exact scene, relative to that of Embree, in every row.
+inline constexpr timing::Goal kQueryGoal{0.7};
 
 /// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
 /// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
-/// the first balls, if it differs from brute force. Throws std::invalid_argument unless one of the libraries is exact.
+/// the first balls, if it differs from brute force. Then measures poses, with the balls near the surface. Throws
+/// std::invalid_argument unless one of the libraries is exact.
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,
                                         const std::function<void(const SceneResult&)>& built,

@@ -88,55 +88,53 @@ class CullingBall {
   bool everywhere_;
 };
 
+/// Fetches the bytes of objects from memory, for when the walk comes to them.
+template <class Object>
+TOUCHSTONE_INLINE void prefetch(const Object* objects, std::size_t count) {
+  constexpr std::size_t line = 64;
+  const auto* bytes = reinterpret_cast<const char*>(objects);
+  for (std::size_t at = 0; at < count * sizeof(Object); at += line) __builtin_prefetch(bytes + at);
+}
+
 /// Calls visit(place) for each place in tree.order() whose leaf the ball may touch. Stops if it returns true, and
-/// returns whether it did. With `nearest_first` the nearest child is visited first, and visit may shrink
-/// `culling_ball`.
-template <bool nearest_first, class Visit>
-bool walk(const BoxTree& tree, const CullingBall& culling_ball, const Visit& visit) {
+/// returns whether it did. With `nearest_first` the nearest of the boxes found so far is entered first, and visit may
+/// shrink `culling_ball`. Calls prefetch_leaf(first, count) some time before it visits these places.
+template <bool nearest_first, class Visit, class PrefetchLeaf>
+bool walk(const BoxTree& tree, const CullingBall& culling_ball, const Visit& visit, const PrefetchLeaf& prefetch_leaf) {
   if (tree.nodes().empty()) return false;
+  /// A node, or `count` places from `first`.
   struct Open {
-    std::uint32_t node;
-    double squared;
+    std::uint32_t first, count;
+    double squared;  ///< only for `nearest_first`
   };
-  // Only the nearest-first walk uses the distances.
   Open stack[BoxTree::kStackSize];
   std::size_t open = 0;
-  stack[open++] = {0, 0};
-  const auto leaf = [&visit](std::uint32_t first, std::uint32_t count) {
-    for (std::uint32_t place = first; place < first + count; ++place)
-      if (visit(place)) return true;
-    return false;
-  };
+  stack[open++] = {0, 0, 0};
   while (open > 0) {
     const Open top = stack[--open];
     if constexpr (nearest_first)
       if (!culling_ball.may_touch(top.squared)) continue;
-    const BoxTree::Node& node = tree.nodes()[top.node];
+    if (top.count != 0) {
+      for (std::uint32_t place = top.first; place < top.first + top.count; ++place)
+        if (visit(place)) return true;
+      continue;
+    }
+    const BoxTree::Node& node = tree.nodes()[top.first];
     const Pack squares = culling_ball.squares(node);
-    unsigned candidates = culling_ball.may_touch(squares);
-    if constexpr (nearest_first) {
-      double distances[filtered::kLanes];
-      store(distances, squares);
-      unsigned order[BoxTree::kWidth];
-      std::size_t count = 0;
-      for (; candidates != 0; candidates &= candidates - 1)
-        order[count++] = static_cast<unsigned>(__builtin_ctz(candidates));
-      std::sort(order, order + count, [&](unsigned a, unsigned b) { return distances[a] > distances[b]; });
-      for (std::size_t i = 0; i < count; ++i) {
-        const unsigned lane = order[i];
-        if (node.count[lane] == 0)
-          stack[open++] = {node.child[lane], distances[lane]};
-        else if (leaf(node.child[lane], node.count[lane]))
-          return true;
-      }
-    } else {
-      for (; candidates != 0; candidates &= candidates - 1) {
-        const auto lane = static_cast<unsigned>(__builtin_ctz(candidates));
-        if (node.count[lane] == 0)
-          stack[open++].node = node.child[lane];
-        else if (leaf(node.child[lane], node.count[lane]))
-          return true;
-      }
+    double distances[filtered::kLanes];
+    if constexpr (nearest_first) store(distances, squares);
+    const std::size_t bottom = open;
+    for (unsigned candidates = culling_ball.may_touch(squares); candidates != 0; candidates &= candidates - 1) {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(candidates));
+      const Open next{node.child[lane], node.count[lane], nearest_first ? distances[lane] : 0};
+      if (next.count == 0)
+        prefetch(&tree.nodes()[next.first], 1);
+      else
+        prefetch_leaf(next.first, next.count);
+      std::size_t at = open++;
+      if constexpr (nearest_first)
+        for (; at > bottom && stack[at - 1].squared < next.squared; --at) stack[at] = stack[at - 1];
+      stack[at] = next;
     }
   }
   return false;

@@ -101,11 +101,11 @@ inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, 
 }
 
 /// Returns false: walks that count continue after the answer is known, to count the remaining faces.
-template <class Face>
-bool ends(const Ball& ball, const Face& face, Tally& tally) {
+template <class Asked, class Face>
+bool ends(const Asked& asked, const Face& face, Tally& tally) {
   if (tally.answered())
     tally.pass();
-  else if (touches(ball, face, tally))
+  else if (touches(asked, face, tally))
     tally.answer();
   return false;
 }

@@ -4,12 +4,15 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <optional>
 
 #include "geometry/detail/floating_point_state.h"
 #include "robust/scene/detail/lifted_box.h"
+#include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/posing.h"
 
 namespace touchstone::scene {
@@ -45,37 +48,31 @@ void for_each_face(std::size_t count, const Number& number, const F& f) {
   if (reason) throw FaceRejected{lowest, *reason};
 }
 
-BoxTree tree_of(const std::vector<Triangle>& triangles) {
+void expect_valid(const std::vector<Triangle>& triangles) {
+  const auto number = [](std::size_t i) { return i; };
+  for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i]); });
+}
+
+std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
   const FloatingPointState nearest;
-  for_each_face(
-      triangles.size(), [](std::size_t i) { return i; }, [&](std::size_t i) { expect_valid(triangles[i]); });
   std::vector<Box> boxes;
   boxes.reserve(triangles.size());
   for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
-  return BoxTree(boxes);
+  return boxes;
 }
 
-std::vector<Triangle> arranged(const std::vector<Triangle>& by_number, const std::vector<std::uint32_t>& order) {
-  std::vector<Triangle> result;
-  result.reserve(order.size());
-  for (const std::uint32_t number : order) result.push_back(by_number[number]);
-  return result;
-}
-
-std::vector<Triangle> by_number(const std::vector<Triangle>& by_place, const std::vector<std::uint32_t>& order) {
-  std::vector<Triangle> result(by_place.size());
-  for (std::size_t place = 0; place < order.size(); ++place) result[order[place]] = by_place[place];
-  return result;
-}
-
-std::vector<Triangle> posed(const std::vector<Triangle>& model, const Pose& pose,
-                            const std::vector<std::uint32_t>& order) {
-  if (pose == Pose()) return model;
-  std::vector<Triangle> result(model.size());
+/// Returns all triangles of the model posed, in a tree of the same shape if its boxes do not grow too much.
+PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose) {
+  const std::vector<std::uint32_t>& order = model.tree.order();
+  std::vector<Triangle> by_number(model.triangles.size());
   for_each_face(
-      model.size(), [&](std::size_t place) { return order[place]; },
-      [&](std::size_t place) { result[place] = scene::posed(pose, model[place]); });
-  return result;
+      order.size(), [&](std::size_t place) { return order[place]; },
+      [&](std::size_t place) { by_number[order[place]] = scene::posed(pose, model.triangles[place]); });
+  const std::vector<Box> boxes = boxes_of(by_number);
+  BoxTree tree = model.tree;
+  tree.refit(boxes);
+  if (tree.growth() > kMostGrowth) tree = BoxTree(boxes);
+  return {std::move(tree), by_number};
 }
 
 std::vector<Polygon> posed(const std::vector<Polygon>& model, const Pose& pose) {
@@ -98,27 +95,42 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 
 }  // namespace
 
-TriangleSet::TriangleSet(const std::vector<Triangle>& by_number)
-    : tree(tree_of(by_number)), triangles(arranged(by_number, tree.order())) {}
+PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number) : tree(std::move(tree_)) {
+  triangles.reserve(by_number.size());
+  for (const std::uint32_t number : tree.order()) triangles.push_back(by_number[number]);
+}
+
+TriangleSet::TriangleSet(const std::vector<Triangle>& by_number) {
+  const FloatingPointState nearest;
+  expect_valid(by_number);
+  model = std::make_shared<const PlacedTriangles>(BoxTree(boxes_of(by_number)), by_number);
+  placed = model;
+  thinnest = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : by_number) {
+    reach = std::max({reach, distance_from_origin(t.a), distance_from_origin(t.b), distance_from_origin(t.c)});
+    thinnest = std::min(thinnest, least_altitude(t));
+  }
+}
 
 TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
-    : tree(other.tree), triangles(posed(other.model ? *other.model : other.triangles, pose, tree.order())) {
-  if (!(pose == Pose()))
-    model = other.model ? other.model : std::make_shared<const std::vector<Triangle>>(other.triangles);
+    : model(other.model), placed(other.model), reach(other.reach), thinnest(other.thinnest) {
+  if (pose == Pose()) return;
   const FloatingPointState nearest;
-  std::vector<Box> boxes(triangles.size());
-  for (std::size_t place = 0; place < triangles.size(); ++place) boxes[tree.order()[place]] = box(triangles[place]);
-  tree.refit(boxes);
-  if (tree.growth() <= kMostGrowth) return;
-  const std::vector<std::uint32_t> before = tree.order();
-  tree = BoxTree(boxes);
-  triangles = arranged(by_number(triangles, before), tree.order());
-  if (model) model = std::make_shared<const std::vector<Triangle>>(arranged(by_number(*model, before), tree.order()));
+  frame = OwnFrame::of(pose, reach, thinnest);
+  if (!frame) placed = std::make_shared<const PlacedTriangles>(posed(*model, pose));
+}
+
+Triangle TriangleSet::triangle(std::uint32_t place) const {
+  const Triangle& triangle = placed->triangles[place];
+  return frame ? posed_vertices(frame->pose(), triangle) : triangle;
 }
 
 std::size_t TriangleSet::memory() const {
-  return tree.nodes().capacity() * sizeof(BoxTree::Node) + tree.order().capacity() * sizeof(std::uint32_t) +
-         (triangles.capacity() + (model ? model->capacity() : 0)) * sizeof(Triangle);
+  const auto memory = [](const PlacedTriangles& p) {
+    return p.tree.nodes().capacity() * sizeof(BoxTree::Node) + p.tree.order().capacity() * sizeof(std::uint32_t) +
+           p.triangles.capacity() * sizeof(Triangle);
+  };
+  return memory(*model) + (placed == model ? 0 : memory(*placed));
 }
 
 PolygonSet::PolygonSet(std::vector<Polygon> by_number)

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/bvh/box_tree.h"
@@ -10,31 +11,47 @@
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
 #include "robust/scene/detail/lazy_prepared_polygons.h"
+#include "robust/scene/detail/own_frame.h"
 
 namespace touchstone::scene {
 
-/// Triangles under a pose, stored in the order of their tree's leaves.
-struct TriangleSet {
-  /// Throws FaceRejected for the lowest invalid triangle.
-  explicit TriangleSet(const std::vector<Triangle>& by_number);
-  /// Makes the set of the same triangles under another pose: poses the vertices of the model and refits the tree.
-  /// Throws FaceRejected for the lowest triangle that becomes invalid.
-  TriangleSet(const TriangleSet& other, const Pose& pose);
-
-  [[nodiscard]] std::size_t memory() const;
-  [[nodiscard]] std::size_t edge_count() const { return 3 * triangles.size(); }
+/// Triangles in the order of their tree's leaves.
+struct PlacedTriangles {
+  /// Requires valid triangles.
+  PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
   std::vector<Triangle> triangles;  ///< by place in tree.order()
-  std::shared_ptr<const std::vector<Triangle>>
-      model;  ///< the triangles before posing, in the same order; null if the pose is the identity
+};
+
+/// Triangles under a pose. They stay in their own frame, so that a new pose costs the same for any number of them, or
+/// are posed all, if OwnFrame cannot hold them.
+struct TriangleSet {
+  /// Throws FaceRejected for the lowest invalid triangle.
+  explicit TriangleSet(const std::vector<Triangle>& by_number);
+  /// Makes the set of the same triangles under another pose. Throws FaceRejected for the lowest triangle that becomes
+  /// invalid.
+  TriangleSet(const TriangleSet& other, const Pose& pose);
+
+  [[nodiscard]] std::size_t memory() const;
+  [[nodiscard]] std::size_t size() const { return model->triangles.size(); }
+  [[nodiscard]] std::size_t edge_count() const { return 3 * size(); }
+  /// Returns the triangle at a place of the tree, under the pose. Requires round to nearest, without flush-to-zero.
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const;
+
+  std::shared_ptr<const PlacedTriangles> model;   ///< the triangles as they were added
+  std::shared_ptr<const PlacedTriangles> placed;  ///< the model, or all triangles posed
+  std::optional<OwnFrame> frame;                  ///< the pose, if `placed` is the model and it is not the identity
+  double reach = 0;                               ///< no vertex of the model is farther from the origin
+  double thinnest = 0;                            ///< no altitude of the model is less
 };
 
 /// Polygons under a pose, by number. The box of a polygon contains its lifted vertices.
 struct PolygonSet {
   /// Throws Rejected for a polygon without a normal.
   explicit PolygonSet(std::vector<Polygon> by_number);
-  /// Makes the set of the same polygons under another pose, as for triangles.
+  /// Makes the set of the same polygons under another pose: poses all and refits the tree. Throws FaceRejected for the
+  /// lowest polygon that becomes invalid.
   PolygonSet(const PolygonSet& other, const Pose& pose);
 
   [[nodiscard]] std::size_t edge_count() const { return edges; }

@@ -24,23 +24,6 @@ Vector3d corner(const Triangle& triangle, std::size_t i) {
   return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
 }
 
-/// Returns approximately a triangle's distance, or slightly more; arbitrary if squares overflow or underflow.
-double guess(const Vector3d& center, const Triangle& triangle, const Feature& feature) {
-  const Vector3d u = triangle.b - triangle.a, v = triangle.c - triangle.b, from_a = center - triangle.a;
-  const double lengths = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>() + from_a.lpNorm<Eigen::Infinity>();
-  const auto distance = [&]() -> double {
-    const Vector3d from = center - corner(triangle, feature.index);
-    if (feature.kind == Feature::Kind::Vertex) return from.norm();
-    if (feature.kind == Feature::Kind::Edge) {
-      const Vector3d edge = corner(triangle, (feature.index + 1) % 3) - corner(triangle, feature.index);
-      return std::sqrt(edge.cross(from).squaredNorm() / edge.squaredNorm());
-    }
-    const Vector3d normal = u.cross(v);
-    return std::abs(normal.dot(from_a)) / normal.norm();
-  };
-  return distance() + 0x1p-40 * lengths;
-}
-
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
   return filtered::kernels().plain.triangle_nearest(filtered::view_of(point, triangle), uncounted);
@@ -56,29 +39,22 @@ double feature_distance(const Vector3d& center, const Triangle& triangle, const 
 NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {}
 
 bool NearestSearch::touched(const Met& met) const {
-  if (ball_.radius == kLargest) return true;  // exact: it has never shrunk
-  return met.triangle != nullptr ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
+  if (!has_shrunk()) return true;
+  return met.triangle ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
 }
 
 void NearestSearch::shrink_to(double distance) {
   ball_.radius = std::min(ball_.radius, std::nextafter(distance, std::numeric_limits<double>::infinity()));
 }
 
-void NearestSearch::shrink(const Triangle& triangle, const Feature& feature) {
-  const double radius = guess(ball_.center, triangle, feature);
-  if (radius >= ball_.radius && std::isfinite(radius)) return;
-  if (radius < ball_.radius && filtered::contact({ball_.center, radius}, triangle))
-    ball_.radius = radius;
-  else
-    shrink_to(feature_distance(ball_.center, triangle, feature));
-}
+bool NearestSearch::has_shrunk() const { return ball_.radius < kLargest; }
 
-void NearestSearch::expect(const Triangle& triangle) {
-  if (ball_.radius == kLargest) shrink(triangle, nearest_feature(ball_.center, triangle));  // exact: never shrunk
+void NearestSearch::shrink(const Triangle& triangle) {
+  shrink_to(feature_distance(ball_.center, triangle, nearest_feature(ball_.center, triangle)));
 }
 
 void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
-  if (ball_.radius < kLargest) return;
+  if (has_shrunk()) return;
   const Vector3d vertex = parts_of(polygon).polygon.vertex(0);
   const Ball around{ball_.center,
                     (vertex - ball_.center).norm() * (1 + 0x1p-40) + parts_of(polygon).exact_form().bigint.off_plane()};
@@ -87,15 +63,14 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
 
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
   const Feature feature = nearest_feature(ball_.center, triangle);
-  met_.push_back({{first_.object, first_.face + number}, feature, &triangle, nullptr, std::nullopt});
-  shrink(triangle, feature);
+  met_.push_back({{first_.object, first_.face + number}, feature, triangle, nullptr, std::nullopt});
 }
 
 void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {
   const Answer answer = filtered::answer({ball_.center, 0}, polygon);
   met_.push_back({{first_.object, first_.face + number},
                   answer.nearest,
-                  nullptr,
+                  std::nullopt,
                   &polygon,
                   filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
   shrink_to(answer.distance);
@@ -105,12 +80,12 @@ std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met
   if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
   if (met.polygon != nullptr && !parts_of(*met.polygon).exact_form().bigint.planar()) return std::nullopt;
   const auto vertex = [&met](std::size_t i) {
-    return met.triangle != nullptr ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
+    return met.triangle ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
   };
   const std::size_t i = met.feature.index;
   Vector3d first = vertex(i);
   if (met.feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
-  Vector3d second = vertex(met.triangle != nullptr ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
+  Vector3d second = vertex(met.triangle ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
   if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
   return std::pair(first, second);
 }
@@ -134,8 +109,8 @@ int NearestSearch::compare(const Met& first, double first_distance, const Met& s
 std::optional<NearestFace> NearestSearch::nearest() const {
   const Met* best = nullptr;
   std::optional<double> least;  // the distance of the best face
+  // A face that the ball does not touch is farther than some other that it touches.
   for (const Met& met : met_) {
-    if (!touched(met)) continue;
     if (best == nullptr) {
       best = &met;
       continue;
@@ -143,6 +118,7 @@ std::optional<NearestFace> NearestSearch::nearest() const {
     int order = 0;
     std::optional<double> here = least;
     if (const auto at = place(met); !at || at != place(*best)) {  // exact: coordinates as they were given
+      if (!touched(met)) continue;
       if (!least) least = distance(*best);
       here = distance(met);
       order = compare(met, *here, *best, *least);

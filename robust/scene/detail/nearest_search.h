@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -26,12 +27,17 @@ class NearestSearch {
 
   /// Sets the first face of the set that is searched next.
   void enter(FaceId first) { first_ = first; }
-  /// Gives the ball its first finite radius, from a face of that set. No effect if it has one.
-  void expect(const Triangle& triangle);
+  /// Returns whether the ball has been shrunk.
+  [[nodiscard]] bool has_shrunk() const;
+  /// Shrinks the ball to a radius at which it touches some face.
+  void shrink(double radius) { ball_.radius = std::min(ball_.radius, radius); }
+  /// Shrinks the ball to the distance of a triangle, which is computed exactly and rounded up.
+  void shrink(const Triangle& triangle);
+  /// Shrinks the ball to a finite radius at which it touches the polygon. No effect if it has been shrunk.
   void expect(const filtered::PreparedPolygon& polygon);
-  /// Adds a face that the ball touches, by its number in the set. Keeps a pointer to it. Cost: about 0.2 us for a
-  /// triangle, that of filtered::answer for a polygon.
+  /// Adds a face that the ball may touch, by its number in the set. Cost: about 0.2 us.
   void meet(const Triangle& triangle, std::uint32_t number);
+  /// The same, and shrinks the ball to its distance. Keeps a pointer to the polygon. Cost: that of filtered::answer.
   void meet(const filtered::PreparedPolygon& polygon, std::uint32_t number);
 
   /// Returns the added face with the least distance, the lowest of equals. Cost: about 1 us, and 20 us for each pair of
@@ -42,7 +48,7 @@ class NearestSearch {
   struct Met {
     FaceId id;
     Feature feature;
-    const Triangle* triangle;                       ///< either this
+    std::optional<Triangle> triangle;               ///< either this
     const filtered::PreparedPolygon* polygon;       ///< or this
     std::optional<filtered::ClosestPoint> closest;  ///< for polygons only
   };
@@ -50,9 +56,8 @@ class NearestSearch {
   /// Returns the position of the feature: the ends of an edge in lexicographic order, or a vertex twice. Features with
   /// the same position have the same distance. Nothing for a face, or if vertices are lifted.
   [[nodiscard]] static std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> place(const Met& met);
+  /// Shrinks the ball to a distance that was rounded to the nearest double.
   void shrink_to(double distance);
-  /// Shrinks the ball to slightly more than the triangle's distance.
-  void shrink(const Triangle& triangle, const Feature& feature);
   /// Returns the distance, rounded to the nearest double.
   [[nodiscard]] double distance(const Met& met) const;
   /// Returns whether the first face is nearer (-), as near (0) or farther (+).

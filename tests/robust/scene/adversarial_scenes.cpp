@@ -176,6 +176,7 @@ Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std
     default: {
       const Eigen::Quaterniond turn{coordinate(random), coordinate(random), coordinate(random), coordinate(random)};
       pose.rotation = turn.normalized().toRotationMatrix();
+      if (random.coin()) pose.rotation = (0.75 * pose.rotation).cast<float>().cast<double>();
     }
   }
   if (random.coin()) {

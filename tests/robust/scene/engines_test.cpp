@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "geometry/detail/floating_point_state.h"
 #include "robust/scene/detail/walks.h"
+#include "robust/scene/posing.h"
 #include "tests/robust/scene/adversarial_scenes.h"
 #include "tests/robust/support/printing.h"
 
@@ -50,24 +52,53 @@ void expect_equal(const Found& found, const Found& expected, const std::string& 
   EXPECT_EQ(found.nearest->distance, expected.nearest->distance) << what;
 }
 
+/// Asks every engine, counting or not.
+void expect_the_same_faces(const Ball& ball, const scene::TriangleSet& triangles, const scene::PolygonSet& polygons,
+                           const std::string& what) {
+  scene::FaceCounts counts;
+  const Found expected = ask(scene::baseline_walks(), ball, triangles, polygons, scene::NoTally());
+  EXPECT_EQ(expected.any, !expected.all.empty()) << what;
+  expect_equal(ask(scene::fastest_walks(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected,
+               what);
+  expect_equal(ask(scene::baseline_counted_walks(), ball, triangles, polygons, scene::Tally(counts)), expected,
+               what + ", counted");
+}
+
 TEST(SceneEngines, FindTheSameFaces) {
   for (const Kind kind : all_kinds())
     for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 10; ++index) {
       const auto objects = draw_objects(kind, 2027, index);
       const scene::TriangleSet triangles(objects.front().triangles);
       const scene::PolygonSet polygons(objects.front().polygons);
-      for (std::uint64_t i = 0; i < 10; ++i) {
-        const Ball ball = draw_ball(objects, 2027, 1000 * index + i);
-        const std::string what = name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i);
-        scene::FaceCounts counts;
-        const Found expected = ask(scene::baseline_walks(), ball, triangles, polygons, scene::NoTally());
-        EXPECT_EQ(expected.any, !expected.all.empty()) << what;
-        expect_equal(ask(scene::fastest_walks(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected,
-                     what);
-        expect_equal(ask(scene::baseline_counted_walks(), ball, triangles, polygons, scene::Tally(counts)), expected,
-                     what + ", counted");
-      }
+      for (std::uint64_t i = 0; i < 10; ++i)
+        expect_the_same_faces(draw_ball(objects, 2027, 1000 * index + i), triangles, polygons,
+                              name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
     }
+}
+
+// In their own frame where it can hold them; balls are about the posed faces.
+TEST(SceneEngines, FindTheSameFacesUnderPoses) {
+  std::size_t held = 0;
+  const scene::PolygonSet none(std::vector<Polygon>{});
+  for (const Kind kind : {Kind::Soup, Kind::Coplanar, Kind::Needles, Kind::Duplicates, Kind::FarAway})
+    for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 5; ++index) {
+      const scene::Faces model{draw_objects(kind, 2027, index).front().triangles, {}};
+      const Pose pose = draw_pose({model}, 2027, index);
+      std::optional<scene::TriangleSet> triangles;
+      scene::Faces posed;
+      try {
+        const FloatingPointState nearest_mode;
+        triangles.emplace(scene::TriangleSet(model.triangles), pose);
+        for (const Triangle& t : model.triangles) posed.triangles.push_back(scene::posed(pose, t));
+      } catch (const scene::FaceRejected&) {
+        continue;
+      }
+      held += triangles->frame.has_value();
+      for (std::uint64_t i = 0; i < 10; ++i)
+        expect_the_same_faces(draw_ball({posed}, 2027, 1000 * index + i), *triangles, none,
+                              name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
+    }
+  EXPECT_GT(held, TOUCHSTONE_SAMPLES / 5U);
 }
 
 }  // namespace

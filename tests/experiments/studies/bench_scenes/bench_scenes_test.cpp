@@ -207,10 +207,29 @@ TEST(SceneBench, GoalsOfAMillionTriangles) {
   SceneResult result = timed(1'000'000, 100);
   result.benchmarks[0].result.candidates[0].comparison = timing::Comparison{"Embree 3", timing::Goal{1}};
   result.benchmarks[0].result.candidates[0].ratios = {1.25};
-  EXPECT_NE(builds_table(result).find("build <= 1 MISSED, memory <= 100 MISSED"), std::string::npos);
+  EXPECT_NE(builds_table(result).find("build <= 0.5 MISSED, memory <= 64 MISSED"), std::string::npos);
   const std::string goals = scene_goals({result}, "Scene");
   EXPECT_EQ(goals.rfind("0 of 3 goals met; missed:\n", 0), 0U) << goals;
   EXPECT_NE(goals.find("near, any, in times of Embree 3: 1.25, not <= 1"), std::string::npos) << goals;
+}
+
+TEST(SceneBench, PosesAreMeasuredForEveryScene) {
+  const SceneResult result = measure_small({touchstone_library()});
+  for (const auto* values : {&result.poses.nanoseconds, &result.poses.any, &result.poses.all, &result.poses.nearest}) {
+    ASSERT_EQ(values->size(), small_settings().repetitions);
+    for (const double value : *values) EXPECT_GT(value, 0);
+  }
+}
+
+TEST(SceneBench, GoalsOfPoses) {
+  SceneResult result = timed(1000, 100);
+  EXPECT_EQ(poses_table(result), "");
+  result.poses = {{800, 900, 5000}, {1.6}, {1.5}, {1}};
+  const std::string table = poses_table(result);
+  EXPECT_NE(table.find("900 (850 - 2.95e+03)   <= 1000 met"), std::string::npos) << table;
+  EXPECT_NE(table.find("1.6 (1.6 - 1.6)   <= 1.5 MISSED"), std::string::npos) << table;
+  const std::string goals = scene_goals({result}, "Scene");
+  EXPECT_EQ(goals.rfind("3 of 4 goals met; missed:\n", 0), 0U) << goals;
 }
 
 /// A tetrahedron, and a face that is no triangle.
@@ -264,6 +283,8 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
     EXPECT_EQ(scene["builds"].size(), all_libraries().size());
     EXPECT_EQ(scene["contests"].size(), 8U);
     EXPECT_TRUE(scene["disputes"].empty());
+    EXPECT_EQ(scene["poses"]["set_pose_nanoseconds"].size(), 1U);
+    EXPECT_NE(text.find(kind + ", " + size + " triangles, poses"), std::string::npos);
     for (const Library& library : all_libraries()) {
       EXPECT_NE(builds.find(kind + "," + size + "," + library.name), std::string::npos);
       EXPECT_NE(queries.find(kind + "," + size + ",near,all," + library.name), std::string::npos);

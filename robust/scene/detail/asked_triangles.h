@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/triangle_contact.h"
+#include "robust/scene/detail/distance_bound.h"
+#include "robust/scene/detail/face_sets.h"
+#include "robust/scene/detail/held_vertex.h"
+#include "robust/scene/detail/own_frame.h"
+#include "robust/scene/detail/posed_vertices.h"
+
+/// The triangles of a set, where they stand or in their own frame, and a ball that asks about them.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
+///
+/// Compares the differences from the vertices one by one: if a difference is at most r in magnitude, so is its rounded
+/// value. Requires round to nearest, without flush-to-zero.
+TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
+  const filtered::Pack center = filtered::load_three(ball.center.data());
+  // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
+  const filtered::Pack radius = filtered::all_lanes(ball.radius + 0.0);
+  const filtered::Pack a = center - filtered::load_three(triangle.a.data());
+  const filtered::Pack b = center - filtered::load_three(triangle.b.data());
+  const filtered::Pack c = center - filtered::load_three(triangle.c.data());
+  const filtered::Pack below = maximum(a, maximum(b, c)) + radius, above = radius - minimum(a, minimum(b, c));
+  return (negative_lanes(below | above) & 0b111) != 0;
+}
+
+/// Returns false if the ball certainly misses the triangle, by doubles.
+TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& finder, const Triangle& triangle) {
+  if (misses_box(ball, triangle)) return false;
+  if (finder.finds(triangle)) return true;
+  filtered::TriangleSigns signs;
+  return triangle_filter(filtered::view_of(ball, triangle), signs) != filtered::FilterResult::No;
+}
+
+/// Triangles that stand where they are.
+class StandingTriangles {
+ public:
+  StandingTriangles(const TriangleSet& set, const Ball& ball)
+      : triangles_(set.placed->triangles.data()), ball_(ball), finder_(ball) {}
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  /// Returns a ball that touches the boxes of all triangles that the ball touches.
+  [[nodiscard]] const Ball& culling() const { return ball_; }
+  void set_radius(double radius) {
+    ball_.radius = radius;
+    finder_ = VertexFinder(ball_);
+  }
+
+  [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  /// Returns whether the ball may touch the triangle at a place.
+  [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
+    return may_touch_ball(ball_, finder_, triangles_[place]);
+  }
+  /// Returns at least the distance of the centre from the triangle; infinite if that is not known.
+  [[nodiscard]] double distance_at_most(std::uint32_t place) const {
+    return scene::distance_at_most(ball_.center, triangles_[place]);
+  }
+  /// Returns whether the ball touches the triangle at a place.
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
+    if (misses_box(ball_, triangles_[place])) return false;
+    if (finder_.finds(triangles_[place])) return true;
+    filtered::NoCounts counts;
+    return filtered::contact(filtered::view_of(ball_, triangles_[place]), counts);
+  }
+
+ private:
+  const Triangle* triangles_;
+  Ball ball_;
+  VertexFinder finder_;
+};
+
+/// Triangles in their own frame. Most are decided there; the others are posed.
+class TrianglesInOwnFrame {
+ public:
+  TrianglesInOwnFrame(const TriangleSet& set, const Ball& ball)
+      : triangles_(set.placed->triangles.data()),
+        frame_(*set.frame),
+        ball_(ball),
+        seen_(frame_.seen(ball)),
+        finder_(seen_.inner_ball()) {}
+
+  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Ball& culling() const { return seen_.outer; }
+  void set_radius(double radius) {
+    ball_.radius = radius;
+    seen_ = frame_.seen(ball_);
+    finder_ = VertexFinder(seen_.inner_ball());
+  }
+
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const {
+    return posed_vertices(frame_.pose(), triangles_[place]);
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
+    return may_touch_ball(seen_.outer, finder_, triangles_[place]);
+  }
+  [[nodiscard]] double distance_at_most(std::uint32_t place) const {
+    return frame_.radius_under_pose(ball_.center, scene::distance_at_most(seen_.outer.center, triangles_[place]));
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
+    const Triangle& own = triangles_[place];
+    if (misses_box(seen_.outer, own)) return false;
+    if (finder_.finds(own)) return true;
+    filtered::TriangleSigns signs;
+    const Ball inner = seen_.inner_ball();
+    switch (triangle_filter(filtered::view_of(seen_.outer, own), signs)) {
+      case filtered::FilterResult::No: return false;
+      case filtered::FilterResult::Yes:
+        if (inner.radius >= 0 && triangle_filter(filtered::view_of(inner, own), signs) == filtered::FilterResult::Yes)
+          return true;
+        [[fallthrough]];
+      default: return touches_posed(place);
+    }
+  }
+
+ private:
+  [[nodiscard]] __attribute__((noinline)) bool touches_posed(std::uint32_t place) const {
+    const Triangle posed = triangle(place);
+    filtered::NoCounts counts;
+    return filtered::contact(filtered::view_of(ball_, posed), counts);
+  }
+
+  const Triangle* triangles_;
+  const OwnFrame& frame_;
+  Ball ball_;
+  SeenBall seen_;
+  VertexFinder finder_;  ///< with the inner radius
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

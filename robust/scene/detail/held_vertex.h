@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/triangle.h"
+#include "robust/filtered/detail/numbers/pack.h"
+
+/// The quickest proof that a ball touches a triangle: it holds a vertex.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+namespace held_vertex {
+
+/// Multiplied with the square of a radius to cover its rounding and that of the squares that are compared with it.
+/// Proved in tests/robust/proofs/held_vertex_test.cpp, as are the limits of radii, between which no underflow matters.
+inline constexpr double kNarrow = 1 - 0x1p-49;
+inline constexpr double kSmallest = 0x1p-480, kLargest = 0x1p480;
+
+/// Returns the limit for the squares of the distances of vertices.
+template <class T>
+constexpr T squared_limit(const T& radius, const T& narrow) {
+  return radius * radius * narrow;
+}
+
+}  // namespace held_vertex
+
+/// A ball that looks for vertices in it. Requires round to nearest, without flush-to-zero.
+class VertexFinder {
+ public:
+  explicit VertexFinder(const Ball& ball)
+      : center_(ball.center),
+        limit_(ball.radius >= held_vertex::kSmallest && ball.radius <= held_vertex::kLargest
+                   ? held_vertex::squared_limit(ball.radius, held_vertex::kNarrow)
+                   : -1) {}
+
+  /// Returns whether the ball certainly holds a vertex of the triangle.
+  [[nodiscard]] TOUCHSTONE_INLINE bool finds(const Triangle& triangle) const {
+    filtered::Vector3<filtered::Pack> vertex;
+    load_three_points(triangle.a.data(), vertex.x, vertex.y, vertex.z);
+    const auto seen = [](double center, const filtered::Pack& coordinate) {
+      return filtered::all_lanes(center) - coordinate;
+    };
+    const filtered::Vector3<filtered::Pack> from{seen(center_.x(), vertex.x), seen(center_.y(), vertex.y),
+                                                 seen(center_.z(), vertex.z)};
+    return (negative_lanes(dot(from, from) - filtered::all_lanes(limit_)) & 0b111) != 0;
+  }
+
+ private:
+  Eigen::Vector3d center_;
+  double limit_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "geometry/shapes/ball.h"
+#include "geometry/shapes/pose.h"
+#include "geometry/shapes/triangle.h"
+
+/// Triangles under a pose that stay in their own frame: a ball comes to them, and a triangle is posed only when that
+/// does not decide.
+namespace touchstone::scene {
+
+/// The constants of OwnFrame; u = 2^-53 is the error of one operation. Proved in
+/// tests/robust/proofs/own_frame_test.cpp.
+namespace own_frame {
+
+/// Covers the rounding of A R - I and R A - I, summed over a row or a column, and that of the entries of A.
+inline constexpr double kResidual = 10 * 0x1p-53;
+/// A centre in the own frame is known to kCenter |A| D, where D is the sum of the components of c - t. Lengths under
+/// the pose that follow from it are known to kCenter D.
+inline constexpr double kCenter = 4.25 * 0x1p-53;
+/// A posed vertex is known to kRounding times the largest of its coordinates, plus kTiny. The latter is also more than
+/// what any other length here loses to underflow.
+inline constexpr double kRounding = 1.75 * 0x1p-53;
+inline constexpr double kTiny = 0x1p-900;
+/// Cover the rounding of each length that is computed from these.
+inline constexpr double kWide = 1 + 0x1p-48, kNarrow = 1 - 0x1p-48;
+/// The limits for the residual, for lengths of models and poses, and for the coordinates of centres.
+inline constexpr double kMostResidual = 0x1p-20;
+inline constexpr double kLargest = 0x1p60;
+inline constexpr double kLargestOfCenters = 0x1p500;
+
+}  // namespace own_frame
+
+/// A ball as seen from an object's own frame: concentric balls about a centre that is computed.
+struct SeenBall {
+  Ball outer;    ///< touches every triangle in its own frame that the ball touches under the pose
+  double inner;  ///< the radius of a ball that touches such triangles only; negative if no ball does
+
+  [[nodiscard]] Ball inner_ball() const { return {outer.center, inner}; }
+};
+
+/// The pose of triangles that stay in their own frame.
+///
+/// R may be any matrix that rounding apart is a rotation or a reflection times a number. A = R^T / s^2 with
+/// 3 s^2 = |R|_F^2 is nearly its inverse, and the residual h bounds |A R - I| and |R A - I|. So |R| <= (1 + h) s and
+/// |A| <= (1 + h) / s. A point p of a triangle lies at R p + t, moved by the rounding of the vertices by at most e. For
+/// the distance of p from A (c - t),
+///     |p - A (c - t)| <= |A| (|R p + t - c| + e) + h |p|,
+///     |R p + t - c| <= |R| |p - A (c - t)| + h |c - t| + e.
+class OwnFrame {
+ public:
+  /// Returns the frame for triangles none of whose vertices is farther than `reach` from the origin and none of whose
+  /// altitudes is less than `thinnest`; nothing if this pose and these lengths are beyond the limits above, or if the
+  /// rounding of vertices may make a triangle degenerate. Requires round to nearest, without flush-to-zero, as do all
+  /// functions here.
+  ///
+  /// No triangle becomes degenerate if 2 e |A| < (1 - h) thinnest. If one did, one of its posed vertices would be
+  /// between the other two. Then, before rounding, that vertex would be within 2 e of the opposite side. But an
+  /// altitude of at least `thinnest` is longer than that under R, as |x| <= |A| |R x| + h |x|.
+  [[nodiscard]] static std::optional<OwnFrame> of(const Pose& pose, double reach, double thinnest);
+
+  [[nodiscard]] const Pose& pose() const { return pose_; }
+  [[nodiscard]] SeenBall seen(const Ball& ball) const;
+  /// Returns the radius of a ball about `center` that touches, under the pose, each triangle that the ball of this
+  /// radius about the seen centre touches in its own frame; infinite for centres beyond the limit.
+  [[nodiscard]] double radius_under_pose(const Eigen::Vector3d& center, double radius) const;
+
+ private:
+  OwnFrame(const Pose& pose, const Eigen::Matrix3d& inverse, double scale, double residual, double reach);
+
+  /// Returns the sum of the magnitudes of the components of c - t.
+  [[nodiscard]] double spread(const Eigen::Vector3d& center) const;
+  /// Returns how much farther than |R| times its distance in the own frame a triangle may be from a centre.
+  [[nodiscard]] double lost(double spread) const;
+
+  Pose pose_;
+  Eigen::Matrix3d inverse_;  ///< A
+  double residual_;          ///< h
+  double longer_, shorter_;  ///< bounds of |R| and |A|
+  double rounding_;          ///< e
+  double margin_;            ///< |A| e + h reach
+};
+
+/// Returns at least the distance of the point from the origin.
+[[nodiscard]] double distance_from_origin(const Eigen::Vector3d& point);
+/// Returns a lower bound of the triangle's altitudes, 0 if doubles know none. Requires finite vertices.
+[[nodiscard]] double least_altitude(const Triangle& triangle);
+
+}  // namespace touchstone::scene
