@@ -19,7 +19,7 @@ namespace touchstone {
 /// The tree depends only on the boxes, not on the caller's rounding mode and flush-to-zero setting. Source: [wald2007]
 /// (binned surface area heuristic).
 ///
-/// Why not a library: `touchstone bench --scene` compares. For a million triangles and small balls near them a scene on
+/// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
 /// this tree took 0.9 to 1.05 of the time of Embree 3, whose boxes are floats that cannot support exact answers; less
 /// than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls, which test
 /// little more than boxes, it took 1.3 times Embree's time. This tree takes 90 bytes per triangle, including the
