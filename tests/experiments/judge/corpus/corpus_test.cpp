@@ -13,6 +13,7 @@
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
 
@@ -142,6 +143,20 @@ TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
     ASSERT_EQ(filtered_path.answer(ball, polygon), expected) << stored;
     ASSERT_EQ(filtered_path.answer(ball, polygon, counts), expected) << stored;
     ASSERT_EQ(filtered_path.plain_answer(ball, polygon), expected) << stored;
+  }
+}
+
+// Queries walk the hierarchy only where a polygon has many edges, and few polygons of the corpus do.
+TEST(Corpus, FilteredMeetsEveryCaseByTheHierarchyOfEdges) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon::Parts parts(stored.polygon(), filtered::EdgeIndex::Use::OftenByHierarchy);
+    for (const filtered::Kernels* kernels : {&filtered::baseline_kernels(), &filtered::kernels()}) {
+      filtered::NoCounts none;
+      ASSERT_EQ(kernels->plain.contact(stored.ball(), parts, none), stored.answer->contact()) << stored;
+      ASSERT_EQ(kernels->plain.answer(stored.ball(), parts, none), *stored.answer) << stored;
+    }
   }
 }
 
