@@ -32,7 +32,7 @@ using Lifted = PreparedPolygon::Lifted;
 const Lifted& lifted(const PreparedPolygon& polygon);
 
 /// Locates a point of the supporting plane by counting the edges that a ray from it crosses, in the projection without
-/// the dropped coordinate. `signs` has for each edge and its start:
+/// the dropped coordinate. `signs` reports, for each edge and its start:
 ///   above(i): the sign of the start's coordinate v minus the point's, v = (dropped axis + 2) mod 3;
 ///   side(i): +, 0, -: the point lies left of the edge's line, on it, or right of it, as seen from the front;
 ///   covers(i): whether a point on the edge's line lies on the edge.
