@@ -33,7 +33,7 @@ std::string plain(const std::string& name, const TableDescription& table) {
 }
 
 std::string markdown(const std::string& name, const TableDescription& table) {
-  std::string text = fmt::format("### `{}` ({})\n\nEach line is about {}.\n\n| column | meaning |\n|---|---|\n",
+  std::string text = fmt::format("## `{}` ({})\n\nEach line is about {}.\n\n| column | meaning |\n|---|---|\n",
                                  table.file, name, table.row);
   for (const auto& [column, meaning] : table.columns) text += fmt::format("| `{}` | {} |\n", column, meaning);
   return text + "\n";

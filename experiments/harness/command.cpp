@@ -71,15 +71,24 @@ struct Command::Parts {
   std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
   std::vector<TableDescription> tables;
   std::vector<Command> subcommands;
+  std::vector<std::vector<std::string>> groups;  ///< exactly one option of each is required
   int status = 0;
 
   Option declare(Declared declared) {
     options.push_back(std::make_shared<Declared>(std::move(declared)));
     return {*app, options.back()};
   }
+  void check_groups() const;
   [[nodiscard]] std::string line() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
+
+void Command::Parts::check_groups() const {
+  for (const auto& group : groups) {
+    const auto given = std::ranges::count_if(group, [&](const auto& name) { return app->count(name) > 0; });
+    if (given != 1) throw CLI::RequiredError::Option(1, 1, static_cast<std::size_t>(given), CLI::detail::join(group));
+  }
+}
 
 std::string Command::Parts::line() const {
   std::string line, options_text;
@@ -138,6 +147,7 @@ Command::Command(const std::string& name, const std::string& about) : parts_(std
   parts_->app = std::make_shared<CLI::App>(about, name);
   // The application must not keep its own parts alive.
   parts_->app->callback([parts = parts_.get()] {
+    parts->check_groups();
     if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
     if (parts->kept_result_options != nullptr)
       *parts->kept_result_options = [parts] { return parts->result_options(); };
@@ -236,11 +246,8 @@ Option Command::positive(const std::string& name, double& value, const std::stri
   return option;
 }
 
-void Command::require_one_of(const std::vector<std::string>& names) {
-  auto* group = app().add_option_group("");
-  for (const std::string& name : names) group->add_option(app().get_option(name));
-  group->require_option(1);
-}
+// A group of CLI11's would do, but help prints its options below all others, or not at all if it has no name.
+void Command::require_one_of(const std::vector<std::string>& names) { parts_->groups.push_back(names); }
 
 void Command::allow_one_of(const std::vector<std::string>& names) {
   for (const std::string& name : names)

@@ -13,13 +13,11 @@ namespace touchstone {
 /// comes after it. Cost: none for doubles, integers and enumerations; a move for other types.
 template <class T>
 [[nodiscard]] __attribute__((always_inline)) inline T pinned(T value) {
+  if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) __asm__ volatile("" : "+r"(value) : : "memory");
 #if defined(__SSE2__)
-  if constexpr (std::is_same_v<T, double>)
+  else if constexpr (std::is_same_v<T, double>)
     __asm__ volatile("" : "+x"(value) : : "memory");
-  else
 #endif
-      if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
-    __asm__ volatile("" : "+r"(value) : : "memory");
   else
     __asm__ volatile("" : : "r"(&value) : "memory");
   return value;

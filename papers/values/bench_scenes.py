@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Queries against the largest scene."""
 from readings.bench_scenes import OURS, Data
-from values.latex import count, escaped, table
+from values.latex import count, decimal, escaped, table
 
 
 def largest(data):
@@ -26,7 +26,7 @@ def tables(study):
     lines = []
     for library, size in memory.items():
         here = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
-        time = lambda *key: f"{here[key]['nanoseconds'] / 1000:.2g}" if key in here else ""
+        time = lambda *key: decimal(here[key]["nanoseconds"] / 1000) if key in here else ""
         touching = here.get(("touching", "any"))
         lines.append([escaped(library), time("near", "any"), time("near", "all"), time("near", "nearest"),
                       time("anywhere", "any"), f"{size:.0f}",

@@ -199,7 +199,7 @@ class Merger {
   /// Returns the polygon of the loops, after moving the outer loop to the front: the first with the orientation of the
   /// faces.
   [[nodiscard]] Polygon with_outer_loop_first(Parts::Loops& loops, const FacePlane& plane) const {
-    const Polygon polygon = polygon_of(loops);
+    Polygon polygon = polygon_of(loops);
     const int axis = plane.dropped_axis(), as_faces = plane.turn(axis);
     std::size_t outer = 0;
     while (outer < loops.size() && turn(polygon, outer, axis) != as_faces) ++outer;

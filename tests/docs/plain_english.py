@@ -3,8 +3,8 @@
        plain_english.py --self-test
 
 Refuses turns of phrase that readers stumble over, in the prose of pages, the documentation comments of headers, the
-string literals of C++ (messages and help texts), and the two commands. Names file and line, and what to write instead.
-Exit status 1 if it finds one. --not-yet searches the files that are still exempt, and only those.
+string literals of C++ (messages and help texts), the paper, and the two commands. Names file and line, and what to write
+instead. Exit status 1 if it finds one. --not-yet searches the files that are still exempt, and only those.
 """
 
 import contextlib
@@ -108,10 +108,10 @@ def faults_of(name, text):
 
 
 def files(root):
-    """What is searched at all: pages, C++ and the two commands."""
+    """What is searched at all: pages, the paper, C++ and the two commands."""
     found = [*root.glob("*.md"), root / "check", root / "reproduce"]
     for folder in ("docs", "experiments", "geometry", "papers", "python", "robust", "tests"):
-        found += [file for file in (root / folder).rglob("*") if file.suffix in (".md", ".h", ".cpp")]
+        found += [file for file in (root / folder).rglob("*") if file.suffix in (".md", ".tex", ".h", ".cpp")]
     return sorted(found)
 
 

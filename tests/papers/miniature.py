@@ -78,7 +78,7 @@ FILES = {
         "queries.csv": table("scene triangles balls question library nanoseconds wrong checked",
                              ("torus", [100, 1000], "near", ["any", "all", "nearest"], ["Scene", "Embree 3"], 500, 0, 8),
                              ("torus", 1000, ["anywhere", "touching"], "any", "Scene", 300, 0, 8),
-                             ("torus", 1000, ["anywhere", "touching"], "any", "Embree 3", 200, 3, 8)),
+                             ("torus", 1000, ["anywhere", "touching"], "any", "Embree 3", 112_345, 3, 8)),
         "builds.csv": table("scene triangles library seconds bytes_a_triangle", ("torus", 1000, ["Scene", "Embree 3"], 0.5, 91))},
     "thesis": {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),

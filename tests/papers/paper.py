@@ -64,6 +64,7 @@ def data_make_the_numbers(root, results, output, scratch):
                  r"\defineval{bench/half-near/filtered/ratio}{1.50}", r"\defineval{real/face/fast}{12\,\%}",
                  r"\defineval{thesis/base-turns}{149\textdegree{} and 66\textdegree{}}", r"\defineval{tradeoff/distance-right/filtered}{all}"):
         expect(line in values, f"not there: {line}")
+    expect("& 110 &" in (output / "tables/scenes.tex").read_text(), "112,345 ns are not 110 us")
     again = scratch / "again"
     build(root, results, again, "--no-latex")
     expect(files_below(output) == files_below(again), "the same data make other bytes")

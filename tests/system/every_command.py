@@ -108,7 +108,7 @@ class EveryCommand(unittest.TestCase):
                 file = re.sub("^map-.*", "map-<spot>-<test>-<distance>.csv", table.name)
                 with self.subTest(call=call, table=file):
                     described = self.run_in(["columns", file, "--markdown"], "", stdout=subprocess.PIPE).stdout
-                    section = re.search(rf"^### `{re.escape(file)}` \({name}\)\n(.*?)(?=^###|\Z)", described, re.M | re.S)
+                    section = re.search(rf"^## `{re.escape(file)}` \({name}\)\n(.*?)(?=^##|\Z)", described, re.M | re.S)
                     self.assertTrue(section, described)
                     columns = re.findall(r"^\| `(.*?)` \|", section[1], re.M)
                     pattern = ",".join(re.sub(r"<\w+>", ".+", re.escape(column)) for column in columns)

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -142,7 +143,9 @@ int measure_all(const Options& options) {
   return kInterrupted;
 }
 
-/// Asks one candidate every query, `repetitions` times, and does nothing else that depends on that number.
+/// Asks one candidate every query of the benchmarks that share the first one's pool, `repetitions` times, and does
+/// nothing else that depends on that number. Benchmarks outside the pool time something else, such
+/// as preparing for each query.
 int count(const Options& options) {
   const auto families = select_families(options.families);
   if (families.size() != 1) throw harness::UsageError("--count", "needs one --family");
@@ -150,8 +153,12 @@ int count(const Options& options) {
   settings.checks = false;
   std::uint64_t asked = 0, sum = 0;
   std::vector<std::string> known;
+  std::optional<std::string> pool;
   for (const auto& draw : families[0]->benchmarks) {
-    for (const Candidate& candidate : draw(settings).candidates) {
+    const Benchmark benchmark = draw(settings);
+    if (!pool) pool = benchmark.pool;
+    if (benchmark.pool != pool) continue;
+    for (const Candidate& candidate : benchmark.candidates) {
       if (std::ranges::find(known, candidate.name) == known.end()) known.push_back(candidate.name);
       if (candidate.name != options.count || !candidate.count_wrong) continue;
       asked += candidate.queries;

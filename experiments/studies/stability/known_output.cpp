@@ -89,6 +89,12 @@ void write_known(const std::filesystem::path& folder, const Known& known) {
   areas_table().write(folder, known.areas);
 }
 
+std::string areas_text(const std::vector<FalseArea>& areas) {
+  if (areas.empty()) return {};
+  return "\nThe thesis's sum of angles: the outside area that it calls inside, relative to the outline's own\n" +
+         areas_table().aligned(areas);
+}
+
 std::vector<harness::TableDescription> known_tables() {
   return {onset_table().description(), contraction_table().description(), areas_table().description()};
 }

@@ -38,6 +38,8 @@ void write_known(const std::filesystem::path& folder, const Known& known);
 [[nodiscard]] std::vector<harness::TableDescription> known_tables();
 /// @}
 
+/// Returns the table of false areas for the terminal, with the columns of areas.csv; empty without areas.
+[[nodiscard]] std::string areas_text(const std::vector<FalseArea>& areas);
 /// Returns the tables for the terminal, with their legend.
 [[nodiscard]] std::string table(const Settings& settings, const Summary& summary, const Known& known);
 

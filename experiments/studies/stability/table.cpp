@@ -260,24 +260,6 @@ std::string contraction_table(const std::vector<ContractionCount>& counts) {
   return text;
 }
 
-std::string area_table(const std::vector<stability::FalseArea>& areas) {
-  if (areas.empty()) return {};
-  std::string text = fmt::format(
-      "\nThe thesis's sum of angles: the outside area that it calls inside, relative to the outline's own; {} points "
-      "each\n"
-      "  {:<10}{:>9}  {:<20}{:>8}\n",
-      areas.front().points, "outline", "share", "95 % limits", "missed");
-  for (const auto& area : areas) {
-    const auto limits = area.limits();
-    text += fmt::format("  {:<10}{:>7} %  {:<20}{:>8}\n", area.outline->name,
-                        statistics::percent_to_places(area.share(), 1),
-                        fmt::format("{} to {} %", statistics::percent_to_places(limits.lower, 1),
-                                    statistics::percent_to_places(limits.upper, 1)),
-                        area.missed);
-  }
-  return text;
-}
-
 std::string legend(const Settings& settings) {
   std::string text =
       "\nA sample is a polygon under stress and balls near it; it fails if the answer is wrong for any ball.\n"
@@ -311,7 +293,7 @@ std::string table(const Settings& settings, const Summary& summary, const Known&
   text += "\nThe largest relative error of the distance (inf: not finite)\n" + largest_errors(settings, summary) +
           "\n" + totals(settings, summary);
   return text + bounds_table(summary) + onset_table(known.onset) + contraction_table(known.contractions) +
-         area_table(known.areas) + legend(settings);
+         areas_text(known.areas) + legend(settings);
 }
 
 }  // namespace touchstone::stability

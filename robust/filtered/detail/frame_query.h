@@ -51,7 +51,7 @@ struct HeightQuery {
   /// Returns the side of the plane. Requires knows_side().
   [[nodiscard]] __attribute__((always_inline)) PlaneSide side() const {
     static constexpr PlaneSide kSides[] = {PlaneSide::Intersects, PlaneSide::Behind, PlaneSide::InFront};
-    const int misses = std::abs(height) > radius, in_front = height > 0;
+    const std::size_t misses = std::abs(height) > radius, in_front = height > 0;
     return kSides[misses * (1 + in_front)];
   }
 
@@ -180,7 +180,7 @@ bool walk(const EdgeIndex& index, const FrameQuery& query, const double& limit_s
   while (open > 0) {
     const std::int32_t number = stack[--open];
     if (number < 0) {
-      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::size_t>(~number)];
+      const EdgeTree::Leaf& leaf = tree.leaves()[static_cast<std::uint32_t>(~number)];
       const LeafView view(leaf, query);
       crossings ^= view.crossed;
       if (visit(leaf, view)) return false;

@@ -237,7 +237,7 @@ PointLocation PolygonQuery<Counts>::exact_foot() {
   while (open > 0) {
     const std::int32_t number = stack[--open];
     if (number < 0) {
-      if (on_edge(tree.leaves()[static_cast<std::size_t>(~number)])) return PointLocation::Boundary;
+      if (on_edge(tree.leaves()[static_cast<std::uint32_t>(~number)])) return PointLocation::Boundary;
       continue;
     }
     const EdgeTree::Node& node = tree.nodes()[static_cast<std::size_t>(number)];

@@ -28,8 +28,8 @@ constexpr auto expression(const View& view) {
   if constexpr (kind == SignKind::Plane) return signs::plane(view.normal(), view.to_center(), view.radius());
   if constexpr (kind == SignKind::Side) return signs::side(view.normal(), view.edge(), view.to_center());
   if constexpr (kind == SignKind::Above) {
-    const auto to_center = view.to_center();
-    const auto normal = view.normal();
+    const auto& to_center = view.to_center();
+    const auto& normal = view.normal();
     return signs::above(normal, to_center, normal[view.axis()], to_center[view.axis()]);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -149,6 +150,20 @@ TEST(Command, ItsGroupsOfOptionsTakeOne) {
   EXPECT_THROW(run({}), UsageError);
   EXPECT_THROW(run({"--file", "a", "--random", "a"}), UsageError);
   EXPECT_THROW(run({"--file", "a", "--any", "--all"}), UsageError);
+}
+
+TEST(Command, HelpListsTheOptionsOfAGroup) {
+  std::string file, random;
+  Command command("ask", "Asks");
+  command.text("--file", file, "A file");
+  command.text("--random", random, "Random ones");
+  command.require_one_of({"--file", "--random"});
+  std::array<char[10], 3> words{"program", "ask", "--help"};
+  std::array<char*, 3> arguments{words[0], words[1], words[2]};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_program("About", {command}, 3, arguments.data()), 0);
+  const std::string help = testing::internal::GetCapturedStdout();
+  for (const char* line : {"  --file TEXT", "  --random TEXT"}) EXPECT_NE(help.find(line), std::string::npos) << help;
 }
 
 TEST(Command, RunsTheSubcommandThatIsNamed) {

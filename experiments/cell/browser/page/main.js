@@ -40,7 +40,7 @@ async function main() {
   document.title = `${cell.name} · Touchstone`;
   if (answers.live) at("origin").textContent = `${cell.robot.name}. Every answer on this page is one of the program that serves it.`;
   else
-    at("origin").append(`${cell.robot.name}. A recorded run: nothing is asked of anybody. `, node("code", "touchstone cell serve"),
+    at("origin").append(`${cell.robot.name}. A recorded run; this page asks no program. `, node("code", "touchstone cell serve"),
                         " lets the storage be moved.");
 
   // The picture.

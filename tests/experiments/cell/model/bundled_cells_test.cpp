@@ -111,7 +111,8 @@ TEST(Aristo, ItsReachHoldsForEveryPoseOfTheJointsThatMove) {
   const Cell cell = cell::read_cell(kCells / "aristo.json");
   const cell::Reach reach = cell::reach_of(cell);
   double nearest = reach.outer, furthest = 0;
-  for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES; ++i) {
+  constexpr std::uint64_t kPoses = std::max(TOUCHSTONE_SAMPLES, 100);  // fewer may stay away from the bounds
+  for (std::uint64_t i = 0; i < kPoses; ++i) {
     workloads::Random random(55, i);
     std::vector<double> q;
     for (std::size_t k = 0; k < cell.robot.joints.size(); ++k)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "experiments/cases/comparison.h"
@@ -13,6 +14,7 @@
 #include "geometry/contact/fast.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/prepared.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
 
@@ -32,6 +34,13 @@ bool decisive_keys_agree(const Answer& a, const Answer& b) {
          a.relation == b.relation && a.nearest == b.nearest;
 }
 
+/// Zeros in answers are +0, which a comparison by value does not tell from -0.
+template <class Closest>
+bool zeros_are_positive(const Closest& answer) {
+  const auto is_positive = [](double number) { return number != 0 || !std::signbit(number); };
+  return is_positive(answer.distance) && std::ranges::all_of(answer.point, is_positive);
+}
+
 TEST(Corpus, EveryLineIsRejectedOrNotAsItExpects) {
   for (const Stored& stored : stored_cases()) {
     const auto* rejection = std::get_if<Rejection>(&stored.read.content);
@@ -49,7 +58,9 @@ TEST(Corpus, ExactMeetsEveryCase) {
     const exact::PreparedPolygon polygon(stored.polygon());
     const Ball& ball = stored.ball();
     const Answer& expected = *stored.answer;
-    ASSERT_EQ(exact::answer(ball, polygon), expected) << stored;
+    const Answer answer = exact::answer(ball, polygon);
+    ASSERT_EQ(answer, expected) << stored;
+    ASSERT_TRUE(zeros_are_positive(answer)) << stored;
     ASSERT_EQ(exact::contact(ball, polygon), expected.contact()) << stored;
     ASSERT_EQ(exact::relation(ball, polygon), expected.relation) << stored;
     ASSERT_EQ(exact::plane_side(ball, polygon), expected.plane) << stored;
@@ -120,7 +131,9 @@ TEST(Corpus, FilteredMeetsEveryCaseAsATriangle) {
 
     const filtered::ClosestPoint closest{expected.nearest, expected.point, expected.distance};
     ASSERT_EQ(filtered::closest(ball.center, *triangle), closest) << stored;
-    ASSERT_EQ(filtered::closest(filtered::baseline_kernels().plain, ball.center, *triangle, none), closest) << stored;
+    const auto found_closest = filtered::closest(filtered::baseline_kernels().plain, ball.center, *triangle, none);
+    ASSERT_EQ(found_closest, closest) << stored;
+    ASSERT_TRUE(zeros_are_positive(found_closest)) << stored;
   }
 }
 
@@ -141,7 +154,23 @@ TEST(Corpus, FilteredMeetsEveryCaseAsAPreparedPolygon) {
     ASSERT_EQ(filtered_path.edges_hit(ball, polygon), expected.edges_hit) << stored;
     ASSERT_EQ(filtered_path.answer(ball, polygon), expected) << stored;
     ASSERT_EQ(filtered_path.answer(ball, polygon, counts), expected) << stored;
-    ASSERT_EQ(filtered_path.plain_answer(ball, polygon), expected) << stored;
+    const Answer answer = filtered_path.plain_answer(ball, polygon);
+    ASSERT_EQ(answer, expected) << stored;
+    ASSERT_TRUE(zeros_are_positive(answer)) << stored;
+  }
+}
+
+// Queries walk the hierarchy only where a polygon has many edges, and few polygons of the corpus do.
+TEST(Corpus, FilteredMeetsEveryCaseByTheHierarchyOfEdges) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.answer) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon::Parts parts(stored.polygon(), filtered::EdgeIndex::Use::OftenByHierarchy);
+    for (const filtered::Kernels* kernels : {&filtered::baseline_kernels(), &filtered::kernels()}) {
+      filtered::NoCounts none;
+      ASSERT_EQ(kernels->plain.contact(stored.ball(), parts, none), stored.answer->contact()) << stored;
+      ASSERT_EQ(kernels->plain.answer(stored.ball(), parts, none), *stored.answer) << stored;
+    }
   }
 }
 

@@ -224,6 +224,14 @@ TEST(BenchCommand, CountsAsksOneCandidateOnly) {
   EXPECT_EQ(text.rfind("random-triangles, fast: 30 queries, 3 times; sum of the answers ", 0), 0U) << text;
 }
 
+// Four outlines are asked about prepared polygons. The queries that prepare a polygon each would hide their cost.
+TEST(BenchCommand, CountsTheQueriesOfOnePool) {
+  testing::internal::CaptureStdout();
+  ASSERT_EQ(run_bench({"--family", "polygons-8", "--count", "fast", "--samples", "30", "--repetitions", "1"}), 0);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_EQ(text.rfind("polygons-8, fast: 120 queries, 1 times; ", 0), 0U) << text;
+}
+
 TEST(BenchCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_bench({"--family", "circles"}), harness::UsageError);
   EXPECT_THROW(run_bench({"--samples", "0"}), harness::UsageError);
