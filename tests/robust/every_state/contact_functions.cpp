@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "robust/exact/motion.h"
 #include "robust/filtered/triangle_set.h"
 #include "tests/robust/every_state/public_function.h"
 
@@ -46,6 +47,17 @@ auto unprepared(const Ask& ask) {
   return [ask](const Input& in) { return ask(in.ball, in.polygon); };
 }
 
+/// What `ask` says about the input's ball, moved to the input's point, and the prepared polygon.
+template <class Prepared, class Ask>
+auto prepared_moving(const Ask& ask) {
+  return [ask](const Input& in) {
+    return prepared<Prepared>([&](const Ball& ball, const Prepared& polygon) {
+      const Motion motion{ball, in.point};
+      return ask(motion, polygon);
+    })(in);
+  };
+}
+
 using Exact = exact::PreparedPolygon;
 using Filtered = filtered::PreparedPolygon;
 
@@ -67,6 +79,19 @@ std::vector<PublicFunction> exact_functions() {
       gives("exact::compare_distances", prepared<Exact>([](const Ball& ball, const Exact& polygon) {
               return exact::compare_distances(ball, polygon, polygon);
             })),
+      gives("exact::contact", prepared_moving<Exact>([](auto& m, auto& p) { return exact::contact(m, p); })),
+      gives("exact::first_contact",
+            prepared_moving<Exact>([](auto& m, auto& p) { return exact::first_contact(m, p); })),
+      gives("exact::contact",
+            [](const Input& in) {
+              return exact::contact(Motion{in.ball, in.point}, in.polygon);
+            }),
+      gives("exact::first_contact",
+            [](const Input& in) {
+              return exact::first_contact(Motion{in.ball, in.point}, in.polygon);
+            }),
+      gives("exact::compare_times",
+            prepared_moving<Exact>([](auto& m, auto& p) { return exact::compare_times(m, p, p); })),
   };
 }
 
