@@ -46,13 +46,19 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
 }
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
-  const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+  const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
   if (const auto fault = find_rational_fault(polygon))
     faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
-  for (const std::string& difference : cases::differences(*read.expected, exact_answer(ball, polygon)))
+  for (const std::string& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
     faults.push_back(difference + ", by exact");
   if (read.expected->rejects()) return;
+  if (to) {
+    for (const cases::Key key : cases::kMovingKeys)
+      if (const auto name = std::string(to_string(key)); !read.expected->texts.contains(name))
+        faults.push_back(name + ": is missing");
+    return;
+  }
   for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
     faults.push_back(difference);
 }
@@ -83,6 +89,8 @@ Findings check_files(const std::vector<std::string>& files) {
           check_rejection(read, line, faults);
         else
           check_answer(read, faults);
+        if (const auto* shapes = std::get_if<cases::Shapes>(&read.content); shapes != nullptr && shapes->to)
+          ++findings.moving;
       } catch (const harness::NotJson& error) {
         faults.push_back(std::string("not JSON: ") + error.what());
       }

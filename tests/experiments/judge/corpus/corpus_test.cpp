@@ -11,7 +11,9 @@
 #include "experiments/studies/soak/system_under_test.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/contact/fast.h"
+#include "geometry/contact/fast_motion.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
@@ -67,6 +69,27 @@ TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
     if (!stored.fails("fast")) {
       ASSERT_EQ(fast::contact(stored.ball(), stored.polygon()), stored.answer->contact()) << stored;
     }
+  }
+}
+
+TEST(Corpus, ExactMeetsEveryMovingCase) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const exact::PreparedPolygon polygon(stored.polygon());
+    ASSERT_EQ(exact::first_contact(stored.motion(), polygon), *stored.first) << stored;
+    ASSERT_EQ(exact::contact(stored.motion(), polygon), stored.first->contact()) << stored;
+  }
+}
+
+TEST(Corpus, FastFailsMovingCasesWhereItsTagSaysSoAlone) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const FirstContact found = fast::first_contact(stored.motion(), stored.polygon()), &truth = *stored.first;
+    const bool agrees = found.kind == truth.kind && found.momentary == truth.momentary &&
+                        (!truth.contact() || found.feature == truth.feature);
+    ASSERT_EQ(agrees, !stored.fails("fast")) << stored;
   }
 }
 
