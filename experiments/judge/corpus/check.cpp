@@ -13,6 +13,8 @@
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
 #include "geometry/io/detail/legible.h"
+#include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -54,6 +56,11 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
     faults.push_back(difference + ", by exact");
   if (read.expected->rejects()) return;
   if (to) {
+    const filtered::PreparedPolygon prepared(polygon);
+    const auto filtered = cases::PartialAnswer::of(filtered::first_contact({ball, *to}, prepared),
+                                                   filtered::answer(ball, prepared).off_plane, "");
+    for (const std::string& difference : cases::differences(*read.expected, filtered))
+      faults.push_back(difference + ", by filtered");
     for (const cases::Key key : cases::kMovingKeys)
       if (const auto name = std::string(to_string(key)); !read.expected->texts.contains(name))
         faults.push_back(name + ": is missing");
@@ -89,8 +96,6 @@ Findings check_files(const std::vector<std::string>& files) {
           check_rejection(read, line, faults);
         else
           check_answer(read, faults);
-        if (const auto* shapes = std::get_if<cases::Shapes>(&read.content); shapes != nullptr && shapes->to)
-          ++findings.moving;
       } catch (const harness::NotJson& error) {
         faults.push_back(std::string("not JSON: ") + error.what());
       }

@@ -15,6 +15,7 @@
 #include "robust/exact/exact.h"
 #include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/motion.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
 
@@ -79,6 +80,35 @@ TEST(Corpus, ExactMeetsEveryMovingCase) {
     const exact::PreparedPolygon polygon(stored.polygon());
     ASSERT_EQ(exact::first_contact(stored.motion(), polygon), *stored.first) << stored;
     ASSERT_EQ(exact::contact(stored.motion(), polygon), stored.first->contact()) << stored;
+  }
+}
+
+TEST(Corpus, FilteredMeetsEveryMovingCaseInEveryEnvironment) {
+  using contact_tests::Environment;
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon polygon(stored.polygon());
+    const auto triangle = triangle_of(stored.polygon());
+    const Motion motion = stored.motion();
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : {Environment::kKeep, Environment::kBoth}) {
+        bool touches = false, touches_triangle = stored.first->contact();
+        FirstContact first, first_triangle = *stored.first;
+        {
+          const Environment changed(mode, flush);
+          touches = filtered::contact(motion, polygon);
+          first = filtered::first_contact(motion, polygon);
+          if (triangle) {
+            touches_triangle = filtered::contact(motion, *triangle);
+            first_triangle = filtered::first_contact(motion, *triangle);
+          }
+        }
+        ASSERT_EQ(touches, stored.first->contact()) << stored;
+        ASSERT_EQ(touches_triangle, stored.first->contact()) << stored;
+        ASSERT_EQ(first, *stored.first) << stored;
+        ASSERT_EQ(first_triangle, *stored.first) << stored;
+      }
   }
 }
 
