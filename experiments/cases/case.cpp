@@ -62,6 +62,14 @@ class Reader {
     return {point(member(ball, "center", "ball"), "ball.center"), radius.get<double>()};
   }
 
+  /// Returns the end of the centre's way; nothing if the ball does not move.
+  [[nodiscard]] std::optional<Eigen::Vector3d> to() const {
+    const auto motion = text_.value.find("motion");
+    if (motion == text_.value.end()) return std::nullopt;
+    if (!motion->is_object()) malformed("motion is not an object");
+    return point(member(*motion, "to", "motion"), "motion.to");
+  }
+
   [[nodiscard]] std::vector<Loop> loops() const {
     const json& polygon = member(text_.value, "polygon", "the case");
     if (!polygon.is_object()) malformed("polygon is not an object");
@@ -126,16 +134,17 @@ Shapes read_shapes(const harness::StrictJson& text) {
   const Reader reader(text);
   reader.check_form();
   const Ball ball = reader.ball();
+  const auto to = reader.to();
   const std::vector<Loop> loops = reader.loops();
   reader.check_expected_is_finite();
 
-  const auto fault = find_fault(ball);
+  const auto fault = find_fault(Motion{ball, to.value_or(ball.center)});
   if (fault && fault->code == RejectionCode::NotFinite) throw Rejected(*fault);
   try {
     Polygon polygon(loops.front(), {loops.begin() + 1, loops.end()});
     if (fault) throw Rejected(*fault);
     if (const auto rejection = exact::validate(polygon)) throw Rejected(*rejection);
-    return {ball, std::move(polygon)};
+    return {ball, std::move(polygon), to};
   } catch (const Rejected& rejected) {
     // In the order of rejections, a negative radius precedes every fault of the loops except numbers that are not
     // finite.

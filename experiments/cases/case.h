@@ -6,19 +6,12 @@
 #include <string_view>
 #include <variant>
 
+#include "experiments/cases/shapes.h"
 #include "experiments/cases/stated_answer.h"
 #include "experiments/harness/json/not_json.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
 #include "geometry/shapes/rejection.h"
 
 namespace touchstone::cases {
-
-/// A valid ball and polygon: input for every method.
-struct Shapes {
-  Ball ball;
-  Polygon polygon;
-};
 
 /// One line of a file of cases, read according to the contract.
 struct Case {
@@ -30,9 +23,9 @@ struct Case {
 /// Reads one case and reports the first rejection of the contract that applies, in the order of the contract.
 ///
 /// Numbers are read as the nearest doubles; a number beyond the finite doubles is `not-finite`. Besides `id`, `ball`,
-/// `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. Within `expected`, an unknown key makes the
-/// case malformed. A duplicate key anywhere, or arrays and objects nested deeper than kMostLevels, also make it
-/// malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length of the line.
+/// `motion`, `polygon`, `expected` and `tags`, unknown keys are allowed and ignored. Within `expected`, an unknown key
+/// makes the case malformed. A duplicate key anywhere, or arrays and objects nested deeper than kMostLevels, also make
+/// it malformed. Throws NotJson. Cost: that of exact::validate, plus time linear in the length of the line.
 [[nodiscard]] Case read_case(std::string_view line);
 
 }  // namespace touchstone::cases

@@ -13,6 +13,10 @@ std::string_view to_string(Key key) {
     case Key::EdgesHit: return "edges_hit";
     case Key::Relation: return "relation";
     case Key::Contact: return "contact";
+    case Key::First: return "first";
+    case Key::Time: return "time";
+    case Key::Momentary: return "momentary";
+    case Key::Feature: return "feature";
     case Key::Nearest: return "nearest";
     case Key::Point: return "point";
     case Key::Distance: return "distance";
@@ -29,6 +33,12 @@ std::optional<Key> find_key(std::string_view text) {
 
 bool has(const PartialAnswer& answer, Key key) {
   return visit_key(key, [&](auto member) { return (answer.*member).has_value(); });
+}
+
+bool is_null(const PartialAnswer& answer, Key key) {
+  if (!answer.first || has(answer, key)) return false;
+  if (key == Key::Momentary) return *answer.first != FirstContactKind::Way;
+  return *answer.first == FirstContactKind::None && (key == Key::Feature || key == Key::Point);
 }
 
 PartialAnswer only(const PartialAnswer& answer, const std::vector<Key>& keys) {

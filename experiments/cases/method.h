@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "geometry/contact/answer.h"
+#include "geometry/contact/first_contact.h"
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::cases {
@@ -15,7 +17,8 @@ namespace touchstone::cases {
 /// The kinds of queries: a single test of the contract, or all keys of the answer.
 enum class QueryKind { Contact, Relation, PlaneSide, Foot, EdgesHit, Answer };
 
-/// An answer with the keys of the contract; a key is absent if the method does not compute it or could not decide it.
+/// An answer with the keys of the contract, about a ball at a place or about a moving ball; a key is absent if the
+/// method does not compute it or could not decide it. The keys that the contract calls `null` are absent, too.
 struct PartialAnswer {
   std::optional<PlaneSide> plane;
   std::optional<bool> plane_tangent;
@@ -23,6 +26,10 @@ struct PartialAnswer {
   std::optional<std::vector<std::size_t>> edges_hit;
   std::optional<Relation> relation;
   std::optional<bool> contact;
+  std::optional<FirstContactKind> first;
+  std::optional<double> time;  ///< infinite if there is no contact
+  std::optional<bool> momentary;
+  std::optional<Feature> feature;
   std::optional<Feature> nearest;
   std::optional<Eigen::Vector3d> point;
   std::optional<double> distance;
@@ -32,6 +39,8 @@ struct PartialAnswer {
 
   /// Returns a partial answer with all keys of `answer`.
   static PartialAnswer of(const Answer& answer, std::string_view stage);
+  /// Returns a partial answer about a moving ball with all keys of the contract.
+  static PartialAnswer of(const FirstContact& first, double off_plane, std::string_view stage);
 };
 
 /// A polygon prepared by one method. Queries do not change it; several threads may query it at once.
@@ -40,11 +49,13 @@ class PreparedMethod {
   virtual ~PreparedMethod() = default;
   /// Returns at least the key of the query, if the method computes it; for QueryKind::Answer all keys that it computes.
   [[nodiscard]] virtual PartialAnswer ask(const Ball& ball, QueryKind kind) const = 0;
+  /// Returns all keys about a moving ball that the method computes, or nothing if it cannot answer about moving balls.
+  [[nodiscard]] virtual std::optional<PartialAnswer> ask_moving(const Motion& motion) const;
 };
 
 /// A way to answer queries: one of ours, a historical one, or a third-party engine. Each method has its own file.
 ///
-/// Requires polygons that `exact::validate` accepts and balls for which `find_fault` finds nothing.
+/// Requires polygons that `exact::validate` accepts, and balls and motions for which `find_fault` finds nothing.
 class Method {
  public:
   virtual ~Method() = default;

@@ -25,11 +25,18 @@ std::string verdict_line(const std::string& id, std::string_view method, const P
   verdict.update(object_of(answer));
   if (explained_radius) {
     if (!answer.stage.empty()) verdict["stage"] = answer.stage;
+    if (answer.first) return to_line(verdict);
     if (answer.distance && !std::isnan(*answer.distance))
       verdict["margin"] = workloads::doubles_between(*answer.distance, *explained_radius);
     else
       verdict["margin"] = nullptr;
   }
+  return to_line(verdict);
+}
+
+std::string unanswered_line(const std::string& id, std::string_view method) {
+  Verdict verdict = begin(id, method);
+  verdict["unanswered"] = "motion";
   return to_line(verdict);
 }
 
@@ -53,9 +60,14 @@ std::string verdict_line(const std::optional<std::string>& id, std::string_view 
   return to_line(verdict);
 }
 
+std::string case_line(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+                      const std::optional<PartialAnswer>& expected) {
+  return to_line(case_of(id, shapes, tags, expected ? object_of(*expected) : Verdict(nullptr)));
+}
+
 std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
                       const std::vector<std::string>& tags, const std::optional<PartialAnswer>& expected) {
-  return to_line(case_of(id, ball, polygon, tags, expected ? object_of(*expected) : Verdict(nullptr)));
+  return case_line(id, Shapes{ball, polygon}, tags, expected);
 }
 
 }  // namespace touchstone::cases

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "experiments/cases/shapes.h"
 #include "experiments/cases/stated_answer.h"
 #include "geometry/shapes/rejection.h"
 
@@ -16,9 +17,11 @@ namespace touchstone::cases {
 
 /// Returns the verdict of a method: `id`, `method`, and the keys that it computed. With the radius of the ball, adds
 /// the keys of --explain: `stage`, if the method reports it, and `margin`, the number of doubles by which the radius
-/// exceeds the distance of the answer (null if the method does not compute a distance).
+/// exceeds the distance of the answer (null if the method does not compute a distance; none for a moving ball).
 [[nodiscard]] std::string verdict_line(const std::string& id, std::string_view method, const PartialAnswer& answer,
                                        std::optional<double> explained_radius = std::nullopt);
+/// Returns the verdict of a method that cannot answer about moving balls: `id`, `method` and `"unanswered":"motion"`.
+[[nodiscard]] std::string unanswered_line(const std::string& id, std::string_view method);
 /// Returns the verdict of an engine: `id`, `method`, and what it stated.
 [[nodiscard]] std::string verdict_line(const std::string& id, std::string_view method, const StatedAnswer& answer);
 /// Returns the verdict on a rejected case: `id` (null if missing), `method`, `error` and `message`.
@@ -26,6 +29,9 @@ namespace touchstone::cases {
                                        const Rejection& rejection);
 
 /// Returns a case in the form of the contract; without an expectation, it has no `expected`.
+[[nodiscard]] std::string case_line(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+                                    const std::optional<PartialAnswer>& expected = std::nullopt);
+/// Returns the same for a ball at a place.
 [[nodiscard]] std::string case_line(const std::string& id, const Ball& ball, const Polygon& polygon,
                                     const std::vector<std::string>& tags,
                                     const std::optional<PartialAnswer>& expected = std::nullopt);

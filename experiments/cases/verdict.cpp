@@ -23,7 +23,9 @@ Verdict number(double value) {
 }
 
 /// Returns whether numbers below this key denote their nearest doubles. Numbers below other keys are indices.
-bool holds_doubles(Key key) { return key == Key::Point || key == Key::Distance || key == Key::OffPlane; }
+bool holds_doubles(Key key) {
+  return key == Key::Time || key == Key::Point || key == Key::Distance || key == Key::OffPlane;
+}
 
 /// The same for every number within a value; keeps integers that are not doubles.
 json plain(const json& value, bool doubles) {
@@ -42,6 +44,7 @@ json plain(const json& value, bool doubles) {
 Verdict value_of(PlaneSide value) { return to_string(value); }
 Verdict value_of(PointLocation value) { return to_string(value); }
 Verdict value_of(Relation value) { return to_string(value); }
+Verdict value_of(FirstContactKind value) { return to_string(value); }
 Verdict value_of(bool value) { return value; }
 Verdict value_of(const std::vector<std::size_t>& value) { return value; }
 Verdict value_of(double value) { return number(value); }
@@ -72,6 +75,10 @@ void read(const json& value, std::optional<PointLocation>& location) {
 
 void read(const json& value, std::optional<Relation>& relation) {
   read_word(value, {Relation::Separate, Relation::Touching, Relation::Overlapping}, relation);
+}
+
+void read(const json& value, std::optional<FirstContactKind>& kind) {
+  read_word(value, {FirstContactKind::Start, FirstContactKind::Way, FirstContactKind::None}, kind);
 }
 
 void read(const json& value, std::optional<bool>& yes) {
@@ -171,10 +178,12 @@ std::string text(const json& value) {
 
 Verdict object_of(const PartialAnswer& answer) {
   Verdict object = Verdict::object();
-  for (const Key key : kKeys)
+  for (const Key key : kKeys) {
     visit_key(key, [&](auto member) {
       if (answer.*member) object[std::string(to_string(key))] = value_of(*(answer.*member));
     });
+    if (is_null(answer, key)) object[std::string(to_string(key))] = nullptr;
+  }
   return object;
 }
 
@@ -211,18 +220,21 @@ StatedAnswer answer_in(const json& reply) {
 
 Verdict object_of(const Ball& ball) { return {{"center", value_of(ball.center)}, {"radius", number(ball.radius)}}; }
 
+Verdict object_of(const Motion& motion) { return {{"to", value_of(motion.to)}}; }
+
 Verdict object_of(const Polygon& polygon) {
   Verdict holes = Verdict::array();
   for (std::size_t number = 1; number < polygon.loop_count(); ++number) holes.push_back(loop(polygon, number));
   return {{"outer", loop(polygon, 0)}, {"holes", std::move(holes)}};
 }
 
-Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon, const std::vector<std::string>& tags,
+Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
                 const Verdict& expected) {
   Verdict object = Verdict::object();
   object["id"] = id;
-  object["ball"] = object_of(ball);
-  object["polygon"] = object_of(polygon);
+  object["ball"] = object_of(shapes.ball);
+  if (shapes.to) object["motion"] = object_of(*shapes.motion());
+  object["polygon"] = object_of(shapes.polygon);
   if (!expected.is_null()) object["expected"] = expected;
   object["tags"] = tags;
   return object;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/cases/shapes.h"
 #include "experiments/cases/stated_answer.h"
 
 // Answers and cases as JSON values: for files that read JSON, or add keys of their own. Others use output_lines.h.
@@ -14,23 +15,25 @@ namespace touchstone::cases {
 using Verdict = nlohmann::ordered_json;
 
 /// Returns the keys that a method computed, in the form of a verdict or of `expected`. Numbers beyond the finite
-/// doubles become null, -0 becomes 0.
+/// doubles become null, -0 becomes 0. Keys for which `is_null` holds are null.
 [[nodiscard]] Verdict object_of(const PartialAnswer& answer);
 
 /// Returns `center` and `radius`.
 [[nodiscard]] Verdict object_of(const Ball& ball);
+/// Returns `to`.
+[[nodiscard]] Verdict object_of(const Motion& motion);
 /// Returns `outer` and `holes`.
 [[nodiscard]] Verdict object_of(const Polygon& polygon);
 
 /// Reads the object `expected` of a case. Its texts have the numbers of the case.
 [[nodiscard]] StatedAnswer expectation_in(const nlohmann::json& expected);
-/// Reads the reply of an engine and ignores unknown keys. Its texts have the nearest doubles of `point`, `distance` and
-/// `off_plane`.
+/// Reads the reply of an engine and ignores unknown keys. Its texts have the nearest doubles of `time`, `point`,
+/// `distance` and `off_plane`.
 [[nodiscard]] StatedAnswer answer_in(const nlohmann::json& reply);
 
 /// Returns a case in the form of the contract, without `expected` if that is null.
-[[nodiscard]] Verdict case_of(const std::string& id, const Ball& ball, const Polygon& polygon,
-                              const std::vector<std::string>& tags, const Verdict& expected = nullptr);
+[[nodiscard]] Verdict case_of(const std::string& id, const Shapes& shapes, const std::vector<std::string>& tags,
+                              const Verdict& expected = nullptr);
 
 /// Returns one line of JSON, with numbers in the shortest form that reads back as the same double (std::to_chars).
 [[nodiscard]] std::string to_line(const Verdict& verdict);

@@ -45,13 +45,13 @@ std::optional<std::size_t> nearest_stop(const cell::Process& process, const Poly
 }
 
 std::string lines_about(const std::string& id, const std::string& origin, const Ball& sphere, const Polygon& polygon) {
-  const cases::PartialAnswer truth = corpus::exact_answer(sphere, polygon);
+  const cases::PartialAnswer truth = corpus::exact_answer({sphere, polygon});
   std::string lines = corpus::line_of({id, sphere, polygon, {"sphere"}, origin}, truth);
   for (const int doubles : {-1, 0, 1}) {
     const Ball ball{sphere.center, workloads::move_by_doubles(*truth.distance, doubles)};
     if (ball.radius < 0) continue;
-    const cases::PartialAnswer there = corpus::exact_answer(ball, polygon);
-    if (corpus::failing_witnesses(ball, polygon, there).empty()) continue;
+    const cases::PartialAnswer there = corpus::exact_answer({ball, polygon});
+    if (corpus::failing_witnesses({ball, polygon}, there).empty()) continue;
     lines += corpus::line_of({fmt::format("{}-k{}", id, doubles),
                               ball,
                               polygon,

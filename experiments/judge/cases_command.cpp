@@ -30,15 +30,18 @@ struct CasesOptions {
   std::vector<std::string> failing;
 };
 
+/// Returns no key if the sample moves and the method cannot answer about moving balls.
 cases::PartialAnswer ask(const cases::Method& method, const workloads::Sample& sample) {
-  return method.prepare(sample.polygon)->ask(sample.ball, cases::QueryKind::Answer);
+  const auto prepared = method.prepare(sample.polygon);
+  if (sample.to) return prepared->ask_moving({sample.ball, *sample.to}).value_or(cases::PartialAnswer{});
+  return prepared->ask(sample.ball, cases::QueryKind::Answer);
 }
 
-/// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of point and distance.
+/// Returns whether one of the methods gives a wrong value for a key, apart from rounding errors of lengths and times.
 bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sample& sample,
            const cases::PartialAnswer& truth) {
-  const cases::PartialAnswer looked_at =
-      only(truth, {Key::Foot, Key::EdgesHit, Key::Relation, Key::Contact, Key::Nearest});
+  const cases::PartialAnswer looked_at = only(truth, {Key::Foot, Key::EdgesHit, Key::Relation, Key::Contact,
+                                                      Key::Nearest, Key::First, Key::Momentary, Key::Feature});
   return std::ranges::any_of(methods, [&](const cases::Method* method) {
     return !cases::differing_keys(looked_at, ask(*method, sample)).empty();
   });
@@ -61,8 +64,8 @@ void print(const CasesOptions& options) {
       continue;
     }
     ++printed;
-    const std::string line =
-        cases::case_line(sample.id, sample.ball, sample.polygon, sample.tags, options.expected ? truth : std::nullopt);
+    const std::string line = cases::case_line(sample.id, cases::Shapes{sample.ball, sample.polygon, sample.to},
+                                              sample.tags, options.expected ? truth : std::nullopt);
     if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size()) cannot_write();
   }
   if (std::fflush(stdout) != 0) cannot_write();
@@ -83,6 +86,7 @@ harness::Command cases_command() {
                  std::vector{workloads::Placement::LatticeFrame, workloads::Placement::Rotated},
                  "Placement of the outline in space");
   command.choice("--ball", workload.ball, workloads::all_ball_places(), "Where the ball is");
+  command.choice("--way", workload.way, workloads::all_ways(), "How the ball moves");
   command.whole("--vertices", workload.vertices, "Vertices of the outer loop", 3, 1U << 17);
   command.whole("--holes", workload.holes, "Holes", 0);
   command.integer("--ulps", workload.doubles, "Number of doubles by which the radius is moved from the threshold");

@@ -51,18 +51,28 @@ void VerdictReporter::report_own_methods(const cases::Line& line) {
     report_rejection(line);
     return;
   }
-  const auto& [ball, polygon] = std::get<cases::Shapes>(given.content);
+  const auto& shapes = std::get<cases::Shapes>(given.content);
+  const auto motion = shapes.motion();
   for (const auto* method : order_.methods) {
-    cases::PartialAnswer answer;
+    std::optional<cases::PartialAnswer> answered = cases::PartialAnswer{};
     try {
-      answer = method->prepare(polygon)->ask(ball, cases::QueryKind::Answer);
+      const auto prepared = method->prepare(shapes.polygon);
+      answered = motion ? prepared->ask_moving(*motion) : prepared->ask(shapes.ball, cases::QueryKind::Answer);
     } catch (const std::exception& error) {  // an exception of a third-party engine must not affect other verdicts
       complain(fmt::format("{}: method {}: ended with: {}", name(line), method->name(), error.what()));
       worsen(ExpectationNotMet);
     }
-    print(cases::verdict_line(*given.id, method->name(), answer,
-                              order_.explain ? std::optional(ball.radius) : std::nullopt));
-    if (given.expected) compare(line, method->name(), cases::stated(answer));
+    if (!answered) {
+      print(cases::unanswered_line(*given.id, method->name()));
+      if (given.expected) {
+        complain(fmt::format("{}: method {}: cannot answer about moving balls", name(line), method->name()));
+        worsen(ExpectationNotMet);
+      }
+      continue;
+    }
+    print(cases::verdict_line(*given.id, method->name(), *answered,
+                              order_.explain ? std::optional(shapes.ball.radius) : std::nullopt));
+    if (given.expected) compare(line, method->name(), cases::stated(*answered));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "robust/exact/exact.h"
 
 #include "experiments/methods/add_methods.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::methods {
 namespace {
@@ -22,6 +23,11 @@ class PreparedExact final : public PreparedMethod {
     }
     answer.stage = "exact";
     return answer;
+  }
+
+  std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    return PartialAnswer::of(exact::first_contact(motion, polygon_), exact::answer(motion.ball, polygon_).off_plane,
+                             "exact");
   }
 
  private:

@@ -3,10 +3,12 @@
 
 #include "experiments/cases/method.h"
 #include "geometry/contact/fast.h"
+#include "geometry/contact/fast_motion.h"
 
 namespace touchstone::methods {
 
-/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not instantiate need fast_definitions.h.
+/// The code of `fast` over one Scalar, as a method. Scalars that fast.cpp does not instantiate need
+/// fast_motion_definitions.h.
 template <class Scalar>
 class PreparedFast final : public PreparedMethod {
  public:
@@ -24,6 +26,11 @@ class PreparedFast final : public PreparedMethod {
     }
     answer.stage = stage_;
     return answer;
+  }
+
+  std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    return PartialAnswer::of(fast::first_contact(motion, polygon_), fast::answer(motion.ball, polygon_).off_plane,
+                             stage_);
   }
 
  private:

@@ -4,7 +4,7 @@
 
 #include "experiments/methods/add_methods.h"
 #include "experiments/methods/fast_method.h"
-#include "geometry/contact/detail/fast_definitions.h"
+#include "geometry/contact/detail/fast_motion_definitions.h"
 
 namespace touchstone::methods {
 namespace {

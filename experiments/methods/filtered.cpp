@@ -2,6 +2,7 @@
 #include "robust/filtered/filtered.h"
 
 #include "experiments/methods/add_methods.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::methods {
 namespace {
@@ -23,6 +24,12 @@ class PreparedFiltered final : public PreparedMethod {
     }
     answer.stage = to_string(counts.last());
     return answer;
+  }
+
+  std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    filtered::StageCounts counts;
+    const FirstContact first = filtered::first_contact(motion, polygon_, counts);
+    return PartialAnswer::of(first, filtered::answer(motion.ball, polygon_).off_plane, to_string(counts.last()));
   }
 
  private:

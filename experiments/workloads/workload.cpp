@@ -7,6 +7,7 @@
 
 #include "experiments/workloads/balls.h"
 #include "experiments/workloads/placement.h"
+#include "experiments/workloads/ways.h"
 
 namespace touchstone::workloads {
 namespace {
@@ -32,6 +33,7 @@ std::string id(const Workload& workload, std::uint64_t seed, std::uint64_t index
   text.append(to_string(workload.ball));
   text += "-n" + std::to_string(workload.vertices) + "-h" + std::to_string(workload.holes) + "-k" +
           std::to_string(workload.doubles);
+  if (workload.way != Way::Static) text.append("-").append(to_string(workload.way));
   const Workload usual;
   if (workload.koch_dimension != usual.koch_dimension) text += "-d" + shortest(workload.koch_dimension);
   if (workload.origin_distance != usual.origin_distance) text += "-o" + shortest(workload.origin_distance);
@@ -42,6 +44,7 @@ std::vector<std::string> tags(const Workload& workload) {
   std::vector<std::string> words{std::string(to_string(workload.family)), std::string(to_string(workload.placement)),
                                  std::string(to_string(workload.ball))};
   if (workload.ball == BallPlace::LatticeTangent && workload.doubles == 0) words.emplace_back("tangent");
+  if (workload.way != Way::Static) words.insert(words.end(), {"moving", std::string(to_string(workload.way))});
   return words;
 }
 
@@ -51,7 +54,9 @@ Sample sample(const Workload& workload, std::uint64_t seed, std::uint64_t index)
   check(workload);
   PlacedOutline placed = draw_placed_outline(workload, seed, index);
   const Ball ball = draw_ball(placed, workload, seed, index);
-  return {id(workload, seed, index), ball, std::move(placed.polygon), tags(workload)};
+  if (workload.way == Way::Static) return {id(workload, seed, index), ball, std::move(placed.polygon), tags(workload)};
+  const Motion motion = draw_motion(ball, placed, workload, seed, index);
+  return {id(workload, seed, index), motion.ball, std::move(placed.polygon), tags(workload), motion.to};
 }
 
 std::string_view to_string(Family family) {
@@ -83,6 +88,20 @@ std::string_view to_string(BallPlace place) {
     case BallPlace::FootNearEdge: return "foot-near-edge";
     case BallPlace::FootNearVertex: return "foot-near-vertex";
     case BallPlace::LatticeTangent: return "lattice-tangent";
+  }
+  return "";
+}
+
+std::string_view to_string(Way way) {
+  switch (way) {
+    case Way::Static: return "static";
+    case Way::Rest: return "rest";
+    case Way::Anywhere: return "anywhere";
+    case Way::Start: return "start";
+    case Way::End: return "end";
+    case Way::Across: return "across";
+    case Way::Along: return "along";
+    case Way::Through: return "through";
   }
   return "";
 }
@@ -119,6 +138,12 @@ const std::vector<BallPlace>& all_ball_places() {
       BallPlace::Anywhere,     BallPlace::NearFace,       BallPlace::NearEdge,      BallPlace::NearVertex,
       BallPlace::FootNearEdge, BallPlace::FootNearVertex, BallPlace::LatticeTangent};
   return places;
+}
+
+const std::vector<Way>& all_ways() {
+  static const std::vector<Way> ways{Way::Static, Way::Rest,   Way::Anywhere, Way::Start,
+                                     Way::End,    Way::Across, Way::Along,    Way::Through};
+  return ways;
 }
 
 }  // namespace touchstone::workloads

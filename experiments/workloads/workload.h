@@ -32,6 +32,18 @@ enum class BallPlace {
   LatticeTangent,  ///< exactly tangent: distance and radius are the same integer (LatticeFrame only)
 };
 
+/// The way of the ball, whose place is that of BallPlace.
+enum class Way {
+  Static,    ///< none: the ball does not move
+  Rest,      ///< a motion from the place to itself
+  Anywhere,  ///< from the place to one Anywhere
+  Start,     ///< from the place in any direction
+  End,       ///< to the place from any direction
+  Across,    ///< halfway at the place, perpendicular to the direction of the closest point: grazes, or slides
+  Along,     ///< halfway at the place, parallel to an edge
+  Through,   ///< halfway in the plane below the place, perpendicular to the plane; the radius is the one that just fits
+};
+
 struct Workload {
   Family family = Family::Star;
   Placement placement = Placement::LatticeFrame;
@@ -41,6 +53,7 @@ struct Workload {
   int doubles = 0;  ///< by how many doubles a Near* or LatticeTangent radius differs from the double of the distance
   double koch_dimension = 1.26;  ///< in (1, 2)
   double origin_distance = 0;    ///< distance of the polygon from the origin, in units of its size
+  Way way = Way::Static;
 };
 
 struct Sample {
@@ -48,11 +61,14 @@ struct Sample {
   Ball ball;
   Polygon polygon;
   std::vector<std::string> tags;
+  std::optional<Eigen::Vector3d> to{};  ///< the end of the centre's way, unless the ball is static
 };
 
 /// Draws sample number `index` of a workload: a function of (workload, seed, index) alone. `exact::validate` accepts
 /// every polygon. Ball and polygon are drawn independently: workloads that differ only in `ball` and `doubles` have the
 /// same polygons; those that differ only in `doubles` have the same centres.
+///
+/// Workloads that differ only in `way` have the same polygons, and the same balls at their places.
 ///
 /// Requires rounding to nearest. Cost: 5 to 200 us at 24 vertices.
 /// Throws std::invalid_argument if the family cannot provide what the workload asks for.
@@ -61,6 +77,7 @@ struct Sample {
 [[nodiscard]] std::string_view to_string(Family family);
 [[nodiscard]] std::string_view to_string(Placement placement);
 [[nodiscard]] std::string_view to_string(BallPlace place);
+[[nodiscard]] std::string_view to_string(Way way);
 [[nodiscard]] const std::vector<Family>& all_families();
 /// Returns the families of these names, in the order of all_families; `all` selects every family. Throws
 /// std::invalid_argument, which names the first unknown one.
@@ -68,5 +85,6 @@ struct Sample {
 /// Returns the names of the families that find_families selects, joined by commas. Throws as it does.
 [[nodiscard]] std::string selected_names(const std::vector<std::string>& names);
 [[nodiscard]] const std::vector<BallPlace>& all_ball_places();
+[[nodiscard]] const std::vector<Way>& all_ways();
 
 }  // namespace touchstone::workloads

@@ -13,6 +13,8 @@
 #include "experiments/judge/corpus/corpus_case.h"
 #include "experiments/judge/corpus/rational_answer.h"
 #include "geometry/io/detail/legible.h"
+#include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::corpus {
 namespace {
@@ -46,13 +48,24 @@ void check_rejection(const cases::Case& read, const std::string& line, std::vect
 }
 
 void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
-  const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+  const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
   if (const auto fault = find_rational_fault(polygon))
     faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
-  for (const std::string& difference : cases::differences(*read.expected, exact_answer(ball, polygon)))
+  for (const std::string& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
     faults.push_back(difference + ", by exact");
   if (read.expected->rejects()) return;
+  if (to) {
+    const filtered::PreparedPolygon prepared(polygon);
+    const auto filtered = cases::PartialAnswer::of(filtered::first_contact({ball, *to}, prepared),
+                                                   filtered::answer(ball, prepared).off_plane, "");
+    for (const std::string& difference : cases::differences(*read.expected, filtered))
+      faults.push_back(difference + ", by filtered");
+    for (const cases::Key key : cases::kMovingKeys)
+      if (const auto name = std::string(to_string(key)); !read.expected->texts.contains(name))
+        faults.push_back(name + ": is missing");
+    return;
+  }
   for (const std::string& difference : rational_differences(ball, polygon, *read.expected))
     faults.push_back(difference);
 }

@@ -14,8 +14,9 @@ struct Findings {
 };
 
 /// Derives the whole answer of every case twice, by `exact` and by rational_differences, and every rejection of loops
-/// by `exact` and by find_rational_fault; all must agree with the expectation of the case. A missing key, an id that is
-/// not unique among all files, and a line that is not a case are faults; the check continues with the other cases.
+/// by `exact` and by find_rational_fault; all must agree with the expectation of the case. Answers
+/// about moving balls are derived by `exact` and by `filtered`. A missing key, an id that is not unique among all
+/// files, and a line that is not a case are faults; the check continues with the other cases.
 [[nodiscard]] Findings check_files(const std::vector<std::string>& files);
 
 }  // namespace touchstone::corpus

@@ -9,23 +9,32 @@
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::corpus {
 
 using cases::Key;
 using cases::PartialAnswer;
 
-PartialAnswer exact_answer(const Ball& ball, const Polygon& polygon) {
-  return PartialAnswer::of(exact::answer(ball, polygon), "");
+PartialAnswer exact_answer(const cases::Shapes& shapes) {
+  const exact::PreparedPolygon polygon(shapes.polygon);
+  const Answer answer = exact::answer(shapes.ball, polygon);
+  const auto motion = shapes.motion();
+  if (motion) return PartialAnswer::of(exact::first_contact(*motion, polygon), answer.off_plane, "");
+  return PartialAnswer::of(answer, "");
 }
 
-bool is_decisive(Key key) { return key != Key::Point && key != Key::Distance && key != Key::OffPlane; }
+bool is_decisive(Key key) {
+  return key != Key::Point && key != Key::Distance && key != Key::Time && key != Key::OffPlane;
+}
 
-WrongAnswer wrong_answer(const cases::Method& method, const Ball& ball, const Polygon& polygon,
-                         const PartialAnswer& truth) {
+WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes, const PartialAnswer& truth) {
   WrongAnswer wrong;
+  const auto motion = shapes.motion();
   try {
-    wrong.answer = method.prepare(polygon)->ask(ball, cases::QueryKind::Answer);
+    const auto prepared = method.prepare(shapes.polygon);
+    wrong.answer = motion ? prepared->ask_moving(*motion).value_or(PartialAnswer{})
+                          : prepared->ask(shapes.ball, cases::QueryKind::Answer);
     wrong.keys = differing_keys(truth, wrong.answer);
   } catch (const std::exception&) {  // thrown by a third-party engine
     for (const Key key : cases::kKeys)
@@ -42,20 +51,19 @@ const std::vector<const cases::Method*>& witnesses() {
 
 bool any_decisive(const std::vector<Key>& keys) { return std::ranges::any_of(keys, is_decisive); }
 
-std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
-                                                    const PartialAnswer& truth) {
+std::vector<const cases::Method*> failing_witnesses(const cases::Shapes& shapes, const PartialAnswer& truth) {
   std::vector<const cases::Method*> failing;
   for (const auto* method : witnesses())
-    if (any_decisive(wrong_answer(*method, ball, polygon, truth).keys)) failing.push_back(method);
+    if (any_decisive(wrong_answer(*method, shapes, truth).keys)) failing.push_back(method);
   return failing;
 }
 
 std::string line_of(const CorpusCase& given, const PartialAnswer& truth) {
   std::vector<std::string> tags = given.tags;
   std::erase_if(tags, [](const std::string& tag) { return tag.starts_with("fails:"); });
-  for (const auto* method : failing_witnesses(given.ball, given.polygon, truth))
+  for (const auto* method : failing_witnesses(given.shapes(), truth))
     tags.push_back("fails:" + std::string(method->name()));
-  cases::Verdict object = cases::case_of(given.id, given.ball, given.polygon, tags, cases::object_of(truth));
+  cases::Verdict object = cases::case_of(given.id, given.shapes(), tags, cases::object_of(truth));
   object["origin"] = given.origin;
   return cases::to_line(object);
 }

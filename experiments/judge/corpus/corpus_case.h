@@ -9,20 +9,23 @@
 
 namespace touchstone::corpus {
 
-/// A valid ball and polygon, and their origin.
+/// A valid ball, at a place or moving, and a valid polygon, and their origin.
 struct CorpusCase {
   std::string id;
   Ball ball;
   Polygon polygon;
   std::vector<std::string> tags;
   std::string origin;  ///< the command that draws it again, or the reason why it was made
+  std::optional<Eigen::Vector3d> to{};
+
+  [[nodiscard]] cases::Shapes shapes() const { return {ball, polygon, to}; }
 };
 
 /// Returns the exact answer with all its keys.
-[[nodiscard]] cases::PartialAnswer exact_answer(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] cases::PartialAnswer exact_answer(const cases::Shapes& shapes);
 
 /// Returns whether the value of the key is yes or no, a choice or a count. Inexact methods nearly always miss the last
-/// bit of `point` and `distance`.
+/// bit of `point`, `distance` and `time`.
 [[nodiscard]] bool is_decisive(cases::Key key);
 
 /// The keys that a method gets wrong, in the order of the contract, and its answer.
@@ -31,9 +34,9 @@ struct WrongAnswer {
   cases::PartialAnswer answer;
 };
 
-/// Compares the answer of the method with the truth. Keys that it omits or is unsure about are not wrong. If it throws,
-/// all keys are wrong, and the answer has none.
-[[nodiscard]] WrongAnswer wrong_answer(const cases::Method& method, const Ball& ball, const Polygon& polygon,
+/// Compares the answer of the method with the truth. Keys that it omits or is unsure about are not wrong, nor is a
+/// method that cannot answer about moving balls. If it throws, all keys are wrong, and the answer has none.
+[[nodiscard]] WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shapes,
                                        const cases::PartialAnswer& truth);
 
 /// Returns whether one of these keys is decisive.
@@ -43,7 +46,7 @@ struct WrongAnswer {
 /// third-party kernels. Every build has all of them.
 [[nodiscard]] const std::vector<const cases::Method*>& witnesses();
 /// Returns the witnesses that get a decisive key wrong.
-[[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const Ball& ball, const Polygon& polygon,
+[[nodiscard]] std::vector<const cases::Method*> failing_witnesses(const cases::Shapes& shapes,
                                                                   const cases::PartialAnswer& truth);
 
 /// Returns the case in the form of the contract with its whole answer, the tag `fails:NAME` for each failing witness,

@@ -80,7 +80,11 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
     return std::nullopt;
   }
   const std::string& id = *line.read->id;
-  const auto& [ball, polygon] = std::get<cases::Shapes>(line.read->content);
+  const auto& [ball, polygon, to] = std::get<cases::Shapes>(line.read->content);
+  if (to) {
+    fmt::print(stderr, "touchstone: case {}: moving balls are not shrunk\n", io::legible(id));
+    return std::nullopt;
+  }
   try {
     const corpus::SameFailure failure(method, ball, polygon, key);
     const auto [small_ball, small_polygon] = corpus::shrink(failure, ball, polygon, stop);
@@ -94,7 +98,7 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
                                   key ? " --key " + *key : "", harness::joined(keys), from);
     }
     return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
-                           corpus::exact_answer(small_ball, small_polygon));
+                           corpus::exact_answer({small_ball, small_polygon}));
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "touchstone: case {}: {}\n", io::legible(id), error.what());
     return std::nullopt;

@@ -14,6 +14,7 @@ std::string command_of(const workloads::Workload& w, std::uint64_t index) {
       fmt::format("touchstone cases --family {} --placement {} --ball {} --vertices {} --holes {}", to_string(w.family),
                   to_string(w.placement), to_string(w.ball), w.vertices, w.holes);
   if (w.doubles != 0) command += fmt::format(" --ulps {}", w.doubles);
+  if (w.way != workloads::Way::Static) command += fmt::format(" --way {}", to_string(w.way));
   if (w.origin_distance != 0) command += fmt::format(" --origin-distance {}", w.origin_distance);
   return command + fmt::format(" --seed {} --first {} --samples 1", kSeed, index);
 }
@@ -24,8 +25,9 @@ Stream workload_stream(const workloads::Workload& workload, std::size_t count) {
   return {.draw =
               [workload](std::uint64_t index) {
                 workloads::Sample sample = workloads::sample(workload, kSeed, index);
-                return CorpusCase{std::move(sample.id), sample.ball, std::move(sample.polygon), std::move(sample.tags),
-                                  command_of(workload, index)};
+                return CorpusCase{std::move(sample.id),        sample.ball,
+                                  std::move(sample.polygon),   std::move(sample.tags),
+                                  command_of(workload, index), sample.to};
               },
           .count = count};
 }
@@ -50,8 +52,8 @@ std::string drawn_text(const std::vector<Stream>& streams, const Kind& kind) {
     for (std::uint64_t index = 0; found < stream.count && index < stream.most; ++index) {
       const auto drawn = stream.draw(index);
       if (!drawn) continue;
-      const cases::PartialAnswer truth = exact_answer(drawn->ball, drawn->polygon);
-      if (!kind(*drawn, truth) || failing_witnesses(drawn->ball, drawn->polygon, truth).empty()) continue;
+      const cases::PartialAnswer truth = exact_answer(drawn->shapes());
+      if (!kind(*drawn, truth) || failing_witnesses(drawn->shapes(), truth).empty()) continue;
       const std::string line = line_of(*drawn, truth);
       if (line.size() > kLongestLine) continue;
       text += line;

@@ -174,6 +174,24 @@ std::string holes() {
   });
 }
 
+std::string moving() {
+  using workloads::Way;
+  std::vector<Stream> streams;
+  const auto add = [&](Way way, BallPlace place, std::size_t holes) {
+    add_outlines(streams, {.ball = place, .vertices = 5, .holes = holes, .way = way}, 1);
+  };
+  for (const BallPlace place : {BallPlace::NearFace, BallPlace::NearEdge, BallPlace::NearVertex})
+    add(Way::Across, place, 0);
+  for (const Way way : {Way::Across, Way::Along, Way::Start, Way::End}) add(way, BallPlace::LatticeTangent, 0);
+  add(Way::Along, BallPlace::NearFace, 0);
+  add(Way::Through, BallPlace::NearEdge, 1);
+  add(Way::Through, BallPlace::FootNearVertex, 0);
+  add(Way::End, BallPlace::NearEdge, 0);
+  add(Way::Rest, BallPlace::NearVertex, 0);
+  add(Way::Anywhere, BallPlace::Anywhere, 0);
+  return given_text("moving") + drawn_text(streams, any_kind);
+}
+
 }  // namespace
 
 const std::vector<Family>& all_families() {
@@ -197,6 +215,8 @@ const std::vector<Family>& all_families() {
       {"point", "radius zero or nearly so, centres on the triangle or within some doubles of it", point},
       {"off-plane", "loops that are off their plane: the lift matters", off_plane},
       {"holes", "an edge or a vertex of a hole is nearest", holes},
+      {"moving", "moving balls: grazing, sliding, starting or ending in contact, passing through holes, at rest",
+       moving},
       {"real-meshes", "faces of third-party models of robots and a milling centre, on which methods err the most",
        [] { return given_text("real-meshes"); }},
       {"gripper", "the sphere of the thesis's gripper and the faces that it comes near to in its cell",

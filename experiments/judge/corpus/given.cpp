@@ -25,14 +25,14 @@ std::string completed(const std::string& text, const std::string& name) {
       throw std::runtime_error(fmt::format("rejected with {}, not with {}", code, read.expected->texts.at("error")));
     return text + "\n";
   }
-  const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
-  const cases::PartialAnswer truth = exact_answer(ball, polygon);
+  const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
+  const cases::PartialAnswer truth = exact_answer({ball, polygon, to});
   if (read.expected)
     for (const std::string& difference : cases::differences(*read.expected, truth))
       throw std::runtime_error(difference);
   Labels labels = labels_of(text);
   if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
-  return line_of({*read.id, ball, polygon, labels.tags, labels.origin.empty() ? "by hand" : labels.origin}, truth);
+  return line_of({*read.id, ball, polygon, labels.tags, labels.origin.empty() ? "by hand" : labels.origin, to}, truth);
 }
 
 }  // namespace

@@ -16,11 +16,14 @@ constexpr const char* kPage = R"(# The corpus
 Version {version}: {cases} cases in the contract's format, each with its exact answer or the error that it must produce.
 `touchstone corpus make --force` generates all `.jsonl` files of this folder, `corpus.json` (version and counts) and
 this page, always with the same bytes. `touchstone corpus check` derives every answer twice, by `exact` and by a
-separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it.
+separate implementation over GMP's rationals, which shares no arithmetic, rounding or sweep with it. The second program
+for moving balls is `filtered`, which asks `exact` where doubles decide nothing. The test of the corpus compares every
+answer with a third program, the independent checker in `tests/system/independent`.
 
 {table}
 The columns of the methods count the cases on which each is wrong in a decisive key, one that is not a rounded number:
-plain doubles (`fast`), floats, double-doubles, the thesis's method, and CGAL's kernel of doubles. These cases carry the
+plain doubles (`fast`), floats, double-doubles, the thesis's method, and CGAL's kernel of doubles. The last two cannot
+answer about moving balls. These cases carry the
 tag `fails:METHOD`. CGAL's kernel answers without the lift, so it fails on polygons that are not planar.
 
 Besides the keys of the contract, a case has `tags` and an `origin`: the command that draws it again, or the place where

@@ -148,7 +148,7 @@ std::vector<std::string> rational_differences(const Ball& ball, const Polygon& p
       differences.push_back(fmt::format("{}: stands {}, the rationals give {}", name, text->second, given));
   };
   const cases::Verdict found = cases::object_of(decisive);
-  for (const Key key : cases::kKeys)
+  for (const Key key : cases::kStaticKeys)
     if (has(decisive, key)) compare(key, same_value(key, stands, decisive), text(found[std::string(to_string(key))]));
 
   const auto about = [](const mpq_class& x) { return fmt::format("about {}", x.get_d()); };

@@ -81,7 +81,11 @@ std::string words_of(const PartialAnswer& answer, Key key) {
     case Key::EdgesHit:
     case Key::Point:
     case Key::Distance:
-    case Key::OffPlane: break;
+    case Key::OffPlane:
+    case Key::First:  // moving balls are not shrunk
+    case Key::Time:
+    case Key::Momentary:
+    case Key::Feature: break;
   }
   return "";
 }
@@ -284,8 +288,8 @@ Size size_of(const Ball& ball, const Polygon& polygon) {
 SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
                          const std::optional<std::string>& key)
     : method_(method) {
-  const PartialAnswer truth = exact_answer(ball, polygon);
-  const auto [wrong, given] = wrong_answer(method, ball, polygon, truth);
+  const PartialAnswer truth = exact_answer({ball, polygon});
+  const auto [wrong, given] = wrong_answer(method, {ball, polygon}, truth);
   if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
   if (key && std::ranges::find(wrong, *key, [](Key each) { return to_string(each); }) == wrong.end())
     throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
@@ -300,8 +304,8 @@ SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Po
 
 bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
   if (!is_usable(ball, polygon)) return false;
-  const PartialAnswer truth = exact_answer(ball, polygon);
-  const auto [wrong, given] = wrong_answer(method_, ball, polygon, truth);
+  const PartialAnswer truth = exact_answer({ball, polygon});
+  const auto [wrong, given] = wrong_answer(method_, {ball, polygon}, truth);
   if (nothing_decisive_ && any_decisive(wrong)) return false;
   for (std::size_t i = 0; i < keys_.size(); ++i)
     if (std::ranges::find(wrong, keys_[i]) == wrong.end() || words_of(given, keys_[i]) != given_words_[i] ||

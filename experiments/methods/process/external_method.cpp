@@ -28,7 +28,7 @@ class Processes {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// `shapes`: the keys `ball` and `polygon` of the case.
+  /// `shapes`: the keys `ball`, `motion` and `polygon` of the case.
   [[nodiscard]] cases::PartialAnswer ask(const std::string& shapes) {
     const std::string id = std::to_string(++asked_);
     const std::string line = fmt::format(R"({{"id":"{}",{}}})", id, shapes);
@@ -52,7 +52,8 @@ class Processes {
     const auto& [values, texts] = *result.answer;
     for (const auto& [name, text] : texts) {
       const auto key = cases::find_key(name);
-      if (name == "error" || (key && !has(values, *key))) return fmt::format("{}: {}", name, io::legible(text));
+      const bool given = key && (has(values, *key) || (is_null(values, *key) && text == "null"));
+      if (name == "error" || (key && !given)) return fmt::format("{}: {}", name, io::legible(text));
     }
     return {};
   }
@@ -91,6 +92,10 @@ class Prepared : public cases::PreparedMethod {
 
   [[nodiscard]] cases::PartialAnswer ask(const Ball& ball, cases::QueryKind) const override {
     return processes_.ask(fmt::format(R"("ball":{},"polygon":{})", text_of(cases::object_of(ball)), polygon_));
+  }
+  [[nodiscard]] std::optional<cases::PartialAnswer> ask_moving(const Motion& motion) const override {
+    return processes_.ask(fmt::format(R"("ball":{},"motion":{},"polygon":{})", text_of(cases::object_of(motion.ball)),
+                                      text_of(cases::object_of(motion)), polygon_));
   }
 
  private:

@@ -33,6 +33,28 @@ TEST(ReadCase, TakesTheExampleOfTheContract) {
   EXPECT_EQ(shapes.polygon.vertex_count(), 3u);
 }
 
+TEST(ReadCase, ReadsTheEndOfAMotion) {
+  const auto with_motion = [](const std::string& motion, const std::string& ball = kBall) {
+    return object(R"("id":"a",)" + ball + R"(,"motion":)" + motion + "," + kTriangle);
+  };
+  const cases::Case read = cases::read_case(with_motion(R"({"to":[0.5,0.25,-1]})"));
+  EXPECT_EQ(std::get<cases::Shapes>(read.content).to, Eigen::Vector3d(0.5, 0.25, -1));
+  EXPECT_FALSE(
+      std::get<cases::Shapes>(cases::read_case(with_polygon(R"({"outer":[[0,0,0],[1,0,0],[1,1,0]]})")).content).to);
+  for (const char* motion : {"null", "[1,2,3]", "{}", R"({"to":null})", R"({"to":[1,2]})", R"({"to":[1,2,"3"]})",
+                             R"({"to":[1,2,3,4]})", R"({"to":[1,2,3],"to":[1,2,3]})"})
+    EXPECT_EQ(code(with_motion(motion)), "malformed-case") << motion;
+  EXPECT_EQ(message(with_motion("7")), "motion is not an object");
+  EXPECT_EQ(message(with_motion("{}")), "motion has no key \"to\"");
+  EXPECT_EQ(message(with_motion(R"({"to":[1,2]})")), "motion.to is not a point of three numbers");
+  EXPECT_EQ(code(with_motion(R"({"to":[1,1e400,2]})")), "not-finite");
+  EXPECT_EQ(message(with_motion(R"({"to":[1,1e400,2]})")), "motion.to is not finite");
+  // In the order of the codes: numbers that are not finite come before a negative radius.
+  const std::string negative = R"("ball":{"center":[0,0,0],"radius":-1})";
+  EXPECT_EQ(code(with_motion(R"({"to":[1,1e400,2]})", negative)), "not-finite");
+  EXPECT_EQ(code(with_motion(R"({"to":[1,2,2]})", negative)), "negative-radius");
+}
+
 TEST(ReadCase, ReadsNumbersAsTheNearestDoubles) {
   const cases::Case read = cases::read_case(
       object(R"("id":"a","ball":{"center":[0.1,9007199254740993,1e-400],"radius":-0},)" + std::string(kTriangle)));

@@ -109,13 +109,56 @@ TEST(Verdict, StatementsAreReadAsTheAnswersThatTheyState) {
   answer.off_plane = std::numeric_limits<double>::quiet_NaN();
   const cases::StatedAnswer read = cases::expectation_in(nlohmann::json(cases::object_of(answer)));
   EXPECT_EQ(read.texts, cases::stated(answer).texts);
-  EXPECT_EQ(read.texts.size(), cases::kKeys.size());
-  for (const cases::Key key : cases::kKeys) {
+  EXPECT_EQ(read.texts.size(), cases::kStaticKeys.size());
+  for (const cases::Key key : cases::kStaticKeys) {
     EXPECT_TRUE(has(read.values, key)) << to_string(key);
     EXPECT_TRUE(same_value(key, read.values, answer)) << to_string(key);
     EXPECT_FALSE(same_value(key, only(answer, {}), answer)) << to_string(key);
     EXPECT_EQ(cases::find_key(to_string(key)), key);
   }
+}
+
+TEST(Verdict, StatementsAboutMovingBallsAreReadAsTheAnswersThatTheyState) {
+  const Feature vertex{Feature::Kind::Vertex, 3};
+  for (const FirstContact& first :
+       {FirstContact{FirstContactKind::Way, 0.25, true, vertex, {0.1, 0, 0}},
+        FirstContact{FirstContactKind::Start, 0, false, {Feature::Kind::Face, 0}, {1, 2, 3}}, FirstContact{}}) {
+    const auto answer = cases::PartialAnswer::of(first, 0.5, "");
+    const cases::StatedAnswer read = cases::expectation_in(nlohmann::json(cases::object_of(answer)));
+    EXPECT_EQ(read.texts, cases::stated(answer).texts);
+    EXPECT_EQ(read.texts.size(), cases::kMovingKeys.size());
+    for (const cases::Key key : cases::kMovingKeys) {
+      EXPECT_TRUE(has(answer, key) || is_null(answer, key)) << to_string(key);
+      EXPECT_TRUE(same_value(key, read.values, answer)) << to_string(key);
+      EXPECT_EQ(cases::find_key(to_string(key)), key);
+    }
+    EXPECT_TRUE(cases::differences(read, answer).empty());
+  }
+}
+
+// The contract: null for none; momentary is null but for way.
+TEST(Verdict, KeysAboutMovingBallsAreNullAsTheContractHasIt) {
+  const auto text = [](const FirstContact& first) {
+    return cases::to_line(cases::object_of(cases::PartialAnswer::of(first, 0, "")));
+  };
+  EXPECT_EQ(text({}),
+            "{\"contact\":false,\"first\":\"none\",\"time\":null,\"momentary\":null,\"feature\":null,"
+            "\"point\":null,\"off_plane\":0}\n");
+  EXPECT_EQ(text({FirstContactKind::Start, 0, false, {Feature::Kind::Edge, 1}, {1, 0, 0}}),
+            "{\"contact\":true,\"first\":\"start\",\"time\":0,\"momentary\":null,"
+            "\"feature\":{\"kind\":\"edge\",\"index\":1},\"point\":[1,0,0],\"off_plane\":0}\n");
+  EXPECT_EQ(text({FirstContactKind::Way, 1, true, {Feature::Kind::Face, 0}, {1, 0, 0}}),
+            "{\"contact\":true,\"first\":\"way\",\"time\":1,\"momentary\":true,"
+            "\"feature\":{\"kind\":\"face\"},\"point\":[1,0,0],\"off_plane\":0}\n");
+}
+
+TEST(Verdict, NullIsMetByNullAlone) {
+  EXPECT_TRUE(meets(R"({"first":"none","point":null,"feature":null,"time":null})",
+                    R"({"first":"none","point":null,"feature":null,"time":null})"));
+  EXPECT_FALSE(meets(R"({"point":null})", R"({"point":[0,0,0]})"));
+  EXPECT_FALSE(meets(R"({"feature":null})", R"({"feature":{"kind":"face"}})"));
+  EXPECT_FALSE(meets(R"({"momentary":null})", R"({"momentary":false})"));
+  EXPECT_FALSE(meets(R"({"momentary":null})", R"({})"));
 }
 
 TEST(Verdict, DifferingKeysAreThoseThatBothAnswersHave) {

@@ -63,6 +63,47 @@ TEST(Judge, HoldsAMethodToKeysThatItDoesNotCompute) {
   EXPECT_EQ(run(with(kTouching, R"(,"expected":{"distance":1})"), order).status, ExpectationNotMet);
 }
 
+constexpr auto kFalling = R"({"id":"f","ball":{"center":[0.5,0.25,3],"radius":1},"motion":{"to":[0.5,0.25,-1]},)"
+                          R"("polygon":{"outer":[[0,0,0],[1,0,0],[1,1,0]]}%s})";
+
+TEST(Judge, PrintsTheVerdictOnAMovingBall) {
+  EXPECT_EQ(run(with(kFalling, "")).verdicts,
+            R"({"id":"f","method":"exact","contact":true,"first":"way","time":0.5,"momentary":false,)"
+            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"off_plane":0})"
+            "\n");
+  Order order;
+  order.explain = true;
+  order.methods = {methods::find_method("fast")};
+  EXPECT_EQ(run(with(kFalling, ""), order).verdicts,
+            R"({"id":"f","method":"fast","contact":true,"first":"way","time":0.5,"momentary":false,)"
+            R"("feature":{"kind":"face"},"point":[0.5,0.25,0],"off_plane":0,"stage":"double"})"
+            "\n");
+}
+
+TEST(Judge, ComparesExpectationsAboutMovingBalls) {
+  Order order;
+  order.methods = methods::find_methods({"exact", "fast", "fast-float", "fast-double-double", "fast-mpfr-101"});
+  const auto status = [&](const std::string& expected) {
+    return run(with(kFalling, R"(,"expected":)" + expected), order).status;
+  };
+  EXPECT_EQ(status(R"({"contact":true,"first":"way","time":0.5,"momentary":false,"feature":{"kind":"face"}})"), AllMet);
+  EXPECT_EQ(status(R"({"time":0.25})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"momentary":null})"), ExpectationNotMet);
+  EXPECT_EQ(status(R"({"relation":"separate"})"), ExpectationNotMet);
+}
+
+TEST(Judge, LeavesAMovingBallUnansweredThatAMethodDoesNotKnow) {
+  Order order;
+  order.methods = {methods::find_method("thesis")};
+  const Result silent = run(with(kFalling, ""), order);
+  EXPECT_EQ(silent.verdicts, R"({"id":"f","method":"thesis","unanswered":"motion"})"
+                             "\n");
+  EXPECT_EQ(silent.status, AllMet);
+  const Result held = run(with(kFalling, R"(,"expected":{"contact":true})"), order);
+  EXPECT_EQ(held.status, ExpectationNotMet);
+  EXPECT_EQ(held.complaints, "case f: method thesis: cannot answer about moving balls\n");
+}
+
 TEST(Judge, ExitsByTheWorstThatItMet) {
   EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":"zero-normal"})")).status, AllMet);
   EXPECT_EQ(run(with(kCollinear, R"(,"expected":{"error":true})")).status, AllMet);

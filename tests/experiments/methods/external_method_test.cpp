@@ -53,6 +53,19 @@ TEST(ExternalMethod, GivesTheKeysOfTheVerdict) {
   EXPECT_FALSE(answer.unsure);
 }
 
+TEST(ExternalMethod, AnswersAboutMovingBallsWithTheNullsOfTheContract) {
+  const Motion motion{{{2, 2, 1.1}, 1}, {0.1, 5e-324, 1.0 / 3}};
+  const auto method =
+      external("v.update(contact=True,first='way',point=c['motion']['to'],time=c['ball']['center'][2])");
+  const auto answer = method->prepare(kSquare)->ask_moving(motion);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->first, FirstContactKind::Way);
+  EXPECT_EQ(answer->point, motion.to);
+  EXPECT_EQ(answer->time, 1.1);
+  const auto none = external("v.update(contact=False,first='none',time=None,point=None,feature=None,momentary=None)");
+  EXPECT_EQ(none->prepare(kSquare)->ask_moving(motion)->first, FirstContactKind::None);
+}
+
 // Every number of the case arrives: the program gives them back in the point and the distance.
 TEST(ExternalMethod, SendsTheBallAndThePolygonBitForBit) {
   const auto method = external("v.update(point=c['polygon']['holes'][0][2],distance=c['ball']['radius'])");

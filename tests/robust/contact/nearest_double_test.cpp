@@ -167,5 +167,78 @@ RC_GTEST_PROP(NearestRoot, IsExactForSquaresOfDoubles, ()) {
   RC_ASSERT(nearest_root(square.get_num(), square.get_den()) == root);
 }
 
+/// Compares (term + sign sqrt(radicand)) / denominator with a number: -1, 0 or 1.
+int compare_sum(const mpz_class& term, int sign, const mpz_class& radicand, const mpz_class& denominator,
+                const mpq_class& number) {
+  const mpq_class rest = number * denominator - term;  // against sign sqrt(radicand)
+  const int root_sign = radicand == 0 ? 0 : sign;
+  if (sgn(rest) != root_sign) return root_sign > sgn(rest) ? 1 : -1;
+  const mpq_class rest_squared = rest * rest, root_squared = radicand;
+  return root_sign * (root_squared > rest_squared ? 1 : root_squared < rest_squared ? -1 : 0);
+}
+
+// By definition, too; nearly equal terms of opposite signs cancel.
+RC_GTEST_PROP(NearestSumWithRoot, LiesBetweenTheMiddlesToItsNeighbours, ()) {
+  const mpz_class denominator(*integers()), any_radicand(*integers());
+  const int sign = *rc::gen::inRange(-1, 2);
+  mpz_class term(*integers());
+  if (*rc::gen::arbitrary<bool>()) term = -term;
+  mpz_class radicand = any_radicand;
+  if (*rc::gen::arbitrary<bool>()) radicand = term * term + *rc::gen::inRange(-2, 3);
+  RC_PRE(radicand >= 0);
+  const double sum = nearest_sum_with_root(term, sign, radicand, denominator);
+  const auto against = [&](const mpq_class& number) { return compare_sum(term, sign, radicand, denominator, number); };
+  RC_PRE(std::abs(sum) < kMax);
+  RC_ASSERT(sum != 0 || !std::signbit(sum));
+  const int low = against(middle_above(workloads::move_by_doubles(sum, -1))), high = against(middle_above(sum));
+  const bool even = workloads::ordinal(sum) % 2 == 0;
+  RC_ASSERT(low > 0 || (even && low == 0));
+  RC_ASSERT(high < 0 || (even && high == 0));
+}
+
+TEST(NearestSumWithRoot, IsThatOfHand) {
+  EXPECT_EQ(nearest_sum_with_root(1, 1, 4, 1), 3);
+  EXPECT_EQ(nearest_sum_with_root(1, -1, 4, 1), -1);
+  EXPECT_EQ(nearest_sum_with_root(-1, -1, 4, 3), -1);
+  EXPECT_EQ(nearest_sum_with_root(5, 0, 4, 2), 2.5);
+  EXPECT_EQ(nearest_sum_with_root(0, -1, 2, 1), -std::sqrt(2.0));
+  EXPECT_EQ(nearest_sum_with_root(1, 1, 5, 2), 1.618033988749895);
+  EXPECT_EQ(nearest_sum_with_root(3, -1, 3, 4), 0.3169872981077807);
+  for (const double zero : {nearest_sum_with_root(2, -1, 4, 7), nearest_sum_with_root(-2, 1, 4, 7),
+                            nearest_sum_with_root(0, 1, 0, 1), nearest_sum_with_root(-1, 0, 9, power_of_two(1080))}) {
+    EXPECT_EQ(zero, 0);
+    EXPECT_FALSE(std::signbit(zero));
+  }
+}
+
+// 2^600 - sqrt(2^1200 - 1) is about 2^-601.
+TEST(NearestSumWithRoot, SurvivesCancellation) {
+  EXPECT_EQ(nearest_sum_with_root(power_of_two(600), -1, power_of_two(1200) - 1, 1), 0x1p-601);
+  EXPECT_EQ(nearest_sum_with_root(-power_of_two(600), 1, power_of_two(1200) - 1, 1), -0x1p-601);
+}
+
+// A value just beside the middle of two doubles, on either side of it.
+TEST(NearestSumWithRoot, TellsTheSidesOfAMiddle) {
+  // Doubles from 2^53 on are even. 2^53 + 1 plus and minus a difference of about 2^-601; the tie itself goes to even.
+  const mpz_class near_root = power_of_two(1200) + 1, term = power_of_two(53) + 1 - power_of_two(600);
+  EXPECT_EQ(nearest_sum_with_root(term, 1, near_root, 1), 0x1p53 + 2);
+  EXPECT_EQ(nearest_sum_with_root(-term, -1, near_root, 1), -0x1p53 - 2);
+  EXPECT_EQ(nearest_sum_with_root(term, 1, near_root - 1, 1), 0x1p53);
+  EXPECT_EQ(nearest_sum_with_root(term, 1, near_root - 2, 1), 0x1p53);
+  EXPECT_EQ(nearest_sum_with_root(term + 2, 1, near_root - 1, 1), 0x1p53 + 4);
+  EXPECT_EQ(nearest_sum_with_root(term + 2, 1, near_root - 2, 1), 0x1p53 + 2);
+  EXPECT_EQ(nearest_sum_with_root(power_of_two(53) + 3 + power_of_two(600), -1, near_root, 1), 0x1p53 + 2);
+}
+
+TEST(NearestSumWithRoot, DoesNotDependOnTheRoundingMode) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const double golden = nearest_sum_with_root(1, 1, 5, 2), negative = nearest_sum_with_root(1, -1, 5, 2);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(golden, 1.618033988749895) << mode;
+    EXPECT_EQ(negative, -0.6180339887498949) << mode;
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::exact

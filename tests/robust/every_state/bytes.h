@@ -13,6 +13,7 @@
 
 #include "geometry/bvh/box_tree.h"
 #include "geometry/contact/answer.h"
+#include "geometry/contact/first_contact.h"
 #include "geometry/io/read_mesh.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
@@ -50,6 +51,7 @@ class Bytes {
     add(a.plane), add(a.plane_tangent), add(a.foot), add(a.edges_hit), add(a.relation), add(a.nearest), add(a.point);
     add(a.distance), add(a.off_plane);
   }
+  void add(const FirstContact& f) { add(f.kind), add(f.time), add(f.momentary), add(f.feature), add(f.point); }
   void add(const filtered::ClosestPoint& p) { add(p.feature), add(p.point), add(p.distance); }
   void add(const scene::FaceId& id) { add(id.object), add(id.face); }
   void add(const scene::NearestFace& n) { add(n.face), add(n.feature), add(n.point), add(n.distance); }

@@ -2,6 +2,8 @@
 #include <array>
 #include <memory>
 
+#include "robust/exact/motion.h"
+#include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
 #include "tests/robust/every_state/public_function.h"
 
@@ -46,6 +48,30 @@ auto unprepared(const Ask& ask) {
   return [ask](const Input& in) { return ask(in.ball, in.polygon); };
 }
 
+/// The input's ball, on its way to the input's point.
+Motion motion_in(const Input& in) { return {in.ball, in.point}; }
+
+/// What `ask` says about the input's ball, moved to the input's point, and the prepared polygon.
+template <class Prepared, class Ask>
+auto prepared_moving(const Ask& ask) {
+  return [ask](const Input& in) {
+    return prepared<Prepared>([&](const Ball& ball, const Prepared& polygon) {
+      const Motion motion{ball, in.point};
+      return ask(motion, polygon);
+    })(in);
+  };
+}
+
+/// The same with counts of stages, which may depend on the state.
+template <class Ask>
+auto counted_moving(const Ask& ask) {
+  return prepared_moving<filtered::PreparedPolygon>(
+      [ask](const Motion& motion, const filtered::PreparedPolygon& polygon) {
+        filtered::StageCounts counts;
+        return ask(motion, polygon, counts);
+      });
+}
+
 using Exact = exact::PreparedPolygon;
 using Filtered = filtered::PreparedPolygon;
 
@@ -67,6 +93,13 @@ std::vector<PublicFunction> exact_functions() {
       gives("exact::compare_distances", prepared<Exact>([](const Ball& ball, const Exact& polygon) {
               return exact::compare_distances(ball, polygon, polygon);
             })),
+      gives("exact::contact", prepared_moving<Exact>([](auto& m, auto& p) { return exact::contact(m, p); })),
+      gives("exact::first_contact",
+            prepared_moving<Exact>([](auto& m, auto& p) { return exact::first_contact(m, p); })),
+      gives("exact::contact", [](const Input& in) { return exact::contact(motion_in(in), in.polygon); }),
+      gives("exact::first_contact", [](const Input& in) { return exact::first_contact(motion_in(in), in.polygon); }),
+      gives("exact::compare_times",
+            prepared_moving<Exact>([](auto& m, auto& p) { return exact::compare_times(m, p, p); })),
   };
 }
 
@@ -139,6 +172,50 @@ std::vector<PublicFunction> filtered_functions() {
             [](const Input& in) {
               filtered::StageCounts counts;
               return filtered::contact(in.ball, in.triangle, counts);
+            }),
+      gives("filtered::contact", prepared_moving<Filtered>([](auto& m, auto& p) { return filtered::contact(m, p); })),
+      gives("filtered::contact", counted_moving([](auto& m, auto& p, auto& n) { return filtered::contact(m, p, n); })),
+      gives("filtered::contact", [](const Input& in) { return filtered::contact(motion_in(in), in.polygon); }),
+      gives("filtered::contact", [](const Input& in) { return filtered::contact(motion_in(in), in.triangle); }),
+      gives("filtered::contact",
+            [](const Input& in) {
+              filtered::StageCounts counts;
+              return filtered::contact(motion_in(in), in.triangle, counts);
+            }),
+      gives("filtered::contact",  // many motions
+            prepared_moving<Filtered>([](const Motion& motion, const Filtered& polygon) {
+              const Motion motions[] = {motion, {motion.ball, motion.ball.center}, {{motion.to, 0}, motion.to}};
+              std::array<bool, 3> touches{};
+              filtered::contact(motions, polygon, touches);
+              return touches;
+            })),
+      gives("filtered::contact",  // a motion and many triangles
+            [](const Input& in) {
+              const Triangle& t = in.triangle;
+              const Triangle triangles[] = {t, {t.b, t.c, t.a}, {t.c, t.b, t.a}};
+              std::array<bool, 3> touches{};
+              filtered::contact(motion_in(in), triangles, touches);
+              return touches;
+            }),
+      gives("filtered::first_contact",
+            prepared_moving<Filtered>([](auto& m, auto& p) { return filtered::first_contact(m, p); })),
+      gives("filtered::first_contact",
+            counted_moving([](auto& m, auto& p, auto& n) { return filtered::first_contact(m, p, n); })),
+      gives("filtered::first_contact",
+            [](const Input& in) { return filtered::first_contact(motion_in(in), in.polygon); }),
+      gives("filtered::first_contact",
+            [](const Input& in) { return filtered::first_contact(motion_in(in), in.triangle); }),
+      gives("filtered::first_contact",
+            [](const Input& in) {
+              filtered::StageCounts counts;
+              return filtered::first_contact(motion_in(in), in.triangle, counts);
+            }),
+      gives("filtered::compare_times",
+            prepared_moving<Filtered>([](auto& m, auto& p) { return filtered::compare_times(m, p, p); })),
+      gives("filtered::compare_times",
+            [](const Input& in) {
+              const Triangle other{in.triangle.b, in.triangle.c, in.triangle.a};
+              return filtered::compare_times(motion_in(in), in.triangle, other);
             }),
       gives("filtered::closest", [](const Input& in) { return filtered::closest(in.point, in.triangle); }),
       gives("filtered::closest",

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "geometry/contact/first_contact.h"
+#include "geometry/shapes/motion.h"
 #include "robust/exact/validate.h"
 #include "robust/mesh/weld.h"
 #include "robust/scene/posing.h"
@@ -47,6 +49,10 @@ Answer answer_at(double x) {
 std::vector<PublicFunction> shape_functions() {
   return {
       gives("find_fault", [](const Input& in) { return find_fault(in.any_ball); }),
+      gives("find_fault",  // of a motion
+            [](const Input& in) {
+              return find_fault(Motion{in.ball, in.any_ball.center});
+            }),
       hands_on("Polygon::Polygon", [](const Input& in) { return Polygon(in.any_outer, in.any_holes); }),
       hands_on("Polygon::vertex", [](const Input& in) { return in.polygon.vertex(1); }),
       hands_on("Polygon::coordinates", [](const Input& in) { return in.polygon.coordinates(0)[0]; }),
@@ -62,6 +68,13 @@ std::vector<PublicFunction> shape_functions() {
             [](const Input& in) {
               const double x = in.point.x();
               return std::array{answer_at(x) == answer_at(x), answer_at(x) == answer_at(neighbour(x))};
+            }),
+      gives("operator==",  // of first contacts
+            [](const Input& in) {
+              const FirstContact first{FirstContactKind::Way, in.ball.radius, false, {}, in.point};
+              FirstContact other = first;
+              other.point = in.ball.center;
+              return std::array{first == first, first == other};
             }),
       gives("filtered::operator==",
             [](const Input& in) {

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "geometry/contact/fast.h"
+#include "geometry/contact/fast_motion.h"
 #include "geometry/contact/fast_triangle.h"
 #include "geometry/contact/thesis.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/filtered/filtered.h"
 #include "robust/mesh/merge.h"
 #include "robust/mesh/weld.h"
@@ -119,6 +121,9 @@ TEST(WrongArgumentsDeathTest, BallsThatAreNoneAreAsserted) {
     EXPECT_DEATH((void)filtered::contact(wrong, kTriangle), "find_fault");
     EXPECT_DEATH((void)scene.touches(wrong), "find_fault");
     EXPECT_DEATH((void)scene.nearest(wrong), "find_fault");
+    EXPECT_DEATH((void)fast::contact(Motion{wrong, {0, 0, 0}}, fast_polygon), "find_fault");
+    EXPECT_DEATH((void)fast::first_contact(Motion{wrong, {0, 0, 0}}, kTriangle), "find_fault");
+    EXPECT_DEATH((void)exact::first_contact(Motion{wrong, {0, 0, 0}}, exact_polygon), "find_fault");
   }
 }
 

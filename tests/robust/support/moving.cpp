@@ -180,6 +180,8 @@ const std::vector<MovingHandCase>& moving_hand_cases() {
        way(0.5, kMomentary, edge(3), {2, 2, 0})},
       {{"a point passes through a lifted face", {{{2, 2, 5}, 0}, {2, 2, -3}}, warped()},
        way(0.5, kMomentary, kFace, {2, 2, 1})},
+      {{"grazes an edge and runs into the next", {{{7, 3, -4}, 1}, {-1, 3, 4}}, letter_l()},
+       way(0.5, kStays, edge(2), {3, 2, 0})},
       {{"an irrational time", {{{-3, -1, 0}, 2}, {1, -1, 0}}, square()},
        way(0.3169872981077807, kStays, vertex(0), {0, 0, 0})},  // (3 - sqrt 3) / 4
       {{"a time that rounds to 0", {{{2, 2, 1 + 0x1p-52}, 1}, {2, 2, -kLargest}}, square()},

@@ -13,11 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const cases::Case read = cases::read_case({reinterpret_cast<const char*>(data), size});
     if (const auto* shapes = std::get_if<cases::Shapes>(&read.content)) {
-      const std::string line = cases::case_line("again", shapes->ball, shapes->polygon, {});
+      const std::string line = cases::case_line("again", *shapes, {});
       const cases::Case again = cases::read_case(line);
       const auto& same = std::get<cases::Shapes>(again.content);
       if (!(same.polygon == shapes->polygon) || same.ball.center != shapes->ball.center ||
-          same.ball.radius != shapes->ball.radius)
+          same.ball.radius != shapes->ball.radius || same.to != shapes->to)
         throw std::logic_error("not read again as it was written: " + line);
     }
   } catch (const harness::NotJson&) {

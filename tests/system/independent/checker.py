@@ -14,10 +14,14 @@ import json
 import math
 import sys
 from fractions import Fraction
+from functools import cmp_to_key
 from itertools import combinations, zip_longest
+
+import surd
 
 ANSWER_KEYS = ("plane", "plane_tangent", "foot", "edges_hit", "relation", "contact", "nearest", "point", "distance",
                "off_plane")
+MOVING_KEYS = ("contact", "first", "time", "momentary", "feature", "point", "off_plane")
 EXPLAIN_KEYS = ("stage", "margin")
 SHOWN = 20
 
@@ -79,15 +83,16 @@ def read_loop(value):
 
 
 def read_case(case):
-    """Centre, radius and loops (the outer one first) of a well-formed case, in floats."""
+    """Centre, end of the motion or None, radius and loops (the outer one first) of a well-formed case, in floats."""
     member(case, "id", str)
     ball, polygon = member(case, "ball", dict), member(case, "polygon", dict)
     center, radius = read_point(member(ball, "center", list)), member(ball, "radius", float)
+    to = read_point(member(member(case, "motion", dict), "to", list)) if "motion" in case else None
     loops = [read_loop(v) for v in [member(polygon, "outer", list), *member(polygon, "holes", list, [])]]
     expected = member(case, "expected", dict, {})
-    reject_if(not set(expected) <= {*ANSWER_KEYS, "error"}, "malformed-case")
+    reject_if(not set(expected) <= {*ANSWER_KEYS, *MOVING_KEYS, "error"}, "malformed-case")
     reject_if(not all(isinstance(tag, str) for tag in member(case, "tags", list, [])), "malformed-case")
-    return center, radius, loops
+    return center, to, radius, loops
 
 
 # Arithmetic
@@ -224,9 +229,9 @@ def validate(radius, loops):
     reject_if(any(locate(hole[0], flat[:1]) != "inside" for hole in flat[1:]), "hole-outside")
 
 
-def scaled_to_integers(center, radius, loops):
+def scaled_to_integers(center, to, radius, loops):
     """The power of two that makes every number an integer, and the numbers times it."""
-    numbers = [radius, *center, *(x for loop in loops for p in loop for x in p)]
+    numbers = [radius, *center, *(to or ()), *(x for loop in loops for p in loop for x in p)]
     scale = max(x.as_integer_ratio()[1] for x in numbers)
 
     def exact(x):
@@ -236,7 +241,12 @@ def scaled_to_integers(center, radius, loops):
     def point(p):
         return tuple(map(exact, p))
 
-    return scale, point(center), exact(radius), [[point(p) for p in loop] for loop in loops]
+    return scale, point(center), to and point(to), exact(radius), [[point(p) for p in loop] for loop in loops]
+
+
+def quotient(a, b):
+    """a / b, exactly, for an integer or a surd a and an integer b."""
+    return Fraction(a, b) if isinstance(a, int) else a / b
 
 
 def closest_on_edge(a, b, c, i, j):
@@ -248,11 +258,11 @@ def closest_on_edge(a, b, c, i, j):
     along, to_c = sub(b, a), sub(c, a)
     t, length2 = dot(to_c, along), dot(along, along)
     if t <= 0:
-        return Fraction(dot(to_c, to_c)), 1, i, a, 1
+        return quotient(dot(to_c, to_c), 1), 1, i, a, 1
     if t >= length2:
-        return Fraction(dot(sub(c, b), sub(c, b))), 1, j, b, 1
+        return quotient(dot(sub(c, b), sub(c, b)), 1), 1, j, b, 1
     point = tuple(length2 * x + t * y for x, y in zip(a, along))
-    return Fraction(dot(to_c, to_c) * length2 - t * t, length2), 0, i, point, length2
+    return quotient(dot(to_c, to_c) * length2 - t * t, length2), 0, i, point, length2
 
 
 def successors(loops):
@@ -264,49 +274,143 @@ def successors(loops):
     return result
 
 
+class Face:
+    """A polygon in integers, lifted; its lengths are the case's times `scale`."""
+
+    def __init__(self, loops):
+        self.normal, self.count = newell(loops[0]), len(loops[0])
+        self.total = tuple(map(sum, zip(*loops[0])))
+        self.axis = dropped_axis(self.normal)
+        self.follows = successors(loops)
+        # Lifted vertices, times `unit` (which may be negative: a point reflection keeps all distances).
+        vertices = [p for loop in loops for p in loop]
+        self.heights = [self.height(p) for p in vertices]
+        self.unit = self.count * self.normal[self.axis] if any(self.heights) else 1
+        self.lifted = [tuple(self.unit * x - (h if k == self.axis else 0) for k, x in enumerate(p))
+                       for p, h in zip(vertices, self.heights)]
+        # The square of N, times `count`; and the loops in the projection, times this.
+        self.magnitude = self.count * dot(self.normal, self.normal)
+        self.flat = [[times(self.magnitude, drop(p, self.axis)) for p in loop] for loop in loops]
+
+    def height(self, p):
+        """count * N.(p - g)."""
+        return self.count * dot(self.normal, p) - dot(self.normal, self.total)
+
+    def foot(self, c):
+        """q = c - (s / N.N) N, times `magnitude`."""
+        s = self.height(c)
+        return tuple(self.magnitude * x - s * y for x, y in zip(c, self.normal))
+
+    def place(self, c):
+        """Where the foot lies."""
+        return locate(drop(self.foot(c), self.axis), self.flat)
+
+    def edge(self, i, c):
+        """Where edge i is closest to c, as closest_on_edge has it, all lengths times `unit`."""
+        j = self.follows[i]
+        return closest_on_edge(self.lifted[i], self.lifted[j], times(self.unit, c), i, j)
+
+    def closest(self, c):
+        """(squared distance, nearest, closest point as exact numbers)."""
+        if self.place(c) == "inside":
+            s = self.height(c)
+            return (quotient(s * s, self.count * self.magnitude), {"kind": "face"},
+                    [quotient(x, self.magnitude) for x in self.foot(c)])
+        d2, is_vertex, index, point, denominator = min(self.edge(i, c) for i in range(len(self.lifted)))
+        return (d2 / self.unit ** 2, {"kind": "vertex" if is_vertex else "edge", "index": index},
+                [quotient(x, denominator * self.unit) for x in point])
+
+    def off_plane(self, scale):
+        most = max(map(abs, self.heights))
+        return nearest_double(Fraction(most, self.count * abs(self.normal[self.axis]) * scale))
+
+
 def answer(scale, c, r, loops):
     """The answer of section 2 for valid integers, which are the case's numbers times `scale`."""
-    normal, count, total = newell(loops[0]), len(loops[0]), tuple(map(sum, zip(*loops[0])))
-    axis = dropped_axis(normal)
-
-    def height(p):
-        """count * N.(p - g)."""
-        return dot(normal, sub(times(count, p), total))
-
-    # Lifted vertices and centre, times `unit` (which may be negative: a point reflection keeps all distances).
-    vertices = [p for loop in loops for p in loop]
-    heights = [height(p) for p in vertices]
-    unit = count * normal[axis] if any(heights) else 1
-    lifted = [tuple(unit * x - (h if k == axis else 0) for k, x in enumerate(p)) for p, h in zip(vertices, heights)]
-    follows = successors(loops)
-    closest = [closest_on_edge(a, lifted[j], times(unit, c), i, j) for i, (a, j) in enumerate(zip(lifted, follows))]
-
-    # The foot q = c - (s / N.N) N, times `magnitude`.
-    s, normal2 = height(c), dot(normal, normal)
-    magnitude = count * normal2
-    q = tuple(magnitude * x - s * y for x, y in zip(c, normal))
-    flat = [[times(magnitude, drop(p, axis)) for p in loop] for loop in loops]
-    foot = locate(drop(q, axis), flat)
-
-    if foot == "inside":
-        d2, nearest, point, denominator = Fraction(s * s, count * magnitude), {"kind": "face"}, q, magnitude
-    else:
-        d2, is_vertex, index, point, denominator = min(closest)
-        d2, denominator = d2 / unit ** 2, denominator * unit
-        nearest = {"kind": "vertex" if is_vertex else "edge", "index": index}
-    beyond_plane = s * s - r * r * count * magnitude
+    face = Face(loops)
+    foot, s = face.place(c), face.height(c)
+    d2, nearest, point = face.closest(c)
+    beyond_plane = s * s - r * r * face.count * face.magnitude
     return {
         "plane": "intersects" if beyond_plane <= 0 else "in_front" if s > 0 else "behind",
         "plane_tangent": beyond_plane == 0,
         "foot": foot,
-        "edges_hit": [i for i, edge in enumerate(closest) if edge[0] <= (unit * r) ** 2],
+        "edges_hit": [i for i in range(len(face.lifted)) if face.edge(i, c)[0] <= (face.unit * r) ** 2],
         "relation": "separate" if d2 > r * r else "touching" if d2 == r * r else "overlapping",
         "contact": d2 <= r * r,
         "nearest": nearest,
-        "point": [nearest_double(Fraction(x, denominator * scale)) for x in point],
+        "point": [nearest_double(x / scale) for x in point],
         "distance": nearest_root(d2 / scale ** 2),
-        "off_plane": nearest_double(Fraction(max(map(abs, heights)), count * abs(normal[axis]) * scale)),
+        "off_plane": face.off_plane(scale),
     }
+
+
+# Moving balls. D(t) = r can only hold where the distance from the plane, from an edge's line or from a vertex is r:
+# at roots of quadratics. Between two neighbouring roots the ball touches either always or never.
+
+def roots(at):
+    """The real roots of the quadratic with the values at(0), at(1) and at(2); none if it is constant."""
+    f0, f1, f2 = (Fraction(at(t)) for t in (0, 1, 2))
+    a, b = (f2 - 2 * f1 + f0) / 2, (4 * f1 - 3 * f0 - f2) / 2
+    if a == 0:
+        return [surd.Surd(-f0 / b)] if b else []
+    discriminant = b * b - 4 * a * f0
+    if discriminant < 0:
+        return []
+    return [surd.Surd(-b / (2 * a), sign / (2 * a), discriminant) for sign in (Fraction(-1), Fraction(1))]
+
+
+def moments(face, center, r):
+    """(time, whether the ball touches what gives rise to it) of each root, ascending."""
+    def squared(v):
+        return dot(v, v)
+
+    def plane(t):
+        return face.height(center(t)) ** 2 - r * r * face.count * face.magnitude
+
+    result = [(t, face.place(center(t)) != "outside") for t in roots(plane)]
+    for i, start in enumerate(face.lifted):
+        along = sub(face.lifted[face.follows[i]], start)
+        length2 = dot(along, along)
+
+        def away(t):
+            return sub(times(face.unit, center(t)), start)
+
+        def vertex(t):
+            return squared(away(t)) - (face.unit * r) ** 2
+
+        def line(t):
+            return squared(cross(away(t), along)) - (face.unit * r) ** 2 * length2
+
+        result += [(t, True) for t in roots(vertex)]
+        result += [(t, 0 <= dot(away(t), along) <= length2) for t in roots(line)]
+    return sorted(result, key=lambda moment: cmp_to_key(surd.compare)(moment[0]))
+
+
+def first_contact(scale, c, to, r, loops):
+    """The verdict on a moving ball for valid integers, which are the case's numbers times `scale`."""
+    face, way = Face(loops), sub(to, c)
+
+    def center(t):
+        return tuple(x + t * y for x, y in zip(c, way))
+
+    def verdict(first, time, momentary, feature, point):
+        return {"contact": first != "none", "first": first, "time": time, "momentary": momentary, "feature": feature,
+                "point": point, "off_plane": face.off_plane(scale)}
+
+    d2, feature, point = face.closest(c)
+    if d2 <= r * r:
+        return verdict("start", 0, None, feature, [nearest_double(x / scale) for x in point])
+    times_of_events = [moment for moment in moments(face, center, r) if moment[0] > 0]
+    first = next((t for t, touches in times_of_events if touches), None)
+    if first is None or first > 1:
+        return verdict("none", None, None, None, None)
+    d2, feature, point = face.closest(center(first))
+    assert d2 == r * r, "the ball touches at its first time"
+    later = next((t for t, _ in times_of_events if surd.compare(t, first) > 0), first + 1)
+    after = face.closest(center(surd.between(first, later)))[0]
+    return verdict("way", surd.nearest_double(first), after > r * r, feature,
+                   [surd.nearest_double(x / scale) for x in point])
 
 
 def judge_case(text_line):
@@ -319,11 +423,12 @@ def judge_case(text_line):
     verdict = {"id": name if isinstance(name, str) else None}
     try:
         reject_if("malformed-case" in flaws, "malformed-case")
-        center, radius, loops = read_case(case)
+        center, to, radius, loops = read_case(case)
         reject_if("not-finite" in flaws, "not-finite")
-        scale, *scaled = scaled_to_integers(center, radius, loops)
-        validate(*scaled[1:])
-        verdict.update(answer(scale, *scaled))
+        scale, center, to, radius, loops = scaled_to_integers(center, to, radius, loops)
+        validate(radius, loops)
+        moving = to is not None
+        verdict.update(first_contact(scale, center, to, radius, loops) if moving else answer(scale, center, radius, loops))
     except Rejected as rejection:
         verdict["error"], = rejection.args
     return verdict

@@ -2,12 +2,14 @@
 """The checker on cases whose answers were derived by hand, one subtle point of the contract each."""
 import io
 import json
+import math
 import os
 import tempfile
 import unittest
 from fractions import Fraction
 
 import checker
+import surd
 import unseen_cases
 
 TINY, HUGE = 5e-324, 1.7976931348623157e308
@@ -290,6 +292,85 @@ class Rejections(unittest.TestCase):
         self.assertEqual(code(holes=[meets, away, bow]), "loop-meets-itself")
         self.assertEqual(code(holes=[away, meets]), "loops-meet")
         self.assertEqual(code(holes=[away, away]), "loops-meet")
+
+
+def first(start, radius, end, outer=SQUARE, holes=()):
+    """The first contact of a moving ball: first, time, momentary, feature, point."""
+    verdict = judge(start, radius, outer, holes, motion={"to": end})
+    return tuple(verdict[key] for key in ("first", "time", "momentary", "feature", "point"))
+
+
+NONE = "none", None, None, None, None
+
+
+class Moving(unittest.TestCase):
+    def test_falls_on_the_face(self):
+        self.assertEqual(first((2, 2, 5), 1, (2, 2, -5)), ("way", 0.4, False, FACE, [2, 2, 0]))
+        self.assertEqual(first((2, 2, 5), 1, (2, 2, 1)), ("way", 1, False, FACE, [2, 2, 0]))
+        self.assertEqual(first((2, 2, 5), 1, (2, 2, 1 + ULP)), NONE)
+        self.assertEqual(first((2, 2, 1), 1, (2, 2, 5)), ("start", 0, None, FACE, [2, 2, 0]))
+        self.assertEqual(first((2, 2, 2), 1, (2, 2, 2)), NONE)
+
+    def test_grazes(self):
+        self.assertEqual(first((-1, 2, -4), 1, (-1, 2, 4)), ("way", 0.5, True, edge(3), [0, 2, 0]))
+        self.assertEqual(first((-1, 2, -4), 1 - ULP / 2, (-1, 2, 4)), NONE)
+        self.assertEqual(first((-1, 2, -4), 1 + ULP, (-1, 2, 4))[:3:2], ("way", False))
+        self.assertEqual(first((-3, -4, -8), 5, (-3, -4, 8)), ("way", 0.5, True, vertex(0), [0, 0, 0]))
+        self.assertEqual(first((-3, -4, -8), 5, (-3, -4, 0)), ("way", 1, True, vertex(0), [0, 0, 0]))
+
+    def test_points_pass_through(self):
+        self.assertEqual(first((2, 2, 4), 0, (2, 2, -4)), ("way", 0.5, True, FACE, [2, 2, 0]))
+        self.assertEqual(first((4, 2, 4), 0, (4, 2, -4)), ("way", 0.5, True, edge(1), [4, 2, 0]))
+        self.assertEqual(first((-4, 0, 0), 0, (4, 0, 0)), ("way", 0.5, False, vertex(0), [0, 0, 0]))
+
+    def test_slides(self):
+        self.assertEqual(first((-4, 2, 1), 1, (4, 2, 1)), ("way", 0.5, False, edge(3), [0, 2, 0]))
+        self.assertEqual(first((-4, -4, 1), 1, (4, 4, 1)), ("way", 0.5, False, vertex(0), [0, 0, 0]))
+        self.assertEqual(first((-4, 4, 1), 1, (4, -4, 1)), ("way", 0.5, True, vertex(0), [0, 0, 0]))
+        self.assertEqual(first((-4, -1, 0), 1, (4, -1, 0)), ("way", 0.5, False, vertex(0), [0, 0, 0]))
+
+    def test_a_hole_just_so(self):
+        hole = [[1, 1, 0], [3, 1, 0], [3, 3, 0], [1, 3, 0]]
+        self.assertEqual(first((2, 2, 4), 1, (2, 2, -4), holes=[hole]), ("way", 0.5, True, edge(4), [2, 1, 0]))
+        self.assertEqual(first((2, 2, 4), 1 - ULP / 2, (2, 2, -4), holes=[hole]), NONE)
+
+    def test_irrational_times_are_rounded(self):
+        self.assertEqual(first((-3, -1, 0), 2, (1, -1, 0))[1], 0.3169872981077807)  # (3 - sqrt 3) / 4
+
+    def test_times_that_round_to_the_ends(self):
+        self.assertEqual(first((2, 2, 1 + ULP), 1, (2, 2, -HUGE))[:2], ("way", 0))
+        self.assertEqual(first((2, 2, 2.0 ** 60), 1, (2, 2, 0))[:2], ("way", 1))
+
+    def test_lifted(self):
+        self.assertEqual(first((2, 2, 5), 0, (2, 2, -3), [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 4]]),
+                         ("way", 0.5, True, FACE, [2, 2, 1]))
+
+    def test_rejections(self):
+        for motion in (None, 3, [], {}, {"to": None}, {"to": [1, 2]}, {"to": [1, 2, "3"]}):
+            self.assertEqual(code(motion=motion), "malformed-case", motion)
+        self.assertEqual(checker.judge_case(text(motion={"to": [77, 0, 0]}).replace("77", "1e400"))["error"], "not-finite")
+
+
+class Surds(unittest.TestCase):
+    def test_order(self):
+        golden, two = surd.Surd(Fraction(1, 2), Fraction(1, 2), 5), surd.Surd(0, 1, 2)
+        self.assertTrue(two < golden < surd.Surd(0, 1, 3) and golden * golden == golden + 1 and golden > 1.5)
+        self.assertEqual(surd.compare(surd.Surd(0, 1, 8), surd.Surd(0, 2, 2)), 0)
+        self.assertEqual(surd.compare(surd.Surd(0, 1, 2), surd.Surd(Fraction(10 ** 30), 1, 3)), -1)
+        self.assertEqual(surd.compare(surd.Surd(1, -1, 2), surd.Surd(-1, 1, 2)), -1)
+        self.assertEqual(surd.compare(surd.Surd(0, 1, 4), 2), 0)
+        for n in (10, 10 ** 9, 10 ** 40):  # (1 + sqrt(n n + 1))^2 is n n + 2 n + 2 and about 1 / n
+            self.assertEqual(surd.compare(surd.Surd(1, 1, n * n + 1), surd.Surd(0, 1, n * n + 2 * n + 3)), -1)
+            self.assertEqual(surd.compare(surd.Surd(1, 1, n * n + 1), surd.Surd(0, 1, n * n + 2 * n + 2)), 1)
+
+    def test_rounding(self):
+        self.assertEqual(surd.nearest_double(surd.Surd(0, 1, 2)), math.sqrt(2))
+        self.assertEqual(surd.nearest_double(surd.Surd(10 ** 40, -1, 10 ** 80 - 1)), 5e-41)
+        self.assertIsNone(surd.nearest_double(surd.Surd(0, 10 ** 308, 5)))
+
+    def test_between(self):
+        low, high = surd.Surd(0, 1, 2), surd.Surd(Fraction(1, 10 ** 50), 1, 2)
+        self.assertTrue(low < surd.between(low, high) < high)
 
 
 class Comparing(unittest.TestCase):

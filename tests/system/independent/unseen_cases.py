@@ -182,7 +182,7 @@ def thresholds(case):
     text = json.dumps({"id": "", **case})
     if "error" in checker.judge_case(text):
         return []
-    scale, c, _, loops = checker.scaled_to_integers(*checker.read_case(checker.read_json(text)[0]))
+    scale, c, _, _, loops = checker.scaled_to_integers(*checker.read_case(checker.read_json(text)[0]))
     normal = checker.newell(loops[0])
     offset = Fraction(sum(checker.dot(normal, checker.sub(c, p)) for p in loops[0]), len(loops[0]) * scale)
     edges = [checker.closest_on_edge(a, b, c, 0, 0)[0] / scale ** 2 for a, b in checker.edges(loops[-1])]
@@ -199,6 +199,38 @@ def near_threshold(rng, case):
         radius = math.nextafter(radius, HUGE if steps > 0 else 0)
     case["ball"]["radius"] = radius
     return case
+
+
+# Motions
+
+def moving(rng, case):
+    """The case with its ball on a way through the centre, mostly in the middle of it: at rest, along an edge, to or from
+    a vertex, perpendicular to the way to a vertex, along an axis, or anywhere. In integers the ball often grazes."""
+    ball, loops = case["ball"], [case["polygon"]["outer"], *case["polygon"]["holes"]]
+    a, b = rng.choice(checker.edges(rng.choice(loops)))
+    away, along = checker.sub(ball["center"], a), checker.sub(b, a)
+    size, sign, axis = max(map(abs, along)), rng.choice((-1, 1)), rng.randrange(3)
+    perpendicular, one_axis = [0.0] * 3, [0.0] * 3
+    perpendicular[axis - 1], perpendicular[axis - 2] = away[axis - 2], -away[axis - 1]
+    one_axis[axis] = 2 * size
+    half = rng.choice(([0.0] * 3, along, along, away, away, perpendicular, perpendicular, one_axis, one_axis,
+                       [x + y / 2 for x, y in zip(along, one_axis)], [rng.randint(-4, 4) * size / 2 for _ in range(3)],
+                       [rng.uniform(-2, 2) * size for _ in range(3)]))
+    half, middle_of = [sign * x for x in half], rng.choice(("way", "way", "way", "start", "end"))
+    start, end = (placed_at(ball["center"], half, by) for by in (-(middle_of != "start"), middle_of != "end"))
+    touches = case.pop("expected", {}).get("relation") == "touching"
+    if touches and all(map(is_sum, start, ball["center"], half)) and all(map(is_sum, end, ball["center"], half)):
+        case["expected"] = {"contact": True}
+    return {**case, "ball": {**ball, "center": start}, "motion": {"to": end}}
+
+
+def placed_at(center, half, by):
+    return [max(-HUGE, min(HUGE, x + by * y)) for x, y in zip(center, half)]
+
+
+def is_sum(x, y, z):
+    """Whether x is exactly y, y + z or y - z."""
+    return Fraction(x) - Fraction(y) in (0, Fraction(z), -Fraction(z))
 
 
 # Families of legal cases (a few are rejected by nature)
@@ -418,7 +450,9 @@ WRONG = (  # (path to a value, what stands there instead); None: nothing
     ("polygon outer", [*CORNERS, {"x": 1, "y": 1, "z": 0}]), ("polygon holes", {}), ("polygon holes", NULL),
     ("polygon holes", [7]), ("polygon holes", CORNERS), ("polygon holes", [[[0, 0]]]), ("expected", []),
     ("expected", NULL), ("expected", "touching"), ("expected", {"relatoin": "touching"}),
-    ("expected", {"distance": 1, "radius": 1}), ("tags", "tangent"), ("tags", {}), ("tags", NULL))
+    ("expected", {"distance": 1, "radius": 1}), ("expected", {"when": "start"}),
+    ("motion", 7), ("motion", {}), ("motion", NULL), ("motion", {"to": [1, 2]}), ("motion", {"to": [1, 2, "3"]}),
+    ("motion", {"from": [1, 2, 3]}), ("tags", "tangent"), ("tags", {}), ("tags", NULL))
 DOUBLED = (  # (text, what replaces it)
     ('"ball": {', '"ball": {"radius": 1, '), ('"polygon": {', '"polygon": {"outer": [], '),
     ("[[", '[{"x": 1, "x": 1}, ['),
@@ -474,11 +508,15 @@ def case_line(seed, i):
     case = family(rng)
     if family not in (rejected, huge, mixed, subnormal, scaled):
         case = shuffled(rng, case)
+    motion = random.Random(f"{seed}/{i}/motion")
+    if family not in (rejected, nearly_folded) and motion.random() < 0.3:
+        case = moving(motion, case)
     if not case["polygon"]["holes"] and rng.random() < 0.5:
         del case["polygon"]["holes"]
     if family is not rejected and rng.random() < 0.05:
         case = respelled(rng, case)
-    return text_of({"id": f"{family.__name__}-{seed}-{i}", **case, "tags": [family.__name__]})
+    tags = [family.__name__, *(["moving"] if "motion" in case else [])]
+    return text_of({"id": f"{'-'.join(tags)}-{seed}-{i}", **case, "tags": tags})
 
 
 def respelled(rng, case):
@@ -487,7 +525,7 @@ def respelled(rng, case):
         if isinstance(value, dict):
             return {key: respell(x) for key, x in value.items()}
         return [respell(x) for x in value] if isinstance(value, list) else spelled(rng, float(value))
-    return {**case, "ball": respell(case["ball"]), "polygon": respell(case["polygon"])}
+    return {key: respell(value) if key in ("ball", "motion", "polygon") else value for key, value in case.items()}
 
 
 def main():

@@ -36,6 +36,7 @@ SUITES = {
     "lattice_tests": "*",
     "scene_tests": "*",
     "mesh_tests": "-MergeStudy.*",
+    "motion_tests": "*",
 }
 
 

@@ -12,9 +12,12 @@
 #include "experiments/studies/soak/system_under_test.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/contact/fast.h"
+#include "geometry/contact/fast_motion.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/prepared.h"
+#include "robust/filtered/motion.h"
 #include "tests/experiments/judge/corpus/stored.h"
 #include "tests/robust/support/environment.h"
 
@@ -78,6 +81,56 @@ TEST(Corpus, FastFailsWhereItsTagSaysSoAlone) {
     if (!stored.fails("fast")) {
       ASSERT_EQ(fast::contact(stored.ball(), stored.polygon()), stored.answer->contact()) << stored;
     }
+  }
+}
+
+TEST(Corpus, ExactMeetsEveryMovingCase) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const exact::PreparedPolygon polygon(stored.polygon());
+    ASSERT_EQ(exact::first_contact(stored.motion(), polygon), *stored.first) << stored;
+    ASSERT_EQ(exact::contact(stored.motion(), polygon), stored.first->contact()) << stored;
+  }
+}
+
+TEST(Corpus, FilteredMeetsEveryMovingCaseInEveryEnvironment) {
+  using contact_tests::Environment;
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const filtered::PreparedPolygon polygon(stored.polygon());
+    const auto triangle = triangle_of(stored.polygon());
+    const Motion motion = stored.motion();
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : {Environment::kKeep, Environment::kBoth}) {
+        bool touches = false, touches_triangle = stored.first->contact();
+        FirstContact first, first_triangle = *stored.first;
+        {
+          const Environment changed(mode, flush);
+          touches = filtered::contact(motion, polygon);
+          first = filtered::first_contact(motion, polygon);
+          if (triangle) {
+            touches_triangle = filtered::contact(motion, *triangle);
+            first_triangle = filtered::first_contact(motion, *triangle);
+          }
+        }
+        ASSERT_EQ(touches, stored.first->contact()) << stored;
+        ASSERT_EQ(touches_triangle, stored.first->contact()) << stored;
+        ASSERT_EQ(first, *stored.first) << stored;
+        ASSERT_EQ(first_triangle, *stored.first) << stored;
+      }
+  }
+}
+
+TEST(Corpus, FastFailsMovingCasesWhereItsTagSaysSoAlone) {
+  for (const Stored& stored : stored_cases()) {
+    if (!stored.first) continue;
+    const Asked asked(stored);
+    const FirstContact found = fast::first_contact(stored.motion(), stored.polygon()), &truth = *stored.first;
+    const bool agrees = found.kind == truth.kind && found.momentary == truth.momentary &&
+                        (!truth.contact() || found.feature == truth.feature);
+    ASSERT_EQ(agrees, !stored.fails("fast")) << stored;
   }
 }
 

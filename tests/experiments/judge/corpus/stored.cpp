@@ -28,6 +28,14 @@ Answer answer_of(const cases::PartialAnswer& expected) {
           .off_plane = expected.off_plane.value()};
 }
 
+/// Throws std::bad_optional_access if a key is missing that the contract does not call null.
+FirstContact first_contact_of(const cases::PartialAnswer& expected) {
+  const FirstContactKind kind = expected.first.value();
+  if (kind == FirstContactKind::None) return {};
+  return {kind, expected.time.value(), kind == FirstContactKind::Way && expected.momentary.value(),
+          expected.feature.value(), expected.point.value()};
+}
+
 std::string asked;
 
 void tell_what_was_asked(int signal) {
@@ -48,11 +56,15 @@ std::vector<Stored> read_corpus() {
     for (std::string line; std::getline(stream, line);) {
       const Asked reading(line.substr(0, line.find(',')), file.stem().string());
       cases::Case read = cases::read_case(line);
-      Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}};
+      Stored stored{file.stem().string(), line, read.id.value_or("without id"), std::move(read), {}, {}, {}};
       if (std::holds_alternative<cases::Shapes>(stored.read.content) && stored.read.expected &&
           !stored.read.expected->rejects()) {
         stored.tags = corpus::labels_of(line).tags;
-        stored.answer = answer_of(stored.read.expected->values);
+        const cases::PartialAnswer& expected = stored.read.expected->values;
+        if (std::get<cases::Shapes>(stored.read.content).to)
+          stored.first = first_contact_of(expected);
+        else
+          stored.answer = answer_of(expected);
       }
       cases.push_back(std::move(stored));
     }

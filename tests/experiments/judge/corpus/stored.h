@@ -7,6 +7,7 @@
 
 #include "experiments/cases/case.h"
 #include "geometry/contact/answer.h"
+#include "geometry/contact/first_contact.h"
 
 namespace touchstone {
 
@@ -15,9 +16,11 @@ struct Stored {
   std::string file, text, id;
   cases::Case read;
   std::vector<std::string> tags;
-  std::optional<Answer> answer;  ///< what it expects, of a case that is not to be rejected
+  std::optional<Answer> answer;       ///< what it expects, of a case that is not to be rejected
+  std::optional<FirstContact> first;  ///< the same if the ball moves; then there is no `answer`
 
   [[nodiscard]] const Ball& ball() const { return std::get<cases::Shapes>(read.content).ball; }
+  [[nodiscard]] Motion motion() const { return std::get<cases::Shapes>(read.content).motion().value(); }
   [[nodiscard]] const Polygon& polygon() const { return std::get<cases::Shapes>(read.content).polygon; }
   [[nodiscard]] bool fails(const std::string& method) const;
 };

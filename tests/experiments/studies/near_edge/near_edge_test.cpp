@@ -268,7 +268,7 @@ TEST(NearEdgeTruth, IsHeldAgainstExactOnEveryFailure) {
   for (const Disagreement& found : result.disagreements.kept()) {
     const cases::Case read = cases::read_case(found.line);
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << found.line;
-    const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+    const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
     const auto truth = kExact.prepare(polygon)->ask(ball, cases::QueryKind::Answer);
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << found.line;
   }

@@ -207,7 +207,7 @@ void expect_found(const SystemUnderTest& wrong, const std::string& question) {
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << difference.line;
     EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
-    const auto& [ball, polygon] = std::get<cases::Shapes>(read.content);
+    const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
     const auto truth = cases::PartialAnswer::of(exact::answer(ball, polygon), "");
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << difference.line;
   }
