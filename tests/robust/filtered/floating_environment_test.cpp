@@ -12,9 +12,9 @@
 #include "experiments/workloads/adversarial/case.h"
 #include "robust/exact/exact.h"
 #include "robust/filtered/filtered.h"
-#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/environment.h"
 #include "tests/robust/support/hand_cases.h"
+#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 #include "tests/robust/support/rearranged.h"
 

@@ -23,8 +23,8 @@
 #include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_groups.h"
-#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/environment.h"
+#include "tests/robust/support/hard_cases.h"
 #include "tests/robust/support/printing.h"
 
 namespace touchstone::filtered_tests {

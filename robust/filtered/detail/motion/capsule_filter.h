@@ -16,7 +16,7 @@ TOUCHSTONE_INLINE bool in_range(const Vector3<Pack>& vertex, const MotionTriangl
   return negative_lanes(all_lanes(limit / 2) - input) == 0;
 }
 
-/// What doubles leave open, one bit a lane.
+/// The decisions that doubles leave open, one bit a lane.
 struct CapsuleSigns {
   FilterResult at_start, at_end;  ///< the contact at the ends of the motion
   unsigned vertices, edges;       ///< the lanes in which a vertex, or an edge's interior, may be hit

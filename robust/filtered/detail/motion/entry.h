@@ -8,7 +8,7 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Whether and when an event happens at a time in (0, 1], one bit a lane.
+/// Whether and when an event happens in (0, 1], one bit a lane.
 template <class Number>
 struct Entry {
   unsigned none, certain;  ///< it certainly does not happen, or certainly does; neither: not known

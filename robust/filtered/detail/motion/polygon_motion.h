@@ -49,7 +49,7 @@ TOUCHSTONE_INLINE void walk(const EdgeIndex& index, const SweptDisc& disc, const
   }
 }
 
-/// What doubles know of a motion that does not touch at its start.
+/// The knowledge of doubles about a motion that does not touch at its start.
 struct FrameMotionResult {
   FilterResult contact;
   std::optional<Feature> feature;  ///< the feature touched first, if it is certain

@@ -15,7 +15,7 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// What converts a time.
+/// The unit of times.
 struct Unitless {
   [[nodiscard]] static double unscaled(double time) { return time; }
 };

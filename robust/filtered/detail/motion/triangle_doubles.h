@@ -96,8 +96,8 @@ class TriangleMotionDoubles {
     return event;
   }
 
-  /// Sets the first event among the possible ones. Returns whether it is certain which one that is, or that there is
-  /// none.
+  /// Sets the first event among the possible ones. Returns whether it is certain which one that is, or that no
+  /// event happens.
   [[nodiscard]] bool find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
     bool unsure = false;
     const auto consider = [&](Feature::Kind kind, std::size_t i, const Entry<DoubleDouble>& event) {

@@ -38,7 +38,7 @@ FirstContact start_contact(const MotionTriangleView& view, Counts& counts) {
           {closest.coordinate(0), closest.coordinate(1), closest.coordinate(2)}};
 }
 
-/// What the first stage knows.
+/// The knowledge of the first stage.
 struct MotionFilterResult {
   FilterResult contact;
   FilterResult at_start = FilterResult::Unsure;  ///< the contact at time 0

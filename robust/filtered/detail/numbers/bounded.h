@@ -20,7 +20,7 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// What an error is stored in, the errors of operations in units of relative rounding, and a number below all divisors
+/// The type of errors, the errors of operations in units of relative rounding, and a number below all divisors
 /// that are certainly positive: their errors are larger.
 template <class Number>
 struct ErrorTraits;
@@ -123,8 +123,8 @@ TOUCHSTONE_INLINE Number at_least_error(const Bounded<Number>& a) {
 template <class Number>
 TOUCHSTONE_INLINE Bounded<Number> quotient(const Bounded<Number>& a, const Bounded<Number>& b) {
   using Error = ErrorOf<Number>;
-  const Error certain =
-      maximum(leading(b.value) - constant<Error>(bounds::kWideError) * b.error, constant<Error>(ErrorTraits<Number>::least_divisor));
+  const Error certain = maximum(leading(b.value) - constant<Error>(bounds::kWideError) * b.error,
+                                constant<Error>(ErrorTraits<Number>::least_divisor));
   const Number value = quotient(a.value, at_least_error(b));
   return {value,
           quotient(a.error + magnitude(value) * b.error, certain) + rounding(value, ErrorTraits<Number>::quotient)};
