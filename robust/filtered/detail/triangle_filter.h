@@ -21,7 +21,8 @@ struct EdgeLanes {
 /// normal in those of the edges before and after the lane's vertex.
 template <bool always, bool scaled>
 TOUCHSTONE_INLINE FilterResult filter_edges(const EdgeLanes& seen, TriangleSigns& signs) {
-  const auto& [to_center, edge, normal, radius] = seen;
+  const Vector3<Pack>&to_center = seen.to_center, &edge = seen.edge, &normal = seen.normal;
+  const Pack& radius = seen.radius;
   const auto largest = [](const Vector3<Pack>& v) {
     return maximum(maximum(magnitude(v.x), magnitude(v.y)), magnitude(v.z));
   };
