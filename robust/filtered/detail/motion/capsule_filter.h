@@ -35,7 +35,8 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   if (!in_range(vertex, view, bounds::kLargest)) [[unlikely]]
     return FilterResult::OutOfRange;
   const TriangleLanes triangle = triangle_lanes(vertex);
-  const auto& [edge, normal, m_edge, m_normal] = triangle;
+  const Vector3<Pack>&edge = triangle.edge, &normal = triangle.normal;
+  const Pack &m_edge = triangle.m_edge, &m_normal = triangle.m_normal;
   const Vector3<Pack> center = point_lanes(view.motion), to = point_lanes(view.motion + 4);
   const Pack radius = all_lanes(view.radius());
   constexpr unsigned all = BallAtTriangle<>::all;
