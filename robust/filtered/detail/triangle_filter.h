@@ -98,10 +98,12 @@ struct BallAtTriangle {
     return lanes(vertex_out.positive & (line_out.positive | after_start.negative | after_end.positive));
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool certainly_touches() const {
-    return (edges_touched() != 0) | ((lanes(side_in.positive) == all) & (lanes(plane_out.negative) != 0));
+    const unsigned touched = edges_touched(), inside = lanes(side_in.positive), cut = lanes(plane_out.negative);
+    return (touched != 0) | ((inside == all) & (cut != 0));
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool certainly_misses() const {
-    return (lanes(plane_out.positive) != 0) | ((lanes(side_in.negative) != 0) & (edges_missed() == all));
+    const unsigned plane = lanes(plane_out.positive), outside = lanes(side_in.negative), missed = edges_missed();
+    return (plane != 0) | ((outside != 0) & (missed == all));
   }
 };
 

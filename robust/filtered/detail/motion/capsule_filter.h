@@ -91,13 +91,16 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   const bool pierces = (left == all || right == all) && lanes(crosses) != 0;
   const bool passes_by = (left != 0 && right != 0) || lanes(stays) != 0;
 
-  const bool yes = start.certainly_touches() | end.certainly_touches() | (lanes(vertex_hit | edge_hit) != 0) | pierces;
-  const bool no =
-      start.certainly_misses() & end.certainly_misses() & (lanes(vertex_missed & edge_missed) == all) & passes_by;
+  // Without branches, which random motions would mispredict.
+  const unsigned hit = lanes(vertex_hit | edge_hit), missed = lanes(vertex_missed & edge_missed);
+  const bool touches_start = start.certainly_touches(), touches_end = end.certainly_touches();
+  const bool misses_start = start.certainly_misses(), misses_end = end.certainly_misses();
+  const bool yes = touches_start | touches_end | (hit != 0) | pierces;
+  const bool no = misses_start & misses_end & (missed == all) & passes_by;
   if (yes != no) [[likely]]
     return yes ? FilterResult::Yes : FilterResult::No;
-  signs.at_start = start.certainly_misses() ? FilterResult::No : FilterResult::Unsure;
-  signs.at_end = end.certainly_misses() ? FilterResult::No : FilterResult::Unsure;
+  signs.at_start = misses_start ? FilterResult::No : FilterResult::Unsure;
+  signs.at_end = misses_end ? FilterResult::No : FilterResult::Unsure;
   signs.vertices = lanes(vertex_missed) ^ all, signs.edges = lanes(edge_missed) ^ all;
   signs.may_pierce = !passes_by;
   store(signs.center, maximum(m_start, beyond));
