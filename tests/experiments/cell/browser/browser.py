@@ -268,6 +268,10 @@ def check_configuration(page, address):
     run = ask(address, {"storage": {"angle": -33, "radius": 609.2, "height": 262}})
     expect(page.stop() in ((0, len(run["stops"]) - 1), None), page.text("status"))
     page.slide("angle", 67)
+    expect(page.text("failure").startswith("The process does not begin:at home storage/") and "stands in machine/" in page.text("failure"),
+           f"in the machine: {page.text('failure')!r}")
+    page.slide("angle", -33)
+    page.slide("radius", 659.2)
     expect("does not come out" in page.text("failure"), "a process that fails says nothing")
     expect(page.find("#failure").is_displayed() and page.stop(), "a process that fails is not shown")
     page.picture("failing")

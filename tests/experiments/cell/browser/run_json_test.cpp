@@ -102,8 +102,10 @@ TEST(RunJson, NamesTheFacesThatAreTouched) { names_the_faces_that_are_touched(re
 
 TEST(RunJson, NamesTheFacesOfAPrism) {
   const char* prism = R"(material.solid={"cylinder": {"from": [0, 0, 0], "to": [0, 0, 40], "radius": 30, "sides": 3}})";
-  const Simulator simulator(cell::read_cell(aristo().file, std::nullopt, {prism}),
-                            {.overhang = 30, .methods = {}, .rule = {.sphere_alone = true}});
+  const Simulator simulator(
+      cell::read_cell(aristo().file, std::nullopt,
+                      {prism, "storage.slots[1].aim=[0, -21.8]", "machine.slots[0].aim=[0, -21.8]"}),
+      {.overhang = 30, .methods = {}, .rule = {.sphere_alone = true}});
   const Recording run = simulator.run(setting_of(simulator.cell()));
   const auto numbers = cell::scene_faces(run.parts.back().faces).numbers;
   EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end())) << "any order of counting would do";
