@@ -13,7 +13,7 @@
 #include "experiments/cell/cell_commands.h"
 #include "experiments/cell/configuration/area.h"
 #include "experiments/cell/model/reach.h"
-#include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/run_options.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
@@ -27,10 +27,9 @@
 namespace touchstone::cell {
 namespace {
 
-struct AreaOptions {
-  std::string file, meshes, output = "results/cell-area";
-  std::vector<std::string> changes;
-  double angle_step = 5, length_step = 25, overhang = 8;
+struct AreaOptions : RunOptions {
+  std::string output = "results/cell-area";
+  double angle_step = 5, length_step = 25;
   unsigned threads = harness::all_threads();
   bool force = false, no_pictures = false;
   std::string line;  ///< that repeats the run
@@ -78,11 +77,11 @@ const harness::Table<StationRow>& stations_csv() {
 }
 
 std::string table_of(const std::vector<Tried>& tried) {
-  std::array<std::size_t, 5> counts{};
+  std::array<std::size_t, 7> counts{};
   for (const Tried& each : tried) ++counts[each.cause ? static_cast<std::size_t>(*each.cause) + 1 : 0];
   std::string text = fmt::format("{} completed", counts[0]);
-  for (const FailureCause cause :
-       {FailureCause::OutOfReach, FailureCause::JointLimit, FailureCause::NoContact, FailureCause::InTheWay})
+  for (const FailureCause cause : {FailureCause::OutOfReach, FailureCause::JointLimit, FailureCause::NoContact,
+                                   FailureCause::NotHeld, FailureCause::Misplaced, FailureCause::InTheWay})
     text += fmt::format(", {} {}", counts[static_cast<std::size_t>(cause) + 1], to_string(cause));
   return text;
 }
@@ -91,8 +90,7 @@ int run(const AreaOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
-  const Cell cell =
-      read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
+  const Cell cell = cell_of(options);
   const auto parts = build_model(cell);
   const auto covered = std::make_shared<const std::vector<Covered>>(cover_arm(parts, options.overhang));
   const Reach reach = reach_of(cell);
@@ -111,9 +109,10 @@ int run(const AreaOptions& options) {
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
     harness::ProgressLine line("places of the storage", plan.size() + heights.size());
-    in_plan = try_places(cell, parts, covered, plan, options.threads, stop_signal.requested(), std::ref(line));
+    in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, stop_signal.requested(),
+                         std::ref(line));
     if (in_plan)
-      in_height = try_places(cell, parts, covered, heights, options.threads, stop_signal.requested(),
+      in_height = try_places(cell, parts, covered, heights, rule_of(options), options.threads, stop_signal.requested(),
                              [&](std::uint64_t done) { line(plan.size() + done); });
   }
   if (!in_height) {
@@ -148,11 +147,9 @@ harness::Command area_command() {
       "its\n"
       "angle), stations.csv, and pictures of them.");
   command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
-  command.texts("--set", options->changes, "Change the cell first, as `touchstone cell run` does");
-  command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's");
+  add_cell_options(command, *options);
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
-  command.positive("--cover-margin", options->overhang, "By how much the balls that cover the arm may reach beyond it");
   command.threads(options->threads);
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);

@@ -49,11 +49,10 @@ int run(const RunCommandOptions& options) {
   const auto methods = methods::find_methods(options.methods);
   std::optional<harness::OutputFolder> folder;
   if (!options.output.empty()) folder.emplace(options.output, options.line, harness::Existing{.force = options.force});
-  const Cell cell =
-      read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes);
+  const Cell cell = cell_of(options);
   const Workcell workcell(cell, build_model(cell), options.overhang);
   const double before = watch.lap();
-  const Process process = simulate(workcell);
+  const Process process = simulate(workcell, rule_of(options));
   const double cycle = watch.lap();
   const MethodComparison comparison = compare_methods(workcell, process, methods, options.every_face);
   const double held = watch.lap();

@@ -8,19 +8,38 @@
 
 namespace touchstone::cell {
 
-void add_run_options(harness::Command& command, RunOptions& options) {
+void add_cell_options(harness::Command& command, RunOptions& options) {
   command.texts("--set", options.changes,
                 "Change the cell first: storage.angle=-33, machine.parts[3]=null; may be repeated");
+  command.text("--preset", options.preset, "Apply a preset of the cell file first, such as `case 2`");
+  command.flag("--sphere-alone", options.sphere_alone,
+               "The thesis's rule: test the virtual sphere alone, not the arm, the gripper and what it holds");
+  command.text("--drive", options.drive, "The method whose answer stops the robot, instead of the exact one");
   command.text("--meshes", options.meshes, "The folder of mesh files, instead of the cell file's");
-  command.methods(options.methods, "Methods to ask at every stop; `all` for every method");
   command.positive("--cover-margin", options.overhang, "By how much the balls that cover the arm may reach beyond it");
+}
+
+void add_run_options(harness::Command& command, RunOptions& options) {
+  add_cell_options(command, options);
+  command.methods(options.methods, "Methods to ask at every stop; `all` for every method");
+}
+
+Cell cell_of(const RunOptions& options) {
+  std::vector<std::string> changes =
+      options.preset.empty() ? std::vector<std::string>() : preset(options.file, options.preset);
+  changes.insert(changes.end(), options.changes.begin(), options.changes.end());
+  return read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), changes);
+}
+
+Rule rule_of(const RunOptions& options) {
+  Rule rule{.sphere_alone = options.sphere_alone};
+  if (!options.drive.empty() && options.drive != "exact") rule.drive = methods::find_methods({options.drive}).front();
+  return rule;
 }
 
 browser::Simulator simulator_of(const RunOptions& options) {
   auto methods = methods::find_methods(options.methods);
-  return {
-      read_cell(options.file, options.meshes.empty() ? std::nullopt : std::optional(options.meshes), options.changes),
-      {.overhang = options.overhang, .methods = std::move(methods)}};
+  return {cell_of(options), {.overhang = options.overhang, .methods = std::move(methods), .rule = rule_of(options)}};
 }
 
 }  // namespace touchstone::cell

@@ -11,17 +11,25 @@ namespace touchstone::cell {
 
 /// The options of `touchstone cell run`, `serve` and `export` about the cell and its runs.
 struct RunOptions {
-  std::string file, meshes;
+  std::string file, meshes, preset, drive;
   std::vector<std::string> changes;
+  bool sphere_alone = false;
   std::vector<std::string> methods{"filtered",      "fast",     "fast-float",    "thesis",        "thesis-float",
                                    "thesis-0.9999", "thesis-1", "thesis-signed", "thesis-newell", "thesis-closed"};
   double overhang = 8;
 };
 
-/// Adds all options except the file. `options` must outlive the command.
+/// Adds the options about the cell and the rule, except the file. `options` must outlive the command.
+void add_cell_options(harness::Command& command, RunOptions& options);
+/// Adds these and the methods.
 void add_run_options(harness::Command& command, RunOptions& options);
 
-/// Reads the cell and builds its model. Throws what read_cell, find_methods and build_model throw.
+/// Reads the cell with the preset, then the changes applied. Throws what read_cell and preset throw.
+[[nodiscard]] Cell cell_of(const RunOptions& options);
+/// Throws what find_methods throws.
+[[nodiscard]] Rule rule_of(const RunOptions& options);
+
+/// Reads the cell and builds its model. Throws what cell_of, rule_of, find_methods and build_model throw.
 [[nodiscard]] browser::Simulator simulator_of(const RunOptions& options);
 
 }  // namespace touchstone::cell

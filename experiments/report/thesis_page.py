@@ -60,7 +60,8 @@ def numbers_table(rows):
             stated = f'{number(row["stated"])}{escaped(unit)} <small>[{row["label"]}]</small>'
             if float(row["tolerance"]) > 0:
                 stated += f'<br><small>± {float(row["tolerance"]):.2g}</small>'
-            agrees = f'<span class="{row["agrees"]}">{row["agrees"]}</span>'
+            tone = row["agrees"] if row["agrees"] == "no" or row["basis"] == "other source" else ""
+            agrees = f'<span class="{tone}">{row["agrees"]}</span> <small>{row["basis"]}</small>'
         body += f'<tr><th scope="row">{escaped(row["what"])}</th><td>{ours}</td>'
         body += f"<td>{stated}</td><td>{agrees}</td></tr>" if any_stated else "</tr>"
     beside = '<th scope="col">stated</th><th scope="col">agrees</th>' if any_stated else ""
@@ -70,10 +71,22 @@ def numbers_table(rows):
 
 def article(folder, entry, rows):
     page = f' <span class="page">p. {entry["page"]}</span>' if entry["page"] else ""
-    tone = "yes" if entry["status"].startswith("reproduced") else "no" if entry["status"] == "differs" else ""
+    tone = "yes" if entry["status"] == "reproduced" else "no" if entry["status"] == "differs" else ""
     return (f'<article id="{anchor(entry)}"><h3>{name_of(entry)}: {escaped(entry["caption"])}{page}</h3>'
             f'<div class="status {tone}">{escaped(entry["status"])}</div>'
             f'<p>{escaped(entry["text"])}</p>{picture(folder, entry)}{numbers_table(rows)}</article>')
+
+
+BASES = {"fitted": "angles that captions state, for which the layout was solved", "input": "numbers of captions that the cell was built with",
+         "other source": "numbers of other sources", "own check": "tests of this project: arithmetic, and the exact answer"}
+
+
+def bases(stated):
+    """How many numbers agree, by what that means; those of the known errors apart. `stated`: rows of numbers.csv."""
+    own = [row for row in stated if row["id"].startswith("E.")]
+    groups = [(text, [row for row in stated if row["basis"] == basis and row not in own]) for basis, text in BASES.items()]
+    return [f"{sum(row['agrees'] == 'yes' for row in rows)} of {len(rows)}: {text}"
+            for text, rows in groups + [("known errors of the thesis's method, derived here", own)] if rows]
 
 
 def chapter_of(entry):
@@ -107,7 +120,8 @@ Universiti Putra Malaysia, 2008. Its front matter, with every caption, is public
 cited from its lists of figures and tables; pictures and numbers are computed by <code>touchstone thesis</code>, none is copied.</p>
 <div class="summary"><p>{len(entries)} figures and tables, {len(entries) - sum(chapter_of(e) == "E" for e in entries)} of the thesis
 and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:</p><ul>{counts}</ul>
-<p>{len(stated) - len(differing)} of {len(stated)} stated numbers are reproduced{"; these are not:" if differing else "."}</p>
+<ul>{"".join(f"<li>{line}</li>" for line in bases(stated))}</ul>
+<p>{"These differ:" if differing else "None differs."}</p>
 {"<ul>" + differ + "</ul>" if differ else ""}
 <p>Where a number comes from:</p><ul>{labels}</ul>
 <p>Shares of random samples have Clopper-Pearson limits. {run["samples_asked"]:,} balls of each outline and radius, seed

@@ -36,13 +36,13 @@ std::size_t number_of(std::string_view method) {
 /// A contact at the end of a move: what is known of it.
 std::vector<Number> contact_numbers(const Study& study, std::size_t number, std::size_t stop, Number captioned_angle) {
   const CaseStudy& its_case = study.cases[number];
-  const double radius = study.layout.sphere_radius;
+  const double radius = study.cell.gripper.sphere.radius;
   std::vector<Number> numbers{std::move(captioned_angle)};
   if (stop >= its_case.stops.size()) return numbers;
   const Stop& its_stop = its_case.stops[stop];
-  const Move& move = its_case.path.moves[its_stop.move];
+  const cell::Move& move = its_case.process.moves[its_stop.move];
   numbers.push_back(found("first contact, certified", "°", std::abs(move.exact), true));
-  numbers.push_back(found("from the sphere's centre to the " + face_words(its_stop.face) + ", a step before", "mm",
+  numbers.push_back(found("from the sphere's centre to the " + its_stop.face + ", a step before", "mm",
                           its_stop.before.distance, true));
   numbers.push_back(found("the same at the stop", "mm", its_stop.at.distance, true));
   numbers.push_back(found("radius of the sphere", "mm", radius, true));
@@ -164,8 +164,8 @@ void add_angles(const Study& study, EntryList& entries) {
       "4.11", Status::WithChosen,
       "From home to the storage the base turns clockwise by 150 degrees less the storage's angle: 150 - 1 = 149 "
       "and 150 + 33 = 183, so that the second case's storage stands at minus 33. It comes out at every whole "
-      "angle from -60 to 60, at the radii of both cases. (Beyond the angles of Fig. 5.22 the storage would "
-      "stand in our machine; the arm could still go there.)",
+      "angle from -60 to 60, at the radii of both cases, as it must: the base turns by what the storage is turned. "
+      "(These runs test the sphere alone, so that the storage may stand in the machine.)",
       {captioned("base clockwise, storage at +1°", -moved(first, 1, kBase), 149),
        captioned("base clockwise, storage at -33°", -moved(second, 1, kBase), 183),
        beside(found("angles of the storage at which it turns by 150 less the angle", "",

@@ -17,8 +17,8 @@ const char* const kPerspective = "The cell in perspective";
 std::vector<Number> move_numbers(const CaseStudy& study, std::size_t move, AristoJoint joint, const char* what,
                                  int direction, int stated) {
   std::vector<Number> numbers{captioned(what, direction * moved(study, move, joint), stated)};
-  if (move < study.path.moves.size()) {
-    const Move& its = study.path.moves[move];
+  if (move < study.moves_to_machine()) {
+    const cell::Move& its = study.process.moves[move];
     if (its.until != Until::Facing)
       numbers.push_back(found(its.until == Until::Planned   ? "by inverse kinematics, before rounding"
                               : its.until == Until::Contact ? "first contact, certified"
@@ -42,9 +42,9 @@ std::vector<Number> stop_numbers(const Study& study, std::size_t number, std::si
   const CaseStudy& its = study.cases[number];
   if (stop >= its.stops.size()) return {};
   const Stop& at = its.stops[stop];
-  return {found("sphere's centre to the " + face_words(at.face) + " at the stop", "mm", at.at.distance, true),
+  return {found("sphere's centre to the " + at.face + " at the stop", "mm", at.at.distance, true),
           found("a step before", "mm", at.before.distance, true),
-          found("radius of the sphere", "mm", study.layout.sphere_radius, true)};
+          found("radius of the sphere", "mm", study.cell.gripper.sphere.radius, true)};
 }
 
 std::vector<Number> detection_numbers(const Study& study, std::size_t number, std::size_t stop) {
@@ -56,14 +56,25 @@ std::vector<Number> detection_numbers(const Study& study, std::size_t number, st
           beside(found("collision a step before", "", at.thesis_before, true), Label::Derived, at.before.contact())};
 }
 
+/// The same at the machine, and how far from its place the material is let go.
+std::vector<Number> put_numbers(const Study& study, std::size_t number) {
+  std::vector<Number> numbers = detection_numbers(study, number, 1);
+  for (const cell::MaterialTransfer& transfer : study.cases[number].process.transfers)
+    if (transfer.slot == cell::StationSlot::Machine) {
+      numbers.push_back(found("material, let go from its place by", "mm", transfer.shift, true));
+      numbers.push_back(found("turned from its place by", "°", transfer.turn, true));
+    }
+  return numbers;
+}
+
 /// The numbers of all moves, and of the whole run.
 std::vector<Number> run_numbers(const CaseStudy& its, std::vector<Number> numbers) {
   numbers.push_back(
-      beside(found("elbow at the machine, from home", "°", its.path.net(kElbow), true), Label::Derived, 35));
+      beside(found("elbow at the machine, from home", "°", its.net(cell::kElbow), true), Label::Derived, 35));
   numbers.push_back(
-      beside(found("shoulder at the machine, from home", "°", its.path.net(kShoulder), true), Label::Derived, 28));
-  numbers.push_back(
-      found("questions along the way, sphere and face, one a degree", "", static_cast<double>(its.asked), true));
+      beside(found("shoulder at the machine, from home", "°", its.net(cell::kShoulder), true), Label::Derived, 28));
+  numbers.push_back(found("pairs of sphere and face that could touch, at every degree of the whole process", "",
+                          static_cast<double>(its.asked), true));
   std::uint64_t wrong = 0;
   for (const std::uint64_t its_wrong : its.wrong) wrong += its_wrong;
   numbers.push_back(share("wrong answers, all variants of the thesis's method and fast doubles", wrong,
@@ -76,7 +87,7 @@ void add_first_case(const Study& study, EntryList& entries) {
   const auto moves = [&](std::size_t move, AristoJoint joint, const char* what, int direction, int stated) {
     return move_numbers(its, move, joint, what, direction, stated);
   };
-  const std::vector<Number> angle{captioned("angle of the storage", its.storage.azimuth - kStorageHome, 1)};
+  const std::vector<Number> angle{set_angle("angle of the storage", its.cell.storage.angle, 1)};
   entries.add("6.1", Status::WithChosen, "The plan of the cell with the storage at 1 degree.", angle,
               "The cell from above, the storage at 1 degree, the arm at home.");
   entries.add("6.2", Status::WithChosen, "The same cell in perspective.", angle,
@@ -97,7 +108,7 @@ void add_first_case(const Study& study, EntryList& entries) {
               "before, where it does not.");
   entries.add("6.10", Status::WithChosen,
               "What makes the gripper grip: the answer of the sphere's test at every stop. The thesis's method and the "
-              "exact one agree.",
+              "exact one agree. Our gripper also requires a finger on either side of the material.",
               detection_numbers(study, 0, 0), "The gripper and the material in storage, close, in perspective.");
   entries.add("6.11", Status::WithChosen, "The elbow goes where it must be at the machine.",
               moves(2, kElbow, "elbow up", 1, 38), views("after the elbow has moved up 38 degrees with the material"));
@@ -112,11 +123,9 @@ void add_first_case(const Study& study, EntryList& entries) {
       "From the side, close: the virtual material, dashed, and the sphere at the stop, where it overlaps the "
       "upper face, and a step before, where it does not.");
   entries.add("6.17", Status::WithChosen,
-              "The answers of the sphere's test that end the move. It alone is asked: the wrist is locked, so that the "
-              "hand and "
-              "the material in it are tilted with the forearm, and that material overlaps its virtual copy.",
-              detection_numbers(study, 0, 1),
-              "The gripper, the material and the virtual material, close, in perspective.");
+              "The answers of the sphere's test that end the move. The hand stays level, so that the material arrives "
+              "upright over its place in the vice, into which it is let go.",
+              put_numbers(study, 0), "The gripper, the material and the virtual material, close, in perspective.");
   std::vector<Number> table{angle.front(),
                             captioned("elbow down", -moved(its, 0, kElbow), 3),
                             captioned("base clockwise", -moved(its, 1, kBase), 149),
@@ -128,17 +137,26 @@ void add_first_case(const Study& study, EntryList& entries) {
               run_numbers(its, std::move(table)));
 }
 
+/// The angle, and where the storage is moved besides.
+std::vector<Number> moved_outward(const Study& study, std::vector<Number> angle) {
+  angle.push_back(found("radius of the storage in the first case", "mm", study.cases[0].cell.storage.radius, true));
+  angle.push_back(found("in the second", "mm", study.cases[1].cell.storage.radius, true));
+  return angle;
+}
+
 void add_second_case(const Study& study, EntryList& entries) {
   const CaseStudy& its = study.cases[1];
   const auto moves = [&](std::size_t move, AristoJoint joint, const char* what, int direction, int stated) {
     return move_numbers(its, move, joint, what, direction, stated);
   };
-  const std::vector<Number> angle{
-      captioned("angle of the storage, clockwise", -(its.storage.azimuth - kStorageHome), 33)};
+  const std::vector<Number> angle{set_angle("angle of the storage, clockwise", -(its.cell.storage.angle), 33)};
   entries.add("6.18", Status::WithChosen,
-              "The captions say 33 degrees; 183 = 150 + 33 says that these are clockwise, where 1 degree was "
-              "counter-clockwise.",
-              angle, "The cell from above, the storage at minus 33 degrees, the arm at home.");
+              fmt::format("The captions say 33 degrees; 183 = 150 + 33 says that these are clockwise, where 1 degree "
+                          "was counter-clockwise. With the angle alone changed, the captions of the first case come "
+                          "out again, but for the base. Those of the second need the storage moved outward as well, by "
+                          "{:.1f} mm, to where the shoulder must move and the material is touched from above.",
+                          its.cell.storage.radius - study.cases[0].cell.storage.radius),
+              moved_outward(study, angle), "The cell from above, the storage at minus 33 degrees, the arm at home.");
   entries.add("6.19", Status::WithChosen, "The same cell in perspective.", angle,
               std::string(kPerspective) + ", the storage at minus 33 degrees, the arm at home.");
   entries.add("6.20", Status::WithChosen, "The elbow goes where inverse kinematics has it for the upper face.",
@@ -173,7 +191,9 @@ void add_second_case(const Study& study, EntryList& entries) {
       captioned("shoulder down", moved(its, 6, kShoulder), 14)};
   entries.add("table 6.2", Status::WithChosen,
               "All moves of the second case. The table itself is not public; its angles are those of the captions, and "
-              "the lift that follows from them.",
+              "the lift that follows from them. They result with the storage moved outward as well as turned (Fig. "
+              "6.18). Held out: in the layout of the first case the storage's angle alone predicts the base's moves "
+              "and the net angles at the machine, but not how elbow and shoulder move to the storage.",
               run_numbers(its, std::move(table)));
 }
 
@@ -183,22 +203,24 @@ void add_heights(const Study& study, EntryList& entries) {
   const int by = study.settings.height_scan;
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
     const auto& places = study.heights[i];
-    const Stretch run = longest_stretch(places);
-    if (run.empty()) continue;
+    const Stretch run = longest_stretch(places), of_sphere = longest_stretch(study.heights_of_sphere[i]);
+    if (run.empty() || of_sphere.empty()) continue;
     const std::string which = fmt::format("case {}'s angle and radius", i + 1);
     highest.push_back(
         found("upper end of the longest unbroken range, at " + which, "mm", places[run.last].height, true));
+    highest.push_back(found("the same by the sphere alone", "mm", places[of_sphere.last].height, true));
     lowest.push_back(
         found("lower end of the longest unbroken range, at " + which, "mm", places[run.first].height, true));
+    lowest.push_back(found("the same by the sphere alone", "mm", places[of_sphere.first].height, true));
     if (run.last + 1 < places.size())
-      above += fmt::format(" Case {}, {} mm higher: {}.", i + 1, by, places[run.last + 1].failure);
-    if (run.first > 0) below += fmt::format(" Case {}, {} mm lower: {}.", i + 1, by, places[run.first - 1].failure);
+      above += fmt::format(" Case {}, {} mm higher: {}.", i + 1, by, places[run.last + 1].reason);
+    if (run.first > 0) below += fmt::format(" Case {}, {} mm lower: {}.", i + 1, by, places[run.first - 1].reason);
   }
   for (auto* numbers : {&highest, &lowest})
-    numbers->push_back(found("height in the case studies", "mm", study.layout.storage_height[0], true));
+    numbers->push_back(found("height in the case studies", "mm", study.cell.storage.height, true));
   entries.add("6.30", Status::WithChosen,
-              "The height of the material's underside in storage, raised step by step: the same rule of moves goes "
-              "on to complete until something ends it." +
+              "The storage raised step by step, and the whole process tried at each height, as `touchstone cell area` "
+              "does. The thesis's own rule, which tests the sphere alone, lets the arm through the storage." +
                   above,
               std::move(highest),
               "The arm from the side, touching the material in storage at the chosen height and at the highest, and "

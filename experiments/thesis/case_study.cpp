@@ -7,105 +7,105 @@
 #include <memory>
 
 #include "experiments/cases/method.h"
+#include "experiments/cell/simulation/method_comparison.h"
 #include "experiments/methods/registry.h"
-#include "geometry/contact/thesis.h"
 #include "robust/filtered/filtered.h"
 
 namespace touchstone::thesis_figures {
 namespace {
 
-using namespace kinematics;
-
-/// A face with every method's view of it.
-struct AskedFace {
-  explicit AskedFace(const Polygon& polygon) : truth(polygon) {
-    for (const std::string_view name : kMethods) prepared.push_back(methods::find_method(name)->prepare(polygon));
-  }
-
-  [[nodiscard]] bool contact(std::size_t method, const Ball& ball) const {
-    return prepared[method]->ask(ball, cases::QueryKind::Contact).contact.value();
-  }
-
-  filtered::PreparedPolygon truth;
-  std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;
-};
-
-std::vector<AskedFace> asked(const std::vector<Polygon>& faces) {
-  std::vector<AskedFace> all;
-  for (const Polygon& face : faces) all.emplace_back(face);
+std::vector<Polygon> polygons_of(const scene::Faces& faces) {
+  std::vector<Polygon> all;
+  for (const Triangle& t : faces.triangles) all.push_back(Polygon({t.a, t.b, t.c}));
+  all.insert(all.end(), faces.polygons.begin(), faces.polygons.end());
   return all;
 }
 
-/// The face of `faces` that the ball is deepest in, as the exact answer has it.
-std::size_t deepest(const std::vector<AskedFace>& faces, const Ball& ball) {
-  std::size_t deepest = 0;
-  const auto distance = [&](std::size_t i) { return filtered::answer(ball, faces[i].truth).distance; };
+/// The face that is nearest to a ball's centre.
+std::size_t nearest(const std::vector<Polygon>& faces, const Ball& ball) {
+  std::size_t nearest = 0;
+  const auto distance = [&](std::size_t i) {
+    return filtered::answer(ball, filtered::PreparedPolygon(faces[i])).distance;
+  };
   for (std::size_t i = 1; i < faces.size(); ++i)
-    if (distance(i) < distance(deepest)) deepest = i;
-  return deepest;
+    if (distance(i) < distance(nearest)) nearest = i;
+  return nearest;
+}
+
+bool by_thesis(const Ball& ball, const std::vector<Polygon>& faces) {
+  return std::ranges::any_of(faces, [&](const Polygon& face) {
+    return methods::find_method("thesis")->prepare(face)->ask(ball, cases::QueryKind::Contact).contact.value();
+  });
+}
+
+/// In words, where a face of the material in a slot is, by the direction of its normal in the station's frame.
+std::string words_of(const Polygon& face, const Pose& station) {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < face.vertex_count(); ++i)
+    normal += (face.vertex(i) - face.vertex(0)).cross(face.vertex(face.next(i)) - face.vertex(0));
+  const Eigen::Vector3d out = station.rotation.transpose() * normal;
+  Eigen::Index axis = 0;
+  out.cwiseAbs().maxCoeff(&axis);
+  if (axis == 2) return out.z() > 0 ? "upper face" : "underside";
+  if (axis == 0) return out.x() > 0 ? "side away from the base" : "side towards the base";
+  return out.y() > 0 ? "counter-clockwise side" : "clockwise side";
+}
+
+/// The sphere of an arm whose joint has turned by so many degrees of a move, as the process has it at the stop.
+Ball sphere_at(const cell::Workcell& workcell, const cell::Stop& stop, const cell::Move& move, double degrees) {
+  kinematics::Angles angles = stop.commanded;
+  angles[move.joint] += degrees - move.degrees;
+  return workcell.arm().sphere_at(angles);
 }
 
 }  // namespace
 
-std::string face_words(std::size_t face) {
-  constexpr std::array<const char*, 6> words{"underside",
-                                             "upper face",
-                                             "side towards the base",
-                                             "side away from the base",
-                                             "clockwise side",
-                                             "counter-clockwise side"};
-  return words.at(face);
+std::size_t CaseStudy::moves_to_machine() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      process.moves, [](const cell::Move& move) { return move.phase <= cell::Phase::ToMachine; }));
 }
 
-CaseStudy study_case(const Layout& layout, std::size_t number) {
-  CaseStudy study{layout.storage(number, kCases.at(number).storage_angle), {}, {}, {}};
-  study.path = simulate(layout, study.storage);
-  const Chain chain = aristo(layout.coupling);
-  Angles angles = home_pose(layout);
-  bool gripped = false;
-  const auto remember = [&](const std::string& name) {
-    study.moments.push_back(
-        {fmt::format("case {}, {}", number + 1, name), angles, gripped, chain.place(angles, sphere_center(layout))});
-  };
-  remember("home");
-  const auto in_storage = asked(material_in_storage(layout, study.storage));
-  const auto at_machine = asked(material_at_machine(layout));
+double CaseStudy::net(cell::Moved joint) const {
+  return process.turned(joint, cell::Phase::ToStorage) + process.turned(joint, cell::Phase::ToMachine);
+}
 
-  for (std::size_t i = 0; i < study.path.moves.size(); ++i) {
-    const Move& move = study.path.moves[i];
-    const int sign = move.degrees < 0 ? -1 : 1;
-    const auto ball_at = [&](double degrees) {
-      Angles there = angles;
-      there[move.joint] += sign * degrees;
-      return Ball{chain.place(there, sphere_center(layout)), layout.sphere_radius};
-    };
-    const int length = std::abs(move.degrees);
-    for (int degrees = 1; degrees <= length; ++degrees) {
-      const Ball ball = ball_at(degrees);
-      for (const auto* faces : {&in_storage, &at_machine}) {
-        if (gripped && faces == &in_storage) continue;
-        for (const AskedFace& face : *faces) {
-          const bool touches = filtered::contact(ball, face.truth);
-          ++study.asked;
-          for (std::size_t m = 0; m < kMethods.size(); ++m) study.wrong[m] += face.contact(m, ball) != touches;
-        }
-      }
-    }
-    if (move.until == Until::Contact) {
-      const auto& faces = gripped ? at_machine : in_storage;
-      const Ball at = ball_at(length), before = ball_at(length - 1);
-      const std::size_t face = deepest(faces, at);
-      const auto by_thesis = [&](const Ball& ball) {
-        return std::ranges::any_of(faces, [&](const AskedFace& asked) { return asked.contact(0, ball); });
-      };
-      study.stops.push_back({i, face, filtered::answer(at, faces[face].truth),
-                             filtered::answer(before, faces[face].truth), at.center,
-                             ball_at(std::abs(move.exact)).center, before.center, by_thesis(at), by_thesis(before)});
-      gripped = true;
-    }
-    angles[move.joint] += move.degrees;
-    remember(fmt::format("move {}", i + 1));
+CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
+                     const std::shared_ptr<const std::vector<cell::Covered>>& covered, std::size_t number) {
+  using cell::StationSlot;
+  CaseStudy study{cell, {}, {}, {}, {}, {}};
+  const cell::Workcell workcell(cell, parts, covered);
+  Pose copy = workcell.at(StationSlot::Machine).pose;
+  copy.translation.z() += cell.material.drop;
+  study.places = {workcell.at(StationSlot::Storage).pose, copy};
+  study.process = cell::simulate(workcell);
+  study.snapshots = cell::browser::snapshots_of(workcell, study.process);
+  const auto& stops = study.process.stops;
+  const auto& moves = study.process.moves;
+  if (!stops.empty()) study.moments.push_back({fmt::format("case {}, home", number + 1), 0});
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    const bool last = i + 1 == stops.size() || stops[i + 1].move != stops[i].move;
+    if (!last || stops[i].move >= moves.size()) continue;
+    study.moments.push_back({fmt::format("case {}, move {}", number + 1, stops[i].move + 1), i});
+    const cell::Move& move = moves[stops[i].move];
+    if (move.until != cell::Until::Contact || move.phase > cell::Phase::ToMachine) continue;
+    const bool at_machine = move.phase == cell::Phase::ToMachine;
+    const cell::Workplace& place = workcell.at(at_machine ? StationSlot::Machine : StationSlot::Storage);
+    const std::vector<Polygon> faces = polygons_of(at_machine ? place.virtual_faces : place.faces);
+    const double step = move.degrees < 0 ? -cell.step : cell.step;
+    const Ball at = stops[i].sphere, before = sphere_at(workcell, stops[i], move, move.degrees - step);
+    const std::size_t face = nearest(faces, at);
+    const filtered::PreparedPolygon prepared(faces[face]);
+    study.stops.push_back({stops[i].move, words_of(faces[face], place.pose), filtered::answer(at, prepared),
+                           filtered::answer(before, prepared), at.center,
+                           sphere_at(workcell, stops[i], move, move.exact).center, before.center, by_thesis(at, faces),
+                           by_thesis(before, faces)});
   }
+  std::vector<const cases::Method*> methods;
+  for (const std::string_view name : kMethods) methods.push_back(methods::find_method(name));
+  const cell::MethodComparison comparison = cell::compare_methods(workcell, study.process, methods, false);
+  study.asked = comparison.met;
+  for (std::size_t m = 0; m < kMethods.size(); ++m)
+    study.wrong[m] = comparison.scores[m].wrong_hits + comparison.scores[m].wrong_misses;
   return study;
 }
 

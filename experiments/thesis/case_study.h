@@ -4,47 +4,52 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "experiments/cell/kinematics/simulated_path.h"
+#include "experiments/cell/browser/recording.h"
+#include "experiments/cell/simulation/process.h"
 #include "experiments/thesis/flowchart.h"
 #include "geometry/contact/answer.h"
 
 namespace touchstone::thesis_figures {
 
-/// The state of the arm after a move of a case study.
+/// The cell after a move of a case study.
 struct Moment {
-  std::string name;              ///< `case 1, home`, `case 1, move 2`
-  kinematics::Angles commanded;  ///< of every joint
-  bool gripped;                  ///< whether the hand carries the material
-  Eigen::Vector3d sphere;        ///< its centre in the cell
+  std::string name;  ///< `case 1, home`, `case 1, move 2`
+  std::size_t stop;  ///< of the process
 };
 
 /// The end of a move that stops at contact: the touched face, tested at the stop and one step before.
 struct Stop {
   std::size_t move;
-  std::size_t face;  ///< of the material: 0 underside, 1 upper face, 2 towards the base, 3 away, 4 and 5 clockwise
-                     ///< and counter-clockwise round the base
+  std::string face;  ///< of the material, in words: `upper face`, `counter-clockwise side`, ...
   Answer at, before;
   Eigen::Vector3d center_at, center_first,
       center_before;              ///< the sphere's, at the stop, at first contact, a step before
   bool thesis_at, thesis_before;  ///< whether the thesis's method finds contact with any face
 };
-/// Describes the face in a few words.
-[[nodiscard]] std::string face_words(std::size_t face);
 
-/// One of the two case studies of chapter 6.
+/// One of the two case studies of chapter 6: the whole process of the cell, from home by storage and machine back.
 struct CaseStudy {
-  kinematics::Station storage;
-  kinematics::SimulatedPath path;
-  std::vector<Moment> moments;  ///< home, then after each move
-  std::vector<Stop> stops;
-  std::uint64_t asked = 0;                             ///< pairs of ball and face, at every degree of every move
-  std::array<std::uint64_t, kMethods.size()> wrong{};  ///< wrong answers of each method
+  cell::Cell cell;
+  std::vector<Pose> places;  ///< of the material in storage and of its virtual copy at the machine
+  cell::Process process;
+  std::vector<cell::browser::Snapshot> snapshots;      ///< one for each stop
+  std::vector<Moment> moments;                         ///< home, then after each move
+  std::vector<Stop> stops;                             ///< the first contact in storage, and that at the machine
+  std::uint64_t asked = 0;                             ///< pairs of sphere and face that could touch: whose boxes meet
+  std::array<std::uint64_t, kMethods.size()> wrong{};  ///< wrong answers of each method to these
+
+  [[nodiscard]] std::size_t moves_to_machine() const;
+  /// Returns the sum of a joint's moves up to the machine.
+  [[nodiscard]] double net(cell::Moved joint) const;
 };
 
-/// Studies case 0 or 1 in a layout. If the simulation fails, there are no moves.
-[[nodiscard]] CaseStudy study_case(const kinematics::Layout& layout, std::size_t number);
+/// Studies a case in a cell. Requires a cover of its arm.
+[[nodiscard]] CaseStudy study_case(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
+                                   const std::shared_ptr<const std::vector<cell::Covered>>& covered,
+                                   std::size_t number);
 
 }  // namespace touchstone::thesis_figures

@@ -5,14 +5,12 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <variant>
 
 #include "experiments/methods/triangulate.h"
-#include "experiments/workloads/degrees.h"
 
 namespace touchstone::thesis_figures {
 namespace {
@@ -20,25 +18,6 @@ namespace {
 using nlohmann::ordered_json;
 
 Eigen::Vector3d moved(const Pose& pose, const Eigen::Vector3d& p) { return pose.rotation * p + pose.translation; }
-
-Pose after(const Pose& first, const Pose& then) {
-  return {first.rotation * then.rotation, moved(first, then.translation)};
-}
-
-Pose inverse(const Pose& pose) {
-  const Eigen::Matrix3d back = pose.rotation.transpose();
-  return {back, -(back * pose.translation)};
-}
-
-Pose station_pose(const kinematics::Station& station) {
-  const double c = workloads::cosine(station.azimuth), s = workloads::sine(station.azimuth);
-  Pose pose;
-  pose.rotation << c, -s, 0,  //
-      s, c, 0,                //
-      0, 0, 1;
-  pose.translation << station.radius * c, station.radius * s, station.height;
-  return pose;
-}
 
 ordered_json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -48,15 +27,6 @@ ordered_json numbers(const Pose& pose) {
     for (int column = 0; column < 3; ++column) list.push_back(pose.rotation(row, column));
   for (int row = 0; row < 3; ++row) list.push_back(pose.translation(row));
   return list;
-}
-
-/// Returns the poses of the links in the cell, the fixed one first.
-std::vector<Pose> link_poses(const cell::Robot& robot, const kinematics::Angles& commanded) {
-  std::vector<Pose> poses = chain_of(robot).frames(commanded);
-  poses.pop_back();  // the flange's is that of the last link
-  for (Pose& pose : poses) pose = after(robot.base, pose);
-  poses.insert(poses.begin(), robot.base);
-  return poses;
 }
 
 const Polygon& front_face(const std::vector<cell::ModelPart>& parts) {
@@ -75,15 +45,6 @@ const Polygon& front_face(const std::vector<cell::ModelPart>& parts) {
 
 }  // namespace
 
-kinematics::Chain chain_of(const cell::Robot& robot) {
-  std::vector<kinematics::Joint> joints;
-  for (const cell::Joint& joint : robot.joints)
-    joints.push_back({joint.name, joint.origin, joint.axis, joint.lower, joint.upper});
-  std::optional<std::size_t> driver;
-  if (!robot.couplings.empty()) driver = robot.couplings.front().leader;
-  return {std::move(joints), {}, driver};
-}
-
 stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
   const Polygon& face = front_face(parts);
   stability::Outline outline{"gripper", {}};
@@ -92,10 +53,8 @@ stability::Outline gripper_outline(const std::vector<cell::ModelPart>& parts) {
   return outline;
 }
 
-Polygon gripper_face(const cell::Cell& cell, const std::vector<cell::ModelPart>& parts,
-                     const kinematics::Angles& commanded) {
+Polygon gripper_face(const std::vector<cell::ModelPart>& parts, const Pose& flange) {
   const Polygon& face = front_face(parts);
-  const Pose flange = link_poses(cell.robot, commanded).back();
   Loop loop;
   for (std::size_t i = 0; i < face.vertex_count(); ++i) loop.push_back(moved(flange, face.vertex(i)));
   return Polygon(loop);
@@ -147,34 +106,24 @@ ordered_json drawn_primitives(const std::vector<cell::Part>& parts) {
   return all;
 }
 
-ordered_json drawn_moments(const cell::Cell& cell, const CaseStudy& study) {
+ordered_json drawn_moments(const CaseStudy& study) {
   ordered_json all = ordered_json::object();
-  const auto& slots = cell.storage.slots;
-  kinematics::Station storage = study.storage;
-  // A simulated path counts heights from the material's underside, a cell file from the station's deck.
-  storage.height -= slots[cell.material.slot].place.z();
-  const Pose storage_pose = station_pose(storage);
-  const Pose machine_pose = station_pose({cell.machine.azimuth(), cell.machine.radius, cell.machine.height});
-  Pose material = storage_pose;
-  material.translation = moved(storage_pose, slots[cell.material.slot].place);
-  Pose at_machine = machine_pose;
-  at_machine.translation = moved(machine_pose, cell.machine.slots[cell.material.machine_slot].place);
-
-  std::optional<Pose> in_hand;
+  const ordered_json storage = numbers(cell::pose_of(study.cell.storage)),
+                     machine = numbers(cell::pose_of(study.cell.machine)), copy = numbers(study.places[1]);
   for (const Moment& moment : study.moments) {
-    const std::vector<Pose> links = link_poses(cell.robot, moment.commanded);
-    if (moment.gripped && !in_hand) in_hand = after(inverse(links.back()), material);
+    const cell::browser::Snapshot& now = study.snapshots[moment.stop];
+    const cell::Stop& stop = study.process.stops[moment.stop];
     ordered_json poses = ordered_json::array();
-    for (const Pose& link : links) poses.push_back(numbers(link));
+    for (const Pose& link : now.links) poses.push_back(numbers(link));
     all[moment.name] = {{"links", poses},
-                        {"storage", numbers(storage_pose)},
-                        {"machine", numbers(machine_pose)},
-                        {"material", numbers(in_hand ? after(links.back(), *in_hand) : material)},
-                        {"virtual_material", numbers(at_machine)},
-                        {"gripped", moment.gripped},
-                        {"sphere", point(moved(links.back(), cell.gripper.sphere.center))},
-                        {"sphere_radius", cell.gripper.sphere.radius},
-                        {"commanded", moment.commanded}};
+                        {"storage", storage},
+                        {"machine", machine},
+                        {"material", numbers(now.material)},
+                        {"virtual_material", copy},
+                        {"gripped", now.slot != cell::StationSlot::Storage},
+                        {"sphere", point(stop.sphere.center)},
+                        {"sphere_radius", stop.sphere.radius},
+                        {"commanded", stop.commanded}};
   }
   return all;
 }

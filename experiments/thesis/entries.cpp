@@ -26,12 +26,19 @@ std::vector<Entry> EntryList::all() && {
 }
 
 double moved(const CaseStudy& study, std::size_t move, kinematics::AristoJoint joint) {
-  const auto& moves = study.path.moves;
-  if (move >= moves.size() || moves[move].joint != joint) return std::numeric_limits<double>::quiet_NaN();
+  const auto& moves = study.process.moves;
+  if (move >= study.moves_to_machine() || std::size_t{moves[move].joint} != joint)
+    return std::numeric_limits<double>::quiet_NaN();
   return moves[move].degrees;
 }
 
 Number captioned(std::string what, double degrees, int stated) {
+  Number number = beside(found(std::move(what), "°", degrees, true), Label::Text, stated);
+  number.basis = Basis::Fitted;
+  return number;
+}
+
+Number set_angle(std::string what, double degrees, int stated) {
   return beside(found(std::move(what), "°", degrees, true), Label::Text, stated);
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/cell/kinematics/aristo.h"
 #include "experiments/thesis/entry.h"
 #include "experiments/thesis/study.h"
 
@@ -40,5 +41,7 @@ void add_known_errors(const Study& study, EntryList& entries);
 [[nodiscard]] double moved(const CaseStudy& study, std::size_t move, kinematics::AristoJoint joint);
 /// Returns a move's angle as a caption has it: without a sign, in the direction that `what` names.
 [[nodiscard]] Number captioned(std::string what, double degrees, int stated);
+/// The same for the storage's angle, which is not a result but set.
+[[nodiscard]] Number set_angle(std::string what, double degrees, int stated);
 
 }  // namespace touchstone::thesis_figures

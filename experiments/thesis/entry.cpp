@@ -2,10 +2,16 @@
 #include "experiments/thesis/entry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace touchstone::thesis_figures {
+
+std::string_view to_string(Basis basis) {
+  constexpr std::array<std::string_view, 4> words{"fitted", "input", "own check", "other source"};
+  return words[static_cast<std::size_t>(basis)];
+}
 
 std::optional<bool> Number::agrees() const {
   if (!stated) return std::nullopt;
@@ -34,6 +40,7 @@ Number beside(Number ours, Label label, double stated, double tolerance) {
   ours.stated = stated;
   ours.tolerance = tolerance;
   ours.label = label;
+  ours.basis = label == Label::Text ? Basis::Input : label == Label::Source ? Basis::OtherSource : Basis::OwnCheck;
   return ours;
 }
 

@@ -15,6 +15,16 @@ namespace touchstone::thesis_figures {
 
 using cell::Label;
 
+/// Why a stated number agrees with ours.
+enum class Basis {
+  Fitted,       ///< a caption states it, and the layout was solved for it
+  Input,        ///< a caption states it, and the cell was built with it
+  OwnCheck,     ///< arithmetic or the exact answer says it: a test of this project
+  OtherSource,  ///< another source says it
+};
+/// `fitted`, `input`, `own check`, `other source`.
+[[nodiscard]] std::string_view to_string(Basis basis);
+
 /// A number that an entry reproduces.
 struct Number {
   std::string what, unit;
@@ -25,6 +35,7 @@ struct Number {
   std::optional<double> stated{};              ///< as stated in the thesis or elsewhere, or as derived
   double tolerance = 0;                        ///< the largest difference that counts as agreement
   std::optional<Label> label{};                ///< the source of the stated number
+  std::optional<Basis> basis{};                ///< set with the stated number
 
   /// Returns whether ours agrees with the stated number; nothing if none is stated.
   [[nodiscard]] std::optional<bool> agrees() const;
@@ -34,7 +45,7 @@ struct Number {
 [[nodiscard]] Number found(std::string what, std::string unit, double ours, bool chosen);
 /// Returns a share in percent of random samples, with its limits.
 [[nodiscard]] Number share(std::string what, std::uint64_t count, std::uint64_t samples, bool chosen);
-/// Returns the number with a stated counterpart.
+/// Returns the number with a stated counterpart, whose basis is by its label Input, OtherSource or OwnCheck.
 [[nodiscard]] Number beside(Number ours, Label label, double stated, double tolerance = 0);
 
 enum class Status {

@@ -7,6 +7,8 @@
 #include <set>
 #include <variant>
 
+#include "experiments/cell/model/reach.h"
+#include "experiments/cell/simulation/arm.h"
 #include "experiments/thesis/drawn_cell.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/workloads/degrees.h"
@@ -148,7 +150,7 @@ void add_robot(const Study& study, EntryList& entries) {
   const auto revolute = std::ranges::count(study.cell.robot.joints, cell::Joint::Kind::Revolute, &cell::Joint::kind);
   entries.add("5.8", Status::WithChosen,
               "Each link moves with the one before it. The Aristo has six revolute axes; that the forearm keeps its "
-              "elevation while the shoulder turns is chosen.",
+              "elevation while the shoulder turns, and the hand stays level, is chosen.",
               {beside(found("revolute axes", "", static_cast<double>(revolute), false), Label::Source, 6)},
               "A chain from the base through six links to the gripper, a joint between each two, with its axis and "
               "limits.");
@@ -176,13 +178,16 @@ void add_robot(const Study& study, EntryList& entries) {
   double off_plane = 0;
   for (const cell::ModelPart& part : study.parts)
     if (part.carrier == cell::Carrier::Link) off_plane = std::max(off_plane, part.faces.off_plane());
-  entries.add("5.11", Status::WithChosen, "All links at the chosen home pose, with the gripper.",
-              {found("faces of the robot, without the gripper", "", count(faces(study, cell::Carrier::Link)), true),
-               found("furthest that a vertex is off its face's plane", "mm", off_plane, true)},
-              "The whole robot, shaded: base, shoulder, upper arm leaning forward, forearm level, the hand with the "
-              "gripper pointing down.");
+  entries.add(
+      "5.11", Status::WithChosen, "All links at the chosen home pose, with the gripper.",
+      {found("faces of the robot, without the gripper", "", count(faces(study, cell::Carrier::Link)), true),
+       found("furthest that a vertex is off its face's plane", "mm", off_plane, true)},
+      "The whole robot, shaded: base, shoulder, upper arm leaning forward, forearm sloping down, the hand with the "
+      "gripper pointing down.");
 
-  const auto frames = chain_of(study.cell.robot).frames(Angles(6, 0.0));
+  const cell::Arm arm = cell::arm_of(study.cell);
+  // Level hands turn the wrist back: at the table's home pose, all angles 0, they do not.
+  const auto frames = arm.chain.frames(Angles(6, 0.0));
   const auto at = [&](std::size_t joint) { return frames[joint].translation; };
   const double reach = kUpperArm + kForearm + kHand;
   entries.add(
@@ -221,65 +226,95 @@ void add_robot(const Study& study, EntryList& entries) {
        found("vice's jaws above the floor", "mm", study.cell.machine.height + 25, true)});
 }
 
+/// The floor area of the places that complete, in m².
+double area_of(const std::vector<cell::Tried>& places, const Settings& settings) {
+  const double of_one = settings.radius_step * settings.angle_step / 57.29577951308232 * 1e-6;
+  double sum = 0;
+  for (const cell::Tried& place : places)
+    if (!place.cause) sum += place.radius * of_one;
+  return sum;
+}
+
+void add_area(const Study& study, EntryList& entries) {
+  const auto completes = [](const cell::Tried& place) { return !place.cause; };
+  std::vector<Number> area;
+  std::set<double> angles;
+  for (const cell::Tried& place : study.area)
+    if (completes(place)) angles.insert(place.angle);
+  area.push_back(
+      found("floor area in which the storage's axis may stand", "m²", area_of(study.area, study.settings), true));
+  area.push_back(
+      found("places that complete", "", static_cast<double>(std::ranges::count_if(study.area, completes)), true));
+  area.push_back(found("places tried", "", count(study.area.size()), true));
+  if (!angles.empty()) {
+    area.push_back(found("least angle at which some radius completes", "°", *angles.begin(), true));
+    area.push_back(found("largest angle at which some radius completes", "°", *angles.rbegin(), true));
+  }
+  area.push_back(found("floor area by the sphere alone", "m²", area_of(study.area_of_sphere, study.settings), true));
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < study.area.size(); ++i)
+    differing += completes(study.area[i]) != completes(study.area_of_sphere[i]);
+  area.push_back(found("places where the sphere alone says otherwise", "", count(differing), true));
+  const auto both =
+      std::ranges::count_if(study.cases, [](const CaseStudy& its) { return its.process.failure.empty(); });
+  area.push_back(beside(found("of the two cases' places, those that complete", "", static_cast<double>(both), true),
+                        Label::Derived, 2));
+  entries.add(
+      "5.22", Status::WithChosen,
+      fmt::format("The whole process, home to storage to machine and back, for the storage at every {} degrees and {} "
+                  "mm, at the chosen height, as `touchstone cell area` runs it: nothing may touch what it should not, "
+                  "and what is carried must arrive. The thesis's own rule tests the sphere alone; what it gives stands "
+                  "beside.",
+                  study.settings.angle_step, study.settings.radius_step),
+      std::move(area),
+      "The floor from above: where the storage's axis may stand, and why not elsewhere: out of reach, beyond a joint's "
+      "limit, not between the fingers, let go too far from its place, or something in the way.");
+}
+
 void add_reconfiguration(const Study& study, EntryList& entries) {
-  const Layout& layout = study.layout;
   const auto& [first, second] = study.cases;
-  entries.add("5.17", Status::WithChosen,
-              "The cell from above. The storage may stand at any angle, radius and height; these are the chosen ones, "
-              "at the first case's angle.",
-              {found("storage's angle", "°", study.cell.storage.angle, true),
-               found("storage's radius", "mm", study.cell.storage.radius, true),
-               found("height of the material's underside in storage", "mm", layout.storage_height[0], true),
-               beside(found("machine's angle, clockwise from home", "°", -study.cell.machine.azimuth(), true),
-                      Label::Derived, 83),
-               found("machine's radius", "mm", study.cell.machine.radius, true)},
-              "The cell from above: robot, storage with three slots, machine, the circle in which the robot's body "
-              "turns, and the arm at home.");
+  const cell::Station& storage = study.cell.storage;
+  entries.add(
+      "5.17", Status::WithChosen,
+      "The cell from above. The storage may stand at any angle, radius and height; these are the chosen ones, "
+      "at the first case's angle.",
+      {found("storage's angle", "°", storage.angle, true), found("storage's radius", "mm", storage.radius, true),
+       found("height of the storage's deck", "mm", storage.height, true),
+       beside(found("machine's angle, clockwise from home", "°", -study.cell.machine.azimuth(), true), Label::Derived,
+              83),
+       found("machine's radius", "mm", study.cell.machine.radius, true)},
+      "The cell from above: robot, storage with three slots, machine, the circle in which the robot's body "
+      "turns, and the arm at home.");
 
   const Stretch run = longest_stretch(study.radii);
   std::vector<Number> close, far;
-  const double by = study.settings.radius_scan;
-  const std::string step = fmt::format("{:g} mm", by);
-  std::string too_far;
-  double reach_ends = 0;
+  const std::string step = fmt::format("{} mm", study.settings.radius_scan);
+  std::string too_far, too_close;
   if (!run.empty()) {
-    close.push_back(beside(found("least radius that completes, by " + step, "mm", study.radii[run.first].radius, true),
-                           Label::Derived, std::ceil(study.plan.least_radius()), by - 1));
+    const auto& radii = study.radii;
+    close.push_back(found("least radius that completes, by " + step, "mm", radii[run.first].radius, true));
     close.push_back(found("circle in which the robot's body turns", "mm", study.plan.body, true));
     close.push_back(found("from the storage's axis to its near side", "mm", -study.plan.storage.min().x(), true));
-    far.push_back(found("largest radius that completes, by " + step, "mm", study.radii[run.last].radius, true));
-    if (run.last + 1 < study.radii.size())
-      too_far = fmt::format(" {} further: {}.", step, study.radii[run.last + 1].failure);
-    const auto out = std::ranges::find(study.radii, Outcome::OutOfReach, &StoragePosition::outcome);
-    if (out != study.radii.end()) reach_ends = out->radius;
+    far.push_back(found("largest radius that completes, by " + step, "mm", radii[run.last].radius, true));
+    if (run.first > 0) too_close = fmt::format(" {} closer: {}.", step, radii[run.first - 1].reason);
+    if (run.last + 1 < radii.size()) too_far = fmt::format(" {} further: {}.", step, radii[run.last + 1].reason);
   }
-  // From the side: the centre is beside the station's axis and level with half of the material.
-  const double second_link = std::hypot(kForearm, kHand + layout.sphere_distance);
-  const double up = layout.storage_height[0] + layout.side / 2 - kShoulderHeight;
-  const double beside_axis = layout.sphere_radius - layout.gap;
-  const double limit = std::sqrt(std::pow(kUpperArm + second_link, 2) - up * up - beside_axis * beside_axis);
-  if (reach_ends > 0)
-    far.push_back(beside(found("least radius out of the arm's reach, by " + step, "mm", reach_ends, true),
-                         Label::Derived, std::floor(limit) + 1, by - 1));
-  far.push_back(found("reach of the sphere's centre from the shoulder's axis", "mm", kUpperArm + second_link, true));
+  const cell::Reach reach = cell::reach_of(study.cell);
+  far.push_back(found("reach of the sphere's centre from the shoulder's axis, at most", "mm", reach.outer, true));
   entries.add("5.18", Status::WithChosen,
-              fmt::format("Too close: seen from above, the storage would stand in the circle in which the robot's body "
-                          "turns. At a radius of 200 mm: {}.",
-                          try_position(layout, study.plan, 1, 200, layout.storage_height[0]).failure),
+              fmt::format("Too close: the process does not complete. At a radius of 200 mm: {}.{}",
+                          cell::try_place(study.cell, study.parts, study.covered, {}, 1, 200, storage.height).reason,
+                          too_close),
               std::move(close),
               "The cell from above with the storage at a radius of 200 mm: it overlaps the circle in which the robot's "
               "body turns.");
-  entries.add("5.19", Status::WithChosen,
-              "Too far, in two ways: beyond the first radius the way to the machine is no longer free, beyond the "
-              "second the arm ends." +
-                  too_far,
+  entries.add("5.19", Status::WithChosen, "Too far: beyond this radius the process does not complete." + too_far,
               std::move(far),
               "The cell from above with the storage at a radius of 720 mm, beyond the circle that the sphere can "
               "reach at that height.");
   const auto position = [&](const CaseStudy& its, int moves) -> std::vector<Number> {
-    return {found("angle", "°", its.storage.azimuth - kStorageHome, true),
-            found("radius", "mm", its.storage.radius, true),
-            beside(found("moves that complete the way to the machine", "", count(its.path.moves.size()), true),
+    return {found("angle", "°", its.cell.storage.angle, true), found("radius", "mm", its.cell.storage.radius, true),
+            beside(found("moves that complete the way to the machine", "", count(its.moves_to_machine()), true),
                    Label::Derived, moves)};
   };
   entries.add("5.20", Status::WithChosen,
@@ -289,78 +324,49 @@ void add_reconfiguration(const Study& study, EntryList& entries) {
               "Where the thesis's position 2 is, its caption does not say; this is the storage of the second case. Its "
               "moves are six that captions name and the lift that follows from them.",
               position(second, 7), "The cell in perspective with the storage at minus 33 degrees, the arm at home.");
-
-  std::vector<Number> area;
-  double complete = 0;
-  std::uint64_t places = 0;
-  std::set<double> angles;
-  const double cell = study.settings.radius_step * study.settings.angle_step / 57.29577951308232 * 1e-6;
-  for (const StoragePosition& place : study.area)
-    if (completes(place.outcome)) {
-      complete += place.radius * cell;
-      ++places;
-      angles.insert(place.angle);
-    }
-  area.push_back(found("floor area in which the storage's axis may stand", "m²", complete, true));
-  area.push_back(found("places that complete", "", static_cast<double>(places), true));
-  area.push_back(found("places tried", "", count(study.area.size()), true));
-  if (!angles.empty()) {
-    area.push_back(found("least angle at which some radius completes", "°", *angles.begin(), true));
-    area.push_back(found("largest angle at which some radius completes", "°", *angles.rbegin(), true));
-  }
-  const auto both = std::ranges::count_if(study.cases, [&](const CaseStudy& its) {
-    const Station& s = its.storage;
-    return completes(try_position(layout, study.plan, s.azimuth - kStorageHome, s.radius, s.height).outcome);
-  });
-  area.push_back(beside(found("of the two cases' places, those that complete", "", static_cast<double>(both), true),
-                        Label::Derived, 2));
-  entries.add(
-      "5.22", Status::WithChosen,
-      fmt::format("A rehearsal of the whole way, home to storage to machine, for the storage at every {} degrees "
-                  "and {} mm, at the chosen height. It asks about the sphere alone; robot, storage and machine "
-                  "are kept apart as seen from above.",
-                  study.settings.angle_step, study.settings.radius_step),
-      std::move(area),
-      "The floor from above: where the storage's axis may stand, and why not elsewhere: on the robot, on the "
-      "machine, out of reach, beyond a joint's limit, or something in the way.");
+  add_area(study, entries);
 
   const auto pose = [&](const CaseStudy& its, std::size_t moment) -> std::vector<Number> {
     if (moment >= its.moments.size()) return {};
-    const Eigen::Vector3d& at = its.moments[moment].sphere;
+    const Eigen::Vector3d& at = its.process.stops[its.moments[moment].stop].sphere.center;
     return {found("sphere's centre, x", "mm", at.x(), true), found("y", "mm", at.y(), true),
             found("z", "mm", at.z(), true)};
   };
+  const auto& joints = study.cell.robot.joints;
   entries.add("5.23", Status::WithChosen,
-              fmt::format("The chosen home pose: the upper arm leans {:g} degrees forward.", layout.home.lean),
+              fmt::format("The chosen home pose: the upper arm leans {:g} degrees forward, the forearm slopes down by "
+                          "{:g}. With a level forearm the hand would go through the machine's vice on its way to the "
+                          "storage.",
+                          joints[1].home, -joints[2].home),
               pose(first, 0), "The cell in perspective, the arm at home.");
   entries.add("5.24", Status::WithChosen, "The first case, after the base's turn to the storage.", pose(first, 2),
               "The cell in perspective, the gripper at the material in storage.");
   entries.add("5.25", Status::WithChosen,
-              "The first case, after the shoulder's way down at the machine. The wrist is locked, so that the hand is "
-              "tilted with "
-              "the forearm, and the material with it.",
-              pose(first, 5), "The cell in perspective, the gripper with the material at the machine's vice.");
+              "The first case, after the shoulder's way down at the machine. The hand stays level: the wrist makes up "
+              "for the forearm.",
+              pose(first, 5), "The cell in perspective, the gripper and the material at the machine's vice.");
   entries.add("5.26", Status::WithChosen,
-              "The way to the machine gone back: after the shoulder has risen again by the 28 degrees that it came "
-              "down. The captions of chapter 6 end at the machine; angles of the way back are not public.",
-              pose(first, 4), "The cell in perspective, the gripper with the material above the machine's vice.");
+              "The first case, once the milled piece is gripped again and the shoulder has risen to where it is at "
+              "home. The captions of chapter 6 end at the machine; angles of the way back are not public.",
+              pose(first, 8), "The cell in perspective, the gripper with the material above the machine's vice.");
 }
 
 void add_process(const Study& study, EntryList& entries) {
   const auto& [first, second] = study.cases;
   const auto steps = [](const CaseStudy& its) {
     double sum = 0;
-    for (const Move& move : its.path.moves) sum += std::abs(move.degrees);
+    for (std::size_t i = 0; i < its.moves_to_machine(); ++i) sum += std::abs(its.process.moves[i].degrees);
     return sum;
   };
   entries.add(
       "5.2", Status::WithChosen,
       "The process as chapter 1 tells it: the robot picks the part from the storage, loads it onto the machine, "
-      "and brings it back. The moves are those of the first case; its way back is the same moves reversed.",
-      {beside(found("moves from home to the machine, first case", "", count(first.path.moves.size()), true),
-              Label::Text, 5)},
+      "and brings it back. The moves are those of the first case, the whole process.",
+      {beside(found("moves from home to the machine, first case", "", count(first.moves_to_machine()), true),
+              Label::Derived, 5),
+       found("moves of the whole process", "", count(first.process.moves.size()), true)},
       "A flow chart: home, elbow down 3, base 149 clockwise to contact, grip, elbow up 38, base 66 back, "
-      "shoulder down 28 to contact, place, mill, and back to the storage.");
+      "shoulder down 28 to contact, place, withdraw, mill, grip again, back to the storage, home.");
   entries.add("5.5", Status::WithChosen,
               "What every joint does on the way from home to the machine, move by move, in both cases.",
               {found("steps of 1°, first case", "", steps(first), true),

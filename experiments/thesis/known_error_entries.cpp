@@ -253,7 +253,7 @@ void add_known_errors(const Study& study, EntryList& entries) {
       fmt::format("The arm is looked at after every whole degree, not between. Random moves of one joint through thin "
                   "sheets: the first contact is certified, the stops are asked exactly. In the case studies nothing "
                   "is passed over: the sphere is {:g} mm wide. `touchstone cell missed` has more of this.",
-                  2 * study.layout.sphere_radius),
+                  2 * study.cell.gripper.sphere.radius),
       std::move(passed),
       "The share of certified first contacts that steps pass over, against the step, a line for each radius "
       "of the sphere.");

@@ -4,9 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
+#include "experiments/cell/kinematics/aristo.h"
+#include "experiments/cell/model/bounds.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/thesis/drawn_cell.h"
@@ -62,6 +66,8 @@ const harness::Table<NumberRow>& numbers_csv() {
        {"stated", "the stated value", path(&NumberRow::number, &Number::stated)},
        {"tolerance", "the largest difference that counts as agreement",
         [](const NumberRow& row) { return row.number->stated ? std::optional(row.number->tolerance) : std::nullopt; }},
+       {"basis", "why they agree: `fitted`, `input`, `own check` or `other source`",
+        [](const NumberRow& row) { return row.number->basis ? to_string(*row.number->basis) : std::string_view(); }},
        {"label", "the source of the stated value",
         [](const NumberRow& row) {
           return row.number->stated ? std::string(1, static_cast<char>(*row.number->label)) : std::string();
@@ -78,19 +84,24 @@ ordered_json box(const Eigen::AlignedBox2d& b) {
 }
 
 ordered_json drawing(const Study& study) {
-  const Layout& layout = study.layout;
+  const cell::Cell& cell = study.cell;
   ordered_json moments = ordered_json::object(), outlines = ordered_json::object();
-  for (const CaseStudy& its : study.cases) moments.update(drawn_moments(study.cell, its));
+  for (const CaseStudy& its : study.cases) moments.update(drawn_moments(its));
   for (const stability::Outline& outline : study.outlines) outlines[std::string(outline.name)] = outline.corners;
   ordered_json joints = ordered_json::array(), links = ordered_json::array();
   for (const cell::Joint& joint : study.cell.robot.joints)
     joints.push_back({{"name", joint.name}, {"lower", joint.lower}, {"upper", joint.upper}, {"home", joint.home}});
   for (const cell::Link& link : study.cell.robot.links) links.push_back(link.name);
-  const Station machine = layout.machine();
   const auto& [first, second] = study.cases;
-  const auto station = [](const Station& s) {
-    return ordered_json{{"azimuth", s.azimuth}, {"radius", s.radius}, {"height", s.height}};
+  // The height of a station is that of the material in its slot.
+  const auto station = [](const cell::Station& s, std::size_t slot) {
+    return ordered_json{{"azimuth", s.azimuth()},
+                        {"radius", s.radius},
+                        {"height", s.height + s.slots[slot].place.z()},
+                        {"deck", s.height}};
   };
+  const Eigen::AlignedBox3d material = cell::bounds_of(cell.material.solid);
+  const double side = material.sizes().x();
   return {
       {"parts", drawn_parts(study.parts)},
       {"primitives",
@@ -102,11 +113,19 @@ ordered_json drawing(const Study& study) {
       {"outlines", outlines},
       {"plan", {{"body", study.plan.body}, {"storage", box(study.plan.storage)}, {"machine", box(study.plan.machine)}}},
       {"stations",
-       {{"storage 1", station(first.storage)}, {"storage 2", station(second.storage)}, {"machine", station(machine)}}},
-      {"material", {{"side", layout.side}, {"gap", layout.gap}}},
-      {"sphere_radius", layout.sphere_radius},
+       {{"storage 1", station(first.cell.storage, cell.material.slot)},
+        {"storage 2", station(second.cell.storage, cell.material.slot)},
+        {"machine", station(cell.machine, cell.material.machine_slot)}}},
+      {"material",
+       {{"side", side},
+        {"gap", -cell.storage.slots[cell.material.slot].place.y() - side / 2},
+        {"drop", cell.material.drop}}},
+      {"sphere_radius", cell.gripper.sphere.radius},
       {"reach",
-       {{"first", kUpperArm}, {"second", {kForearm, kHand + layout.sphere_distance}}, {"shoulder", kShoulderHeight}}}};
+       {{"first", kUpperArm},
+        {"second", kForearm},
+        {"down", kHand - cell.gripper.sphere.center.z()},
+        {"shoulder", kShoulderHeight}}}};
 }
 
 }  // namespace
@@ -136,7 +155,12 @@ std::vector<harness::TableDescription> tables() {
 
 std::string table(const std::vector<Entry>& entries) {
   std::vector<std::pair<std::string_view, std::size_t>> statuses;
-  std::size_t stated = 0, agreeing = 0;
+  struct Counts {
+    std::size_t stated = 0, agreeing = 0;
+  };
+  std::map<Basis, Counts> counts;
+  Counts of_errors;
+  std::set<std::pair<std::string, double>> captions;
   std::string differing;
   for (const Entry& entry : entries) {
     const auto same =
@@ -147,8 +171,10 @@ std::string table(const std::vector<Entry>& entries) {
       ++same->second;
     for (const Number& n : entry.numbers) {
       if (!n.stated) continue;
-      ++stated;
-      agreeing += *n.agrees();
+      Counts& its = entry.caption->page == 0 ? of_errors : counts[*n.basis];
+      ++its.stated;
+      its.agreeing += *n.agrees();
+      if (n.basis == Basis::Fitted) captions.insert({n.what.substr(0, n.what.find(' ')), *n.stated});
       if (!*n.agrees())
         differing += fmt::format("  {}: {}: {:.6g} {}, stated {:g} [{}]\n", entry.caption->id, n.what, n.ours, n.unit,
                                  *n.stated, static_cast<char>(*n.label));
@@ -157,8 +183,15 @@ std::string table(const std::vector<Entry>& entries) {
   std::ranges::sort(statuses, std::greater<>{}, &std::pair<std::string_view, std::size_t>::second);
   std::string text = fmt::format("{} figures and tables\n", entries.size());
   for (const auto& [words, count] : statuses) text += fmt::format("{:>5}  {}\n", count, words);
-  text += fmt::format("{} of {} stated numbers (T in the thesis, S elsewhere, D derived) are reproduced\n", agreeing,
-                      stated);
+  const auto line = [&](const Counts& its, const std::string& what) {
+    text += fmt::format("{} of {} agree: {}\n", its.agreeing, its.stated, what);
+  };
+  line(counts[Basis::Fitted],
+       fmt::format("angles of captions, {} different ones, for which the layout was solved", captions.size()));
+  line(counts[Basis::Input], "numbers of captions that the cell was built with");
+  line(counts[Basis::OtherSource], "numbers of other sources");
+  line(counts[Basis::OwnCheck], "tests of this project: arithmetic, and the exact answer");
+  line(of_errors, "known errors of the thesis's method, derived here");
   if (!differing.empty()) text += "otherwise:\n" + differing;
   return text;
 }

@@ -45,7 +45,7 @@ void add_diagrams_and_photographs(const Study& study, EntryList& entries) {
   const auto& [first, second] = study.cases;
   entries.add("6.3", Status::Photograph,
               "A photograph of the real cell. Its storage stands as in Fig. 6.2, where ours is drawn.",
-              {captioned("angle of the storage", study.cell.storage.angle, 1)});
+              {set_angle("angle of the storage", study.cell.storage.angle, 1)});
   entries.add("6.5", Status::Photograph, photograph("6.4"), {captioned("elbow down", -moved(first, 0, kElbow), 3)});
   entries.add("6.8", Status::Photograph, photograph("6.7"),
               {captioned("base clockwise", -moved(first, 1, kBase), 149)});

@@ -4,7 +4,11 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <memory>
 #include <utility>
+
+#include "experiments/cell/kinematics/aristo.h"
+#include "experiments/cell/simulation/arm.h"
 
 namespace touchstone::thesis_figures {
 namespace {
@@ -130,27 +134,27 @@ const harness::Table<FarAway>& far_csv() {
 
 struct PlaceRow {
   std::string_view scan;
-  const StoragePosition* place;
+  const cell::Tried* place;
 };
 
 const harness::Table<PlaceRow>& places_csv() {
   static const harness::Table<PlaceRow> table(
       "places.csv", "a place of the storage",
       {{"scan", "what is varied", &PlaceRow::scan},
-       {"angle_deg", "of the storage", path(&PlaceRow::place, &StoragePosition::angle)},
-       {"radius_mm", "from the robot's axis", path(&PlaceRow::place, &StoragePosition::radius)},
-       {"height_mm", "of the storage", path(&PlaceRow::place, &StoragePosition::height)},
-       {"outcome", "how the process ends", path(&PlaceRow::place, &StoragePosition::outcome)},
-       {"failure", "what fails", path(&PlaceRow::place, &StoragePosition::failure)}});
+       {"angle_deg", "of the storage", path(&PlaceRow::place, &cell::Tried::angle)},
+       {"radius_mm", "from the robot's axis", path(&PlaceRow::place, &cell::Tried::radius)},
+       {"height_mm", "of the storage", path(&PlaceRow::place, &cell::Tried::height)},
+       {"outcome", "how the process ends", [](const PlaceRow& row) { return outcome_of(*row.place); }},
+       {"failure", "what fails", path(&PlaceRow::place, &cell::Tried::reason)}});
   return table;
 }
 
 struct MoveRow {
   std::size_t number, move;
-  const Move* its;
+  const cell::Move* its;
 };
 
-std::string_view name_of(AristoJoint joint) {
+std::string_view name_of(cell::Moved joint) {
   constexpr std::array<std::string_view, 3> names{"base", "shoulder", "elbow"};
   return names.at(joint);
 }
@@ -161,10 +165,11 @@ const harness::Table<MoveRow>& moves_csv() {
       {{"case", "the case study", &MoveRow::number},
        {"move", "its number", &MoveRow::move},
        {"joint", "the joint", [](const MoveRow& row) { return name_of(row.its->joint); }},
-       {"until", "what ends the move", path(&MoveRow::its, &Move::until)},
-       {"degrees", "whole degrees", path(&MoveRow::its, &Move::degrees)},
-       {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::its, &Move::exact)},
-       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::its, &Move::margin)}});
+       {"phase", "the part of the process", path(&MoveRow::its, &cell::Move::phase)},
+       {"until", "what ends the move", path(&MoveRow::its, &cell::Move::until)},
+       {"degrees", "whole degrees", path(&MoveRow::its, &cell::Move::degrees)},
+       {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::its, &cell::Move::exact)},
+       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::its, &cell::Move::margin)}});
   return table;
 }
 
@@ -241,56 +246,60 @@ std::vector<TouchingRow> touching_rows(const Study& study) {
 
 std::vector<PlaceRow> place_rows(const Study& study) {
   std::vector<PlaceRow> rows;
-  const auto add = [&](const char* scan, const std::vector<StoragePosition>& places) {
-    for (const StoragePosition& place : places) rows.push_back({scan, &place});
+  const auto add = [&](const char* scan, const std::vector<cell::Tried>& places) {
+    for (const cell::Tried& place : places) rows.push_back({scan, &place});
   };
   add("area", study.area);
+  add("area, sphere alone", study.area_of_sphere);
   add("radii", study.radii);
   add("heights 1", study.heights[0]);
   add("heights 2", study.heights[1]);
+  add("heights 1, sphere alone", study.heights_of_sphere[0]);
+  add("heights 2, sphere alone", study.heights_of_sphere[1]);
   return rows;
 }
 
 std::vector<MoveRow> move_rows(const Study& study) {
   std::vector<MoveRow> rows;
   for (std::size_t i = 0; i < study.cases.size(); ++i) {
-    const auto& moves = study.cases[i].path.moves;
+    const auto& moves = study.cases[i].process.moves;
     for (std::size_t m = 0; m < moves.size(); ++m) rows.push_back({i + 1, m + 1, &moves[m]});
   }
   return rows;
 }
 
 /// Adds the joints and the sphere in the plane of the arm, whatever the base.
-void add_joints(const Layout& layout, const std::string& moment, double height, const Angles& commanded,
+void add_joints(const cell::Arm& arm, const std::string& moment, double height, const Angles& commanded,
                 std::vector<JointRow>& rows) {
   Angles in_plane = commanded;
-  in_plane[kBase] = 0;
-  const Chain chain = aristo(layout.coupling);
-  const auto frames = chain.frames(in_plane);
+  in_plane[kBase] = arm.home[kBase];
+  const auto frames = arm.chain.frames(in_plane);
   rows.push_back({moment, height, "shoulder", frames[kShoulder].translation});
   rows.push_back({moment, height, "elbow", frames[kElbow].translation});
   rows.push_back({moment, height, "wrist", frames[kWristPitch].translation});
   rows.push_back({moment, height, "flange", frames.back().translation});
-  rows.push_back({moment, height, "sphere", chain.place(in_plane, sphere_center(layout))});
+  rows.push_back({moment, height, "sphere", arm.sphere_at(in_plane).center});
 }
 
 std::vector<JointRow> side_rows(const Study& study) {
   std::vector<JointRow> rows;
+  const cell::Arm arm = cell::arm_of(study.cell);
   for (const CaseStudy& its : study.cases)
     for (const Moment& moment : its.moments)
-      add_joints(study.layout, moment.name, its.storage.height, moment.commanded, rows);
+      add_joints(arm, moment.name, its.cell.storage.height, its.process.stops[moment.stop].commanded, rows);
   for (std::size_t i = 0; i < study.heights.size(); ++i) {
     const Stretch run = longest_stretch(study.heights[i]);
     if (run.empty()) continue;
     for (const auto& [name, place] : {std::pair("lowest", run.first), std::pair("highest", run.last)}) {
-      Station storage = study.cases[i].storage;
-      storage.height = study.heights[i][place].height;
-      Angles angles = home_pose(study.layout);
-      for (const Move& move : simulate(study.layout, storage).moves) {
-        angles[move.joint] += move.degrees;
-        if (move.until == Until::Contact) break;
-      }
-      add_joints(study.layout, fmt::format("case {}, {}", i + 1, name), storage.height, angles, rows);
+      cell::Cell cell = study.cases[i].cell;
+      cell.storage.height = study.heights[i][place].height;
+      const std::shared_ptr<const std::vector<cell::Covered>> uncovered =
+          std::make_shared<const std::vector<cell::Covered>>();
+      const cell::Process process = cell::simulate(cell::Workcell(cell, study.parts, uncovered),
+                                                   {.last = cell::Phase::ToStorage, .sphere_alone = true});
+      if (!process.cause)
+        add_joints(arm, fmt::format("case {}, {}", i + 1, name), cell.storage.height, process.stops.back().commanded,
+                   rows);
     }
   }
   return rows;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
-#include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/cell/model/convert.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/harness/run_record.h"
@@ -22,7 +22,8 @@ using Task = std::function<void()>;
 
 constexpr int kLargestAngle = 60;
 constexpr int kLowestRadius = 150, kHighestRadius = 720;  // of the area of configuration
-constexpr int kHighestHeight = 900;
+constexpr int kHighestHeight = 700;
+constexpr double kOverhang = 8;      // of the balls that cover the arm, as in `touchstone cell run`
 constexpr int kFurthestOffset = 15;  // a power of ten, mm
 constexpr std::size_t kMapPoints = 180;
 constexpr std::uint64_t kFlowcharts = 128;  // the first of their streams of random numbers
@@ -60,16 +61,26 @@ std::vector<LinkFile> link_files(const std::vector<cell::ModelPart>& parts) {
   return files;
 }
 
-Predictions predict(const Layout& layout) {
+Predictions predict(const Study& study) {
   Predictions predictions;
-  for (std::size_t place = 0; place < kCases.size(); ++place)
+  std::vector<cell::ModelPart> material;
+  std::ranges::copy_if(study.parts, std::back_inserter(material),
+                       [](const cell::ModelPart& part) { return part.carrier == cell::Carrier::Material; });
+  const auto uncovered = std::make_shared<const std::vector<cell::Covered>>();
+  for (const CaseStudy& its : study.cases)
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
-      const SimulatedPath r = simulate(layout, layout.storage(place, angle));
+      cell::Cell cell = its.cell;
+      cell.storage.angle = angle;
+      const cell::Process process = cell::simulate(cell::Workcell(cell, material, uncovered),
+                                                   {.last = cell::Phase::ToMachine, .sphere_alone = true});
       ++predictions.places;
-      if (!r.complete()) continue;
-      predictions.to_storage += -r.to_storage(kBase) == 150 - angle;
-      predictions.to_machine += r.net(kBase) - r.to_storage(kBase) == 67 - angle;
-      predictions.net += r.net(kElbow) == 35 && r.net(kShoulder) == 28;
+      if (process.cause) continue;
+      const auto net = [&](cell::Moved joint) {
+        return process.turned(joint, cell::Phase::ToStorage) + process.turned(joint, cell::Phase::ToMachine);
+      };
+      predictions.to_storage += -process.turned(cell::kBase, cell::Phase::ToStorage) == 150 - angle;
+      predictions.to_machine += process.turned(cell::kBase, cell::Phase::ToMachine) == 67 - angle;
+      predictions.net += net(cell::kElbow) == 35 && net(cell::kShoulder) == 28;
     }
   return predictions;
 }
@@ -94,16 +105,16 @@ std::vector<Task> tasks_of(Study& study) {
     });
   }
 
-  const Layout& layout = study.layout;
-  const double height = layout.storage_height[0], first_angle = kCases[0].storage_angle;
-  const auto scan = [&](std::vector<StoragePosition>& places, std::size_t count, const auto& place_of) {
+  const double height = study.cell.storage.height;
+  const auto scan = [&](std::vector<cell::Tried>& places, std::size_t count, bool sphere_alone, const auto& place_of) {
     places.resize(count);
-    constexpr std::size_t kBlock = 50;
+    constexpr std::size_t kBlock = 20;
     for (std::size_t begin = 0; begin < count; begin += kBlock)
-      tasks.emplace_back([&study, &places, begin, end = std::min(count, begin + kBlock), place_of] {
+      tasks.emplace_back([&study, &places, sphere_alone, begin, end = std::min(count, begin + kBlock), place_of] {
         for (std::size_t i = begin; i < end; ++i) {
           const auto [angle, radius, its_height] = place_of(i);
-          places[i] = try_position(study.layout, study.plan, angle, radius, its_height);
+          places[i] = cell::try_place(study.cell, study.parts, study.covered, {.sphere_alone = sphere_alone}, angle,
+                                      radius, its_height);
         }
       });
   };
@@ -113,26 +124,33 @@ std::vector<Task> tasks_of(Study& study) {
   const auto count = [](int range, int step) { return static_cast<std::size_t>(range / step) + 1; };
   const std::size_t radii = count(kHighestRadius - kLowestRadius, settings.radius_step);
   const auto angles = static_cast<std::size_t>(360 / settings.angle_step);
-  scan(study.area, angles * radii, [=](std::size_t i) {
-    return Where{-180.0 + settings.angle_step * static_cast<int>(i / radii),
-                 kLowestRadius + static_cast<double>(settings.radius_step) * static_cast<double>(i % radii), height};
-  });
-  scan(study.radii, count(kHighestRadius - kLowestRadius, settings.radius_scan), [=](std::size_t i) {
-    return Where{first_angle, kLowestRadius + static_cast<double>(settings.radius_scan) * static_cast<double>(i),
-                 height};
-  });
-  for (std::size_t place = 0; place < kCases.size(); ++place)
-    scan(study.heights[place], count(kHighestHeight, settings.height_scan),
-         [=, angle = kCases[place].storage_angle, radius = layout.storage_radius[place]](std::size_t i) {
-           return Where{angle, radius, static_cast<double>(settings.height_scan) * static_cast<double>(i) + 1};
-         });
-  tasks.emplace_back([&study] { study.predictions = predict(study.layout); });
+  for (const bool sphere_alone : {false, true})
+    scan(sphere_alone ? study.area_of_sphere : study.area, angles * radii, sphere_alone, [=](std::size_t i) {
+      return Where{-180.0 + settings.angle_step * static_cast<int>(i / radii),
+                   kLowestRadius + static_cast<double>(settings.radius_step) * static_cast<double>(i % radii), height};
+    });
+  scan(study.radii, count(kHighestRadius - kLowestRadius, settings.radius_scan), false,
+       [=, first_angle = study.cell.storage.angle](std::size_t i) {
+         return Where{first_angle, kLowestRadius + static_cast<double>(settings.radius_scan) * static_cast<double>(i),
+                      height};
+       });
+  // The stand must reach above the floor.
+  const int lowest = study.cell.storage.stand ? static_cast<int>(-study.cell.storage.stand->top) + 5 : 5;
+  for (std::size_t place = 0; place < study.cases.size(); ++place)
+    for (const bool sphere_alone : {false, true})
+      scan(sphere_alone ? study.heights_of_sphere[place] : study.heights[place],
+           count(kHighestHeight - lowest, settings.height_scan), sphere_alone,
+           [=, angle = study.cases[place].cell.storage.angle,
+            radius = study.cases[place].cell.storage.radius](std::size_t i) {
+             return Where{angle, radius, static_cast<double>(settings.height_scan) * static_cast<double>(i) + lowest};
+           });
+  tasks.emplace_back([&study] { study.predictions = predict(study); });
 
   tasks.emplace_back([&study, &gripper, samples, seed] {
-    const auto& moments = study.cases[0].moments;
-    const Angles& commanded = moments[std::min<std::size_t>(2, moments.size() - 1)].commanded;
-    study.feet = measure_foot_errors(gripper_face(study.cell, study.parts, commanded), study.layout.sphere_radius,
-                                     samples, seed);
+    const CaseStudy& first = study.cases[0];
+    const std::size_t stop = first.moments.at(std::min<std::size_t>(2, first.moments.size() - 1)).stop;
+    study.feet = measure_foot_errors(gripper_face(study.parts, first.snapshots[stop].links.back()),
+                                     study.cell.gripper.sphere.radius, samples, seed);
     study.edges = measure_edge_places(gripper, kFlowchartRadius, samples, seed);
   });
   tasks.emplace_back([&study, &gripper] { study.map = stability::map_angle_sums(gripper, kMapPoints); });
@@ -158,23 +176,30 @@ std::uint64_t missed_moves(const Settings& settings) { return std::max<std::uint
 
 }  // namespace
 
-Study begin_study(const Settings& settings, const Layout& layout) {
+Study begin_study(const Settings& settings, const std::vector<std::string>& changes) {
   Study study{};
   study.settings = settings;
-  study.layout = layout;
-  study.cell = cell::read_cell(harness::source_folder() / "experiments/cell/cells/aristo.json");
+  const auto file = harness::source_folder() / "experiments/cell/cells/aristo.json";
+  const auto cell_of = [&](const char* name) {
+    std::vector<std::string> all = cell::preset(file, name);
+    all.insert(all.end(), changes.begin(), changes.end());
+    return cell::read_cell(file, {}, all);
+  };
+  const std::array<cell::Cell, 2> cells{cell_of("case 1"), cell_of("case 2")};
+  study.cell = cells[0];
   study.parts = cell::build_model(study.cell);
+  study.covered = std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(study.parts, kOverhang));
   study.link_files = link_files(study.parts);
   study.outlines.push_back(gripper_outline(study.parts));
   for (const stability::Outline& outline : stability::outlines()) study.outlines.push_back(outline);
   study.plan = floor_plan(study.parts);
-  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases[i] = study_case(layout, i);
+  for (std::size_t i = 0; i < cells.size(); ++i) study.cases[i] = study_case(cells[i], study.parts, study.covered, i);
   return study;
 }
 
 std::optional<Study> run_study(const Settings& settings, unsigned threads, const std::atomic<bool>& stop,
                                const StudyProgress& progress) {
-  Study study = begin_study(settings, chosen_layout());
+  Study study = begin_study(settings);
   const std::vector<Task> tasks = tasks_of(study);
   const std::uint64_t moves = missed_moves(settings), total = tasks.size() + blocks_of(moves);
   const std::uint64_t done = harness::run_blocks(

@@ -5,12 +5,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/cell/first_contact/missed_study.h"
-#include "experiments/cell/kinematics/layout.h"
 #include "experiments/cell/model/link_model.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/harness/blocks.h"
@@ -28,11 +28,12 @@ struct Settings {
   std::uint64_t samples = 20'000;  ///< balls for each outline and radius; other measurements use a share of it
   std::uint64_t seed = 1;
   int angle_step = 5;                    ///< degrees, of the area of configuration
-  int radius_step = 10;                  ///< mm
-  int radius_scan = 1, height_scan = 2;  ///< mm, for the radii and heights at one angle
+  int radius_step = 25;                  ///< mm
+  int radius_scan = 5, height_scan = 5;  ///< mm, for the radii and heights at one angle
 };
 
-/// The results of simulated paths at every whole angle of the storage, from -60 to 60 degrees.
+/// The results of the process by the sphere alone, up to the machine, at every whole angle of the storage from -60 to
+/// 60 degrees: bodies apart, what the captions imply.
 struct Predictions {
   std::uint64_t places = 0;      ///< angles, in both cases' places
   std::uint64_t to_storage = 0;  ///< of these, the base turned by 150 degrees less the angle, clockwise
@@ -51,9 +52,9 @@ struct LinkFile {
 
 struct Study {
   Settings settings;
-  kinematics::Layout layout;
-  cell::Cell cell;
+  cell::Cell cell;  ///< in case 1
   std::vector<cell::ModelPart> parts;
+  std::shared_ptr<const std::vector<cell::Covered>> covered;
   std::vector<LinkFile> link_files;          ///< for every link, and for the machine's bottom part
   std::vector<stability::Outline> outlines;  ///< the gripper's first, then those of outlines.h
 
@@ -65,10 +66,13 @@ struct Study {
 
   // Chapters 5 and 6
   std::array<CaseStudy, 2> cases;
+  cell::Process angle_alone;  ///< held out: the first case's cell with the second one's angle, and nothing else changed
   FloorPlan plan;
-  std::vector<StoragePosition> area;                    ///< angle by angle, radius by radius, at the chosen height
-  std::vector<StoragePosition> radii;                   ///< at case 1's angle and height
-  std::array<std::vector<StoragePosition>, 2> heights;  ///< at each case's angle and radius
+  std::vector<cell::Tried> area;                    ///< angle by angle, radius by radius, at the chosen height
+  std::vector<cell::Tried> area_of_sphere;          ///< the same by the sphere alone
+  std::vector<cell::Tried> radii;                   ///< at case 1's angle and height
+  std::array<std::vector<cell::Tried>, 2> heights;  ///< at each case's angle and radius
+  std::array<std::vector<cell::Tried>, 2> heights_of_sphere;
 
   // Known errors
   stability::AngleMap map;                  ///< around the gripper
@@ -90,16 +94,16 @@ struct Study {
 /// Receives the share of the work that is done.
 using StudyProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Computes the parts that need neither samples nor time: the model and the case studies in this layout. The other
-/// parts are empty.
+/// Computes the parts that need neither samples nor time: the model and the case studies, which are the presets `case
+/// 1` and `case 2` of the Aristo's cell, with these changes (change_cell.h). The other parts are empty.
 ///
 /// Throws cell::BadCell if the cell's file (in the source tree) cannot be read.
-[[nodiscard]] Study begin_study(const Settings& settings, const kinematics::Layout& layout);
+[[nodiscard]] Study begin_study(const Settings& settings, const std::vector<std::string>& changes = {});
 
-/// Computes all parts in the chosen layout; returns nothing if it was stopped. The result does not depend on the number
+/// Computes all parts; returns nothing if it was stopped. The result does not depend on the number
 /// of threads.
 ///
-/// Throws as begin_study does. Cost: about 40 s of one core with the default settings.
+/// Throws as begin_study does. Cost: about 100 s of one core with the default settings.
 [[nodiscard]] std::optional<Study> run_study(const Settings& settings, unsigned threads, const std::atomic<bool>& stop,
                                              const StudyProgress& progress);
 

@@ -32,7 +32,7 @@ struct Options {
 
   [[nodiscard]] Settings settings() const {
     Settings settings;
-    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 30, .radius_scan = 5, .height_scan = 10};
+    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 50, .radius_scan = 20, .height_scan = 20};
     if (samples > 0) settings.samples = samples;
     settings.seed = seed;
     return settings;

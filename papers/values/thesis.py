@@ -18,7 +18,8 @@ def values(study):
     yield "reproduced", number("reproduced")
     yield "chosen", number("reproduced with chosen values")
     yield "not-computable", number("photograph: not computable", "not computable")
-    turns = [row["degrees"] for row in study.rows("moves.csv", joint=str, degrees=finite) if row["joint"] == "base"]
+    turns = [row["degrees"] for row in study.rows("moves.csv", phase=str, joint=str, degrees=finite)
+             if row["joint"] == "base" and row["phase"] in ("to-storage", "to-machine")]
     captioned = [abs(turn) for turn in turns]
     yield "base-turns", ", ".join(rf"{turn:g}\textdegree{{}}" for turn in captioned[:-1]) + rf" and {captioned[-1]:g}\textdegree{{}}"
     areas = study.rows("areas.csv", outline=str, points=natural, share=finite)

@@ -82,7 +82,7 @@ FILES = {
         "builds.csv": table("scene triangles library seconds bytes_a_triangle", ("torus", 1000, ["Scene", "Embree 3"], 0.5, 91))},
     "thesis": {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
-        "moves.csv": table("joint degrees", ("elbow", -3), ("base", -149), ("base", 66)),
+        "moves.csv": table("phase joint degrees", ("to-storage", "elbow", -3), ("to-storage", "base", -149), ("to-machine", "base", 66), ("to-home", "base", 149)),
         "areas.csv": table("outline points share lower upper", (["U3x3", "square"], 100, 0.86, 0.8, 0.9)),
         "touching.csv": table("balls missed", (8, 7))},
 }

@@ -137,7 +137,10 @@ std::string run_json(const Recording& recording) {
                      {"until", to_string(move.until)},
                      {"degrees", move.degrees},
                      {"exact", move.exact},
-                     {"contact", std::move(contact)}});
+                     {"contact", std::move(contact)},
+                     {"wrong", move.wrong ? Json{{"early", move.wrong->early ? Json(*move.wrong->early) : Json()},
+                                                 {"gap", move.wrong->gap}}
+                                          : Json()}});
   }
 
   Json stops = Json::array();
@@ -178,7 +181,7 @@ std::string run_json(const Recording& recording) {
       {"setting", setting_json(recording.cell)},
       {"labels", labels_json(recording.cell)},
       {"failure", process.failure},
-      {"balls", process.balls},
+      {"queries", process.queries},
       {"stations",
        {{"storage", json_of(pose_of(recording.cell.storage))}, {"machine", json_of(pose_of(recording.cell.machine))}}},
       {"materials", {{"storage", json_of(recording.places[0])}, {"machine", json_of(recording.places[1])}}},

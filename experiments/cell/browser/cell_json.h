@@ -20,7 +20,7 @@ namespace touchstone::cell::browser {
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
-///   setting, labels; failure: text, empty if it completed; balls: the number of obstacle queries;
+///   setting, labels; failure: text, empty if it completed; queries: the number of obstacle queries;
 ///   stations: {storage, machine}: poses; materials: {storage, machine}: poses; stand: the part `storage/stand`, or
 ///   null; moves: [{phase, joint, until, degrees, exact, contact: null or {low, high, kind}}]; stops: [{move,
 ///   commanded, links, sphere, material, place, target, nearest, distance, touched}]: the number of the move; poses;

@@ -7,40 +7,29 @@
 #include "experiments/cell/model/solid_faces.h"
 
 namespace touchstone::cell::browser {
-namespace {
-
-/// The material follows the flange while the gripper has it.
+// The material follows the flange while the gripper has it.
 std::vector<Snapshot> snapshots_of(const Workcell& workcell, const Process& process) {
-  std::array<scene::Scene, 2> materials;
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+  std::array<scene::Scene, 2> materials, copies;
+  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
     materials[static_cast<std::size_t>(slot)].add("material", workcell.at(slot).faces);
-
+    copies[static_cast<std::size_t>(slot)].add("material", workcell.at(slot).virtual_faces);
+  }
   std::vector<Snapshot> snapshots;
-  Pose held;  // in the flange's frame
   auto transfer = process.transfers.begin();
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
-    Snapshot snapshot{workcell.arm().link_poses(stop.commanded), {}, {}, {}};
-    const Pose& flange = snapshot.links.back();
-    while (transfer + 1 != process.transfers.end() && (transfer + 1)->stop <= i) {
-      const auto from = transfer->slot;
-      ++transfer;
-      if (!from || transfer->slot) continue;
-      const Pose& at = workcell.at(*from).pose;
-      const Eigen::Matrix3d back = flange.rotation.transpose();
-      held = {back * at.rotation, back * (at.translation - flange.translation)};
-    }
-    snapshot.slot = transfer->slot;
+    const bool handed_over = transfer + 1 != process.transfers.end() && (transfer + 1)->stop <= i;
+    const bool found_copy = stop.target && transfer->slot != stop.target;
+    if (handed_over) ++transfer;
+    Snapshot snapshot{workcell.arm().link_poses(stop.commanded), {}, transfer->slot, {}};
     snapshot.material =
-        snapshot.slot ? workcell.at(*snapshot.slot).pose
-                      : Pose{flange.rotation * held.rotation, flange.rotation * held.translation + flange.translation};
-    if (stop.target) snapshot.nearest = materials[static_cast<std::size_t>(*stop.target)].nearest(stop.sphere);
+        snapshot.slot ? workcell.at(*snapshot.slot).pose : within(snapshot.links.back(), *transfer->in_flange);
+    if (stop.target)
+      snapshot.nearest = (found_copy ? copies : materials)[static_cast<std::size_t>(*stop.target)].nearest(stop.sphere);
     snapshots.push_back(std::move(snapshot));
   }
   return snapshots;
 }
-
-}  // namespace
 
 Simulator::Simulator(Cell cell, SimulatorOptions options)
     : cell_(std::move(cell)),
@@ -56,8 +45,9 @@ Recording Simulator::run(const Setting& setting) const {
       if (part.name == "storage/stand") part.faces = faces_of(stand_of(recording.cell.storage), part.name);
   const Workcell workcell(recording.cell, recording.parts, arm_);
   for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
-    recording.places.push_back(workcell.at(slot).pose);
-  recording.process = simulate(workcell);
+    recording.places.push_back({workcell.at(slot).pose.rotation,
+                                workcell.at(slot).pose.translation + Eigen::Vector3d(0, 0, workcell.at(slot).drop)});
+  recording.process = simulate(workcell, options_.rule);
   recording.snapshots = snapshots_of(workcell, recording.process);
   recording.comparison = compare_methods(workcell, recording.process, options_.methods, true);
   return recording;

@@ -30,16 +30,20 @@ struct Snapshot {
 struct Recording {
   Cell cell;                     ///< with the setting applied
   std::vector<ModelPart> parts;  ///< of the cell
-  std::vector<Pose> places;      ///< of the material in its slot, in the cell, by StationSlot
+  std::vector<Pose> places;      ///< of the virtual material in the cell, by StationSlot
   Process process;
   std::vector<Snapshot> snapshots;  ///< one for each stop
   MethodComparison comparison;
 };
 
+/// Returns the state of the cell at every stop.
+[[nodiscard]] std::vector<Snapshot> snapshots_of(const Workcell& workcell, const Process& process);
+
 /// The options of runs that do not depend on the setting.
 struct SimulatorOptions {
   double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
   std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
+  Rule rule;
 };
 
 /// A cell that can be run with changed settings. Running is thread-safe.

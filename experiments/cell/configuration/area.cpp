@@ -19,9 +19,11 @@ std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& s
   return parts;
 }
 
-Tried try_position(Cell cell, const std::vector<ModelPart>& parts,
-                   const std::shared_ptr<const std::vector<Covered>>& covered, double angle, double radius,
-                   double height) {
+}  // namespace
+
+Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
+                const std::shared_ptr<const std::vector<Covered>>& covered, const Rule& rule, double angle,
+                double radius, double height) {
   cell.storage.angle = angle;
   cell.storage.radius = radius;
   cell.storage.height = height;
@@ -30,21 +32,21 @@ Tried try_position(Cell cell, const std::vector<ModelPart>& parts,
   } catch (const BadCell& error) {
     return {angle, radius, height, FailureCause::OutOfReach, error.what()};
   }
-  Process process = simulate({cell, with_stand(parts, cell.storage), covered});
-  return {angle, radius, height, process.cause, std::move(process.failure)};
+  Process process = simulate({cell, with_stand(parts, cell.storage), covered}, rule);
+  const auto contact = std::ranges::find(process.moves, Until::Contact, &Move::until);
+  const bool from_side = contact != process.moves.end() && contact->joint == kBase;
+  return {angle, radius, height, process.cause, std::move(process.failure), from_side};
 }
-
-}  // namespace
 
 std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                              const std::shared_ptr<const std::vector<Covered>>& covered,
-                                             const Grid& grid, unsigned threads, const std::atomic<bool>& stop,
-                                             const harness::Progress& progress) {
+                                             const Grid& grid, const Rule& rule, unsigned threads,
+                                             const std::atomic<bool>& stop, const harness::Progress& progress) {
   std::vector<Tried> tried(grid.size());
   const std::size_t heights = grid.heights.size(), radii = grid.radii.size();
   const std::uint64_t done = harness::run_blocks(tried.size(), threads, stop, progress, [&](unsigned, std::uint64_t i) {
-    tried[i] = try_position(cell, parts, covered, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
-                            grid.heights[i % heights]);
+    tried[i] = try_place(cell, parts, covered, rule, grid.angles[i / heights / radii], grid.radii[i / heights % radii],
+                         grid.heights[i % heights]);
   });
   if (done < tried.size()) return std::nullopt;
   return tried;

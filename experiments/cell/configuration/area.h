@@ -26,16 +26,22 @@ struct Tried {
   double angle, radius, height;
   std::optional<FailureCause> cause;  ///< none if the process completed
   std::string reason;                 ///< empty if the process completed
+  bool from_side = false;             ///< whether the material in storage was touched from the side
 };
+
+/// Tries one place, as try_places does.
+[[nodiscard]] Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
+                              const std::shared_ptr<const std::vector<Covered>>& covered, const Rule& rule,
+                              double angle, double radius, double height);
 
 /// Tries every place; heights vary fastest, then radii.
 ///
 /// A place that check_reach refuses is OutOfReach, with its message as the reason. `covered` is that of the arm, which
 /// does not depend on the storage. The result does not depend on the number of threads; `progress` counts places.
-/// Returns nothing if `stop` became true. Throws what perform throws. Cost: about 50 ms per place.
+/// Returns nothing if `stop` became true. Throws what simulate throws. Cost: about 50 ms per place.
 [[nodiscard]] std::optional<std::vector<Tried>> try_places(const Cell& cell, const std::vector<ModelPart>& parts,
                                                            const std::shared_ptr<const std::vector<Covered>>& covered,
-                                                           const Grid& grid, unsigned threads,
+                                                           const Grid& grid, const Rule& rule, unsigned threads,
                                                            const std::atomic<bool>& stop,
                                                            const harness::Progress& progress);
 

@@ -75,7 +75,7 @@ const harness::Table<MissedRow>& missed_csv() {
 ThroughSheet draw_through_sheet(std::uint64_t seed, std::uint64_t n) {
   workloads::Random random(seed, n, 96);
   const auto between = [&random](double low, double high) { return low + (high - low) * random.unit(); };
-  const Chain chain = aristo(layout().coupling);
+  const Chain chain = aristo(layout().coupling, layout().hand);
   Angles angles = home_pose(layout());
   angles[kBase] += between(-90, 0);
   angles[kShoulder] += between(-20, 20);

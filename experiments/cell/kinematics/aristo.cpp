@@ -11,7 +11,9 @@ std::string_view to_string(Coupling coupling) {
   return coupling == Coupling::KeepsElevation ? "keeps-elevation" : "serial";
 }
 
-Chain aristo(Coupling coupling) {
+std::string_view to_string(Hand hand) { return hand == Hand::Level ? "level" : "locked"; }
+
+Chain aristo(Coupling coupling, Hand hand) {
   struct Row {
     const char* name;
     DenavitHartenberg link;
@@ -30,8 +32,13 @@ Chain aristo(Coupling coupling) {
     joints.push_back({row.name, last, {0, 0, static_cast<double>(row.sense)}, row.lowest, row.highest});
     last = link_of(row.link);
   }
-  if (coupling == Coupling::Serial) return {std::move(joints), last};
-  return {std::move(joints), last, kShoulder};
+  std::vector<Compensation> compensations;
+  if (coupling == Coupling::KeepsElevation) compensations.push_back({kShoulder, kElbow});
+  if (hand == Hand::Level) {
+    if (coupling == Coupling::Serial) compensations.push_back({kShoulder, kWristPitch});
+    compensations.push_back({kElbow, kWristPitch});
+  }
+  return {std::move(joints), last, compensations};
 }
 
 Angles aristo_pose(Coupling coupling, double base, const LinkAngles& arm, double hand) {

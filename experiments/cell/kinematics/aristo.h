@@ -26,16 +26,25 @@ inline constexpr std::array kCouplings{Coupling::KeepsElevation, Coupling::Seria
 /// `keeps-elevation`, `serial`.
 [[nodiscard]] std::string_view to_string(Coupling coupling);
 
+/// The motion of the hand while shoulder and elbow turn.
+enum class Hand {
+  Level,   ///< the wrist's pitch undoes what would turn it: the hand stays upright
+  Locked,  ///< it turns with the forearm
+};
+inline constexpr std::array kHands{Hand::Level, Hand::Locked};
+/// `level`, `locked`.
+[[nodiscard]] std::string_view to_string(Hand hand);
+
 /// The joints, in order. Positive commands turn the base counter-clockwise as seen from above, lean the upper arm
 /// forward and down, raise the forearm, and raise the hand.
 enum AristoJoint : std::size_t { kBase, kShoulder, kElbow, kWristRoll, kWristPitch, kHandRoll };
 
 inline constexpr double kShoulderHeight = 322, kUpperArm = 300, kForearm = 375, kHand = 63;
 
-[[nodiscard]] Chain aristo(Coupling coupling);
+[[nodiscard]] Chain aristo(Coupling coupling, Hand hand = Hand::Locked);
 
 /// Returns the commands for the given directions of upper arm and forearm. The hand is raised from straight down by
-/// `hand` degrees if the forearm is horizontal, and turns along with the forearm.
+/// `hand` degrees if the forearm is horizontal or the hand is level.
 [[nodiscard]] Angles aristo_pose(Coupling coupling, double base, const LinkAngles& arm, double hand = 0);
 
 /// Returns the wrist point, where the axes of the last three joints meet.

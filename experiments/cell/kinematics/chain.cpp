@@ -39,8 +39,8 @@ Pose link_of(const DenavitHartenberg& row) {
   return pose;
 }
 
-Chain::Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> driver)
-    : joints_(std::move(joints)), flange_(std::move(flange)), driver_(driver) {
+Chain::Chain(std::vector<Joint> joints, Pose flange, const std::vector<Compensation>& compensations, const Angles& rest)
+    : joints_(std::move(joints)), flange_(std::move(flange)), by_driver_(joints_.size()) {
   const auto require = [](bool holds, const Joint& joint, const char* otherwise) {
     if (!holds) throw std::invalid_argument(fmt::format("joint {}: {}", joint.name, otherwise));
   };
@@ -51,14 +51,17 @@ Chain::Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> 
     require(std::abs(joint.axis.norm() - 1) < 1e-12, joint, "its axis is not of length 1");
     require(joint.lowest <= joint.highest, joint, "its lowest angle is above its highest");
   }
-  if (!driver_) return;
-  if (*driver_ >= joints_.size()) throw std::invalid_argument("the driver is not a joint");
-  const Joint& first = joints_[*driver_];
-  require(*driver_ + 1 < joints_.size(), first, "no joint comes behind it to make up for its turning");
-  const Joint& next = joints_[*driver_ + 1];
-  const Eigen::Vector3d axis = next.origin.rotation * next.axis;
-  require(axis == first.axis || axis == -first.axis, next, "it is to make up for a joint that is not parallel to it");
-  factor_ = axis == first.axis ? -1 : 1;
+  if (compensations.empty()) return;
+  const std::vector<Pose> at_rest = frames(rest.empty() ? Angles(joints_.size(), 0.0) : rest);
+  for (const auto& [driver, by] : compensations) {
+    if (driver >= joints_.size()) throw std::invalid_argument("the driver is not a joint");
+    require(!by_driver_[driver].joint, joints_[driver], "two joints are to make up for its turning");
+    require(by > driver && by < joints_.size(), joints_[driver], "no joint comes behind it to make up for its turning");
+    const double along = (at_rest[driver].rotation * joints_[driver].axis).dot(at_rest[by].rotation * joints_[by].axis);
+    require(std::abs(std::abs(along) - 1) < 1e-12, joints_[by],
+            "it is to make up for a joint that is not parallel to it");
+    by_driver_[driver] = {by, along > 0 ? -1.0 : 1.0};
+  }
 }
 
 std::size_t Chain::find(const std::string& name) const {
@@ -71,7 +74,8 @@ Angles Chain::turns(const Angles& commanded) const {
   if (commanded.size() != joints_.size())
     throw std::invalid_argument(fmt::format("{} angles for {} joints", commanded.size(), joints_.size()));
   Angles turns = commanded;
-  if (driver_) turns[*driver_ + 1] += factor_ * commanded[*driver_];
+  for (std::size_t i = 0; i < by_driver_.size(); ++i)
+    if (by_driver_[i].joint) turns[*by_driver_[i].joint] += by_driver_[i].factor * commanded[i];
   return turns;
 }
 
@@ -91,7 +95,8 @@ double Chain::room(const Angles& commanded, std::size_t joint, bool up) const {
     return rises ? joints_[i].highest - all[i] : all[i] - joints_[i].lowest;
   };
   const double own = left(joint, up);
-  return joint == driver_ ? std::min(own, left(joint + 1, up == (factor_ > 0))) : own;
+  const auto& [by, factor] = by_driver_.at(joint);
+  return by ? std::min(own, left(*by, up == (factor > 0))) : own;
 }
 
 std::vector<Pose> Chain::frames(const Angles& commanded) const {
@@ -122,7 +127,7 @@ Arc Chain::arc(const Angles& commanded, std::size_t joint, double move, const Ei
   arc.start = all.back().rotation * point + all.back().translation;
   arc.point = all[joint].translation;
   // What comes behind the joint that makes up for the driver is shifted along with that joint's origin.
-  if (joint == driver_) arc.point += arc.start - all[joint + 1].translation;
+  if (const auto by = compensating(joint)) arc.point += arc.start - all[*by].translation;
   arc.axis = (move < 0 ? -1 : 1) * all[joint].rotation * joints_[joint].axis;
   arc.degrees = std::abs(move);
   require_valid(arc);

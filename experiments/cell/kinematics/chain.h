@@ -33,23 +33,34 @@ struct DenavitHartenberg {
 /// Commanded angles, one per joint, in degrees.
 using Angles = std::vector<double>;
 
-/// A serial chain of revolute joints, each turned by its commanded angle.
-///
-/// One joint may be a driver, which the next joint compensates, as parallel bars or belts do: the next joint turns back
-/// by the same angle, so that the links after it are shifted but not turned.
+/// Two joints of a chain: the turning of `driver` is undone by `joint`, as parallel bars or belts do. The links after
+/// `joint` are shifted by the driver but not turned.
+struct Compensation {
+  std::size_t driver, joint;
+};
+
+/// A serial chain of revolute joints, each turned by its commanded angle. A joint may also turn back by the commands of
+/// joints before it (Compensation).
 class Chain {
  public:
-  /// `flange` is the flange's frame in the frame of the last joint. Throws std::invalid_argument, which names the
-  /// joint, for a number that is not finite, an axis that is not of length 1 (within 1e-12), crossed limits, or a
-  /// driver that is not parallel to a next joint.
-  Chain(std::vector<Joint> joints, Pose flange, std::optional<std::size_t> driver = {});
+  /// `flange` is the flange's frame in the frame of the last joint; `rest` holds the commands at which joints between a
+  /// driver and its compensating joint stay, all 0 if it is empty. Throws std::invalid_argument, which names the joint,
+  /// for a number that is not finite, an axis that is not of length 1 (within 1e-12), crossed limits, a driver that two
+  /// joints compensate, and a compensation by a joint that does not come later or whose axis, with the joints at rest,
+  /// is not parallel to the driver's (within 1e-12).
+  Chain(std::vector<Joint> joints, Pose flange, const std::vector<Compensation>& compensations = {},
+        const Angles& rest = {});
 
   [[nodiscard]] const std::vector<Joint>& joints() const& { return joints_; }
   void joints() && = delete;  // a reference into a chain that is gone
   /// Returns the joint of that name. Throws std::invalid_argument for an unknown name.
   [[nodiscard]] std::size_t find(const std::string& name) const;
 
-  /// Returns the angle by which each joint turns: its command plus the compensation of the driver. Throws
+  /// Returns the joint that compensates a driver, if any.
+  [[nodiscard]] std::optional<std::size_t> compensating(std::size_t driver) const {
+    return by_driver_.at(driver).joint;
+  }
+  /// Returns the angle by which each joint turns: its command plus what it compensates. Throws
   /// std::invalid_argument unless there is one angle per joint.
   [[nodiscard]] Angles turns(const Angles& commanded) const;
   /// Throws std::out_of_range, which names the joint and its limits, if a joint turns beyond them or by a NaN; also
@@ -67,15 +78,19 @@ class Chain {
   [[nodiscard]] Eigen::Vector3d place(const Angles& commanded, const Eigen::Vector3d& point) const;
 
   /// Returns the path of a point of the flange's frame while one joint moves by `move` degrees: an arc about that
-  /// joint's axis or, for the driver, about a parallel axis. Throws std::out_of_range if the move begins or ends beyond
-  /// a limit, std::invalid_argument for a move of more than 360 degrees.
+  /// joint's axis or, for a driver, about a parallel axis. Requires that joints between a driver and its compensating
+  /// joint are at rest or parallel to both. Throws std::out_of_range if the move begins or ends beyond a limit,
+  /// std::invalid_argument for a move of more than 360 degrees.
   [[nodiscard]] Arc arc(const Angles& commanded, std::size_t joint, double move, const Eigen::Vector3d& point) const;
 
  private:
   std::vector<Joint> joints_;
   Pose flange_;
-  std::optional<std::size_t> driver_;
-  double factor_ = 0;  // of the driver's angle, in the next joint's
+  struct ByDriver {
+    std::optional<std::size_t> joint;
+    double factor = 0;  // of the driver's command, in the angle of the joint
+  };
+  std::vector<ByDriver> by_driver_;
 };
 
 }  // namespace touchstone::kinematics

@@ -8,30 +8,14 @@
 namespace touchstone::kinematics {
 namespace {
 
-/// From the elbow to the sphere's centre at home: along the forearm, then straight down.
+/// From the elbow at home: along the forearm; if the wrist is locked, then straight down to the sphere's centre.
 Reach second_link(const Layout& layout) {
+  const double down = layout.hand == Hand::Locked ? kHand + layout.sphere_distance : 0;
   return {kForearm * workloads::cosine(layout.home.elevation),
-          kForearm * workloads::sine(layout.home.elevation) - kHand - layout.sphere_distance};
+          kForearm * workloads::sine(layout.home.elevation) - down};
 }
 
 double length(const Reach& reach) { return std::sqrt(reach.out * reach.out + reach.up * reach.up); }
-
-/// A cube in a station's frame, its corners at x0, y0, 0.
-std::vector<Polygon> cube(const Station& station, double x0, double y0, double side) {
-  const double c = workloads::cosine(station.azimuth), s = workloads::sine(station.azimuth);
-  const auto corner = [&](int x, int y, int z) -> Eigen::Vector3d {
-    const double along = station.radius + x0 + x * side, across = y0 + y * side;
-    return {c * along - s * across, s * along + c * across, station.height + z * side};
-  };
-  const auto face = [&](std::array<int, 3> a, std::array<int, 3> b, std::array<int, 3> d, std::array<int, 3> e) {
-    Loop loop;
-    for (const auto& [x, y, z] : {a, b, d, e}) loop.push_back(corner(x, y, z));
-    return Polygon(loop);
-  };
-  return {face({0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}), face({0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}),
-          face({0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}), face({1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}),
-          face({0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}), face({0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0})};
-}
 
 }  // namespace
 
@@ -41,7 +25,8 @@ Station Layout::storage(std::size_t place, double angle) const {
 
 Station Layout::machine() const { return {kMachineAzimuth, machine_radius, machine_height}; }
 
-SphereArm::SphereArm(const Layout& layout) : coupling_(layout.coupling) {
+SphereArm::SphereArm(const Layout& layout)
+    : coupling_(layout.coupling), below_(layout.hand == Hand::Level ? kHand + layout.sphere_distance : 0) {
   const Reach second = second_link(layout);
   home_ = {layout.home.lean, workloads::arc_tangent(second.up, second.out)};
   links_ = {kUpperArm, length(second)};
@@ -50,13 +35,13 @@ SphereArm::SphereArm(const Layout& layout) : coupling_(layout.coupling) {
 Reach SphereArm::reach(const Commands& commands) const {
   const double carried = coupling_ == Coupling::Serial ? commands.shoulder : 0;
   const Reach reach = links_.reach({home_.lean + commands.shoulder, home_.elevation + commands.elbow - carried});
-  return {reach.out, reach.up + kShoulderHeight};
+  return {reach.out, reach.up + kShoulderHeight - below_};
 }
 
 std::optional<SphereArm::Commands> SphereArm::inverse(const Reach& center) const {
   std::optional<Commands> nearest;
   const auto away = [](const Commands& c) { return std::abs(c.shoulder) + std::abs(c.elbow); };
-  for (const LinkAngles& angles : links_.inverse({center.out, center.up - kShoulderHeight})) {
+  for (const LinkAngles& angles : links_.inverse({center.out, center.up - kShoulderHeight + below_})) {
     Commands commands{std::remainder(angles.lean - home_.lean, 360), 0};
     const double carried = coupling_ == Coupling::Serial ? commands.shoulder : 0;
     commands.elbow = std::remainder(angles.elevation - home_.elevation + carried, 360);
@@ -65,16 +50,10 @@ std::optional<SphereArm::Commands> SphereArm::inverse(const Reach& center) const
   return nearest;
 }
 
-Angles home_pose(const Layout& layout) { return aristo_pose(layout.coupling, 0, layout.home, -layout.home.elevation); }
+Angles home_pose(const Layout& layout) {
+  return aristo_pose(layout.coupling, 0, layout.home, layout.hand == Hand::Level ? 0 : -layout.home.elevation);
+}
 
 Eigen::Vector3d sphere_center(const Layout& layout) { return {0, 0, layout.sphere_distance}; }
-
-std::vector<Polygon> material_in_storage(const Layout& layout, const Station& storage) {
-  return cube(storage, -layout.side / 2, -layout.gap - layout.side, layout.side);
-}
-
-std::vector<Polygon> material_at_machine(const Layout& layout) {
-  return cube(layout.machine(), -layout.side / 2, -layout.side / 2, layout.side);
-}
 
 }  // namespace touchstone::kinematics

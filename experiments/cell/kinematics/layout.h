@@ -8,7 +8,6 @@
 
 #include "experiments/cell/kinematics/aristo.h"
 #include "experiments/cell/kinematics/two_link.h"
-#include "geometry/shapes/polygon.h"
 
 namespace touchstone::kinematics {
 
@@ -17,21 +16,23 @@ namespace touchstone::kinematics {
 /// from the base's axis, z points up.
 struct Station {
   double azimuth, radius;
-  double height;  ///< of the material's underside
+  double height;  ///< of the underside of the material in its place
 };
 
 /// The cell in which the case studies of the thesis's chapter 6 are reproduced. In millimetres and degrees. Every value
 /// here is chosen; the values that the captions and the arm's table give are below and in aristo.h.
 struct Layout {
   Coupling coupling;
+  Hand hand;
   LinkAngles home;         ///< directions of upper arm and forearm at home; the hand then points straight down
   double sphere_distance;  ///< of the virtual sphere's centre from the flange, along the hand's axis
   double sphere_radius;
   double side;                           ///< of the material, a cube
-  double gap;                            ///< between a station's x axis and the material's near side, in storage
+  double gap;                            ///< between a station's x axis and the material's near side
+  double drop;                           ///< of the virtual material at the machine above the material's place there
   std::array<double, 2> storage_radius;  ///< in the two cases
   std::array<double, 2> storage_height;
-  double machine_radius, machine_height;
+  double machine_radius, machine_height;  ///< of the place at the machine
   double clearance;  ///< the least distance by which the sphere is lifted after gripping from above
 
   /// Returns the storage at the given angle, in the place of one of the two cases.
@@ -53,8 +54,12 @@ struct Captions {
 inline constexpr std::array<Captions, 2> kCases{
     {{1, -3, -149, 0, 0, 38, 66, 28}, {-33, 12, -183, 25, -11, 23, 100, 14}}};
 
-/// The arm in its plane, from the shoulder to the centre of the sphere: the second link goes from the elbow to that
-/// centre, because the wrist is locked.
+/// Returns by how much the sphere's centre, on its way to the material from the side, is below the upper face: as far
+/// as rounding to degrees can raise it and the sphere still touches the face.
+[[nodiscard]] constexpr double below_upper_face(double sphere_radius) { return sphere_radius / 8; }
+
+/// The arm in its plane, from the shoulder to the centre of the sphere. If the wrist is locked, the second link goes
+/// from the elbow to that centre, else to the wrist, below which the centre hangs.
 class SphereArm {
  public:
   explicit SphereArm(const Layout& layout);
@@ -71,16 +76,12 @@ class SphereArm {
  private:
   Coupling coupling_;
   LinkAngles home_;  // of the two links
+  double below_;     // by which the centre is below the second link's end
   TwoLinks links_;
 };
 
 /// Return the commands of the home pose, and the sphere's centre in the flange's frame.
 [[nodiscard]] Angles home_pose(const Layout& layout);
 [[nodiscard]] Eigen::Vector3d sphere_center(const Layout& layout);
-
-/// Return the faces of the material in storage and at the machine: outward quadrilaterals, each vertex rounded to
-/// doubles.
-[[nodiscard]] std::vector<Polygon> material_in_storage(const Layout& layout, const Station& storage);
-[[nodiscard]] std::vector<Polygon> material_at_machine(const Layout& layout);
 
 }  // namespace touchstone::kinematics

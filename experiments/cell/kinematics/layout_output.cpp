@@ -41,7 +41,9 @@ Table<Member> homes_csv(const char* file, const char* about) {
   return {file,
           about,
           {{"coupling", "`serial`: the forearm turns with the upper arm; `keeps-elevation`: it does not",
-            &Member::coupling},
+            path(&Member::linkage, &Linkage::coupling)},
+           {"hand", "`level`: the wrist keeps it upright; `locked`: it turns with the forearm",
+            path(&Member::linkage, &Linkage::hand)},
            {"lean_deg", "of the upper arm at home", path(&Member::home, &LinkAngles::lean), kDegrees},
            {"elevation_deg", "of the forearm at home", path(&Member::home, &LinkAngles::elevation), kDegrees},
            {"storage_radius_1_mm", "of the storage in case 1, from the robot's axis",
@@ -86,12 +88,13 @@ Table<ChoiceRow> choice_csv() {
 
 std::vector<ChoiceRow> choice_rows(const LayoutStudy& study) {
   std::vector<ChoiceRow> rows{{"coupling", std::string(to_string(study.chosen.coupling)), "", {}, {}},
+                              {"hand", std::string(to_string(study.chosen.hand)), "", {}, {}},
                               {"way to the material",
                                "from the side where the shoulder can stay; else from above; else from the side",
                                "",
                                {},
                                {}}};
-  const Chain chain = aristo(study.chosen.coupling);
+  const Chain chain = aristo(study.chosen.coupling, study.chosen.hand);
   for (const Joint& joint : chain.joints())
     rows.push_back({fmt::format("limits of {} in degrees", joint.name),
                     fmt::format("{:g} to {:g}", joint.lowest, joint.highest),
@@ -106,7 +109,7 @@ std::vector<ChoiceRow> choice_rows(const LayoutStudy& study) {
 struct MoveRow {
   std::size_t its_case, number;
   std::string caption;
-  const Move* move;
+  const cell::Move* move;
 };
 
 Table<MoveRow> moves_csv() {
@@ -122,10 +125,11 @@ Table<MoveRow> moves_csv() {
        {"move", "its number", &MoveRow::number},
        {"caption", "what the thesis's caption says", &MoveRow::caption},
        {"joint", "the joint", [](const MoveRow& row) { return kJoints[row.move->joint]; }},
-       {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
-       {"degrees", "the result", path(&MoveRow::move, &Move::degrees)},
-       {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::move, &Move::exact), "{:.6f}"},
-       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
+       {"until", "what ends the move", path(&MoveRow::move, &cell::Move::until)},
+       {"degrees", "the result", path(&MoveRow::move, &cell::Move::degrees)},
+       {"exact_deg", "the angle before it is rounded to degrees", path(&MoveRow::move, &cell::Move::exact), "{:.6f}"},
+       {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &cell::Move::margin),
+        "{:.6f}"},
        {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low), "{:.17g}"},
        {"contact_high_deg", "its upper end", contact(&FirstContact::high), "{:.17g}"},
        {"kind", "the kind of contact", contact(&FirstContact::kind)},
@@ -143,42 +147,46 @@ std::vector<MoveRow> move_rows(const LayoutStudy& study) {
   return rows;
 }
 
+double net_of(const cell::Process& path, cell::Moved joint) {
+  return path.turned(joint, cell::Phase::ToStorage) + path.turned(joint, cell::Phase::ToMachine);
+}
+
 /// `get`: a function of a path, which must be complete.
 template <class Get>
 auto of_path(Get get) {
-  return [get](const Prediction& row) { return row.path.complete() ? std::optional(get(row.path)) : std::nullopt; };
+  return [get](const Prediction& row) { return row.path.cause ? std::nullopt : std::optional(get(row.path)); };
 }
 
 /// Both tables of predictions.
 Table<Prediction> predictions_csv(const char* file, const char* about) {
-  const auto to_storage = [](AristoJoint joint) {
-    return of_path([joint](const SimulatedPath& path) { return path.to_storage(joint); });
+  const auto to_storage = [](cell::Moved joint) {
+    return of_path([joint](const cell::Process& path) { return path.turned(joint, cell::Phase::ToStorage); });
   };
-  const auto net = [](AristoJoint joint) {
-    return of_path([joint](const SimulatedPath& path) { return path.net(joint); });
+  const auto net = [](cell::Moved joint) {
+    return of_path([joint](const cell::Process& path) { return net_of(path, joint); });
   };
   return {file,
           about,
           {{"place", "the case whose radius the storage has", [](const Prediction& p) { return p.place + 1; }},
            {"storage_angle_deg", "the angle of the storage", &Prediction::angle, "{:g}"},
            {"storage_height_mm", "its height", &Prediction::height, "{:g}"},
-           {"elbow_to_storage", "degrees of the elbow until contact in the storage", to_storage(kElbow)},
-           {"base_to_storage", "the same of the base", to_storage(kBase)},
-           {"shoulder_to_storage", "the same of the shoulder", to_storage(kShoulder)},
-           {"lift", "degrees by which the shoulder lifts the material", of_path([](const SimulatedPath& path) {
-              const auto lift = std::ranges::find(path.moves, Until::Cleared, &Move::until);
+           {"elbow_to_storage", "degrees of the elbow until contact in the storage", to_storage(cell::kElbow)},
+           {"base_to_storage", "the same of the base", to_storage(cell::kBase)},
+           {"shoulder_to_storage", "the same of the shoulder", to_storage(cell::kShoulder)},
+           {"lift", "degrees by which the shoulder lifts the material", of_path([](const cell::Process& path) {
+              const auto lift = std::ranges::find(path.moves, Until::Cleared, &cell::Move::until);
               return lift == path.moves.end() ? 0 : lift->degrees;
             })},
            {"base_to_machine", "degrees of the base from the storage to the machine",
-            of_path([](const SimulatedPath& path) { return path.net(kBase) - path.to_storage(kBase); })},
-           {"net_elbow", "the sum of all moves of the elbow", net(kElbow)},
-           {"net_shoulder", "the same of the shoulder", net(kShoulder)},
+            of_path([](const cell::Process& path) { return path.turned(cell::kBase, cell::Phase::ToMachine); })},
+           {"net_elbow", "the sum of all moves of the elbow", net(cell::kElbow)},
+           {"net_shoulder", "the same of the shoulder", net(cell::kShoulder)},
            {"least_margin_deg", "the least change of an angle that changes its degrees",
-            of_path([](const SimulatedPath& path) {
-              return std::ranges::min_element(path.moves, {}, &Move::margin)->margin;
+            of_path([](const cell::Process& path) {
+              return std::ranges::min_element(path.moves, {}, &cell::Move::margin)->margin;
             }),
             "{:.6f}"},
-           {"otherwise", "why there are no moves", path(&Prediction::path, &SimulatedPath::failure)}}};
+           {"otherwise", "why there are no moves", path(&Prediction::path, &cell::Process::failure)}}};
 }
 
 Table<Prediction> angles_csv() { return predictions_csv("angles.csv", "a whole angle of the storage"); }
@@ -205,7 +213,7 @@ Table<PoseRow> poses_csv() {
 std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
   std::vector<PoseRow> rows;
   const Layout& layout = study.chosen;
-  const Chain chain = aristo(layout.coupling);
+  const Chain chain = aristo(layout.coupling, layout.hand);
   for (std::size_t number = 0; number < study.cases.size(); ++number) {
     Angles angles = home_pose(layout);
     const auto draw = [&](const char* moment) {
@@ -220,7 +228,7 @@ std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
     };
     draw("home");
     int contacts = 0;
-    for (const Move& m : study.cases[number].moves) {
+    for (const cell::Move& m : study.cases[number].moves) {
       angles[m.joint] += m.degrees;
       if (m.until == Until::Contact) draw(++contacts == 1 ? "storage" : "machine");
     }
@@ -231,9 +239,10 @@ std::vector<PoseRow> pose_rows(const LayoutStudy& study) {
 /// Returns the number of predictions that satisfy what the captions imply for every angle.
 std::size_t kept(const std::vector<Prediction>& predictions) {
   return static_cast<std::size_t>(std::ranges::count_if(predictions, [](const Prediction& p) {
-    const SimulatedPath& r = p.path;
-    return r.complete() && r.to_storage(kBase) == kStorageHome + p.angle && r.net(kBase) == kMachineAzimuth &&
-           r.net(kElbow) == 35 && r.net(kShoulder) == 28;
+    const cell::Process& r = p.path;
+    return !r.cause && r.turned(cell::kBase, cell::Phase::ToStorage) == kStorageHome + p.angle &&
+           net_of(r, cell::kBase) == kMachineAzimuth && net_of(r, cell::kElbow) == 35 &&
+           net_of(r, cell::kShoulder) == 28;
   }));
 }
 
@@ -262,7 +271,7 @@ std::string layout_table(const LayoutStudy& study) {
     const auto captions = captions_of(number);
     const auto& moves = study.cases[number].moves;
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      const Move& m = moves[i];
+      const cell::Move& m = moves[i];
       text += fmt::format("  {:<28} {:<9}{:+4}   ", captions.at(i), kJoints[m.joint], m.degrees);
       text += m.until == Until::Facing
                   ? "exactly: it faces the station\n"
@@ -272,6 +281,15 @@ std::string layout_table(const LayoutStudy& study) {
   text += fmt::format(
       "storage at -60 to 60 degrees: base {:g} + angle and 67 - angle, net elbow +35, net shoulder +28 in {} of {}\n",
       kStorageHome, kept(study.angles), study.angles.size());
+  for (const Hand hand : kHands)
+    for (const Coupling coupling : kCouplings) {
+      const auto is_so = [&](const Member& m) { return m.linkage.hand == hand && m.linkage.coupling == coupling; };
+      text +=
+          fmt::format("hand {}, forearm {}: all captions are reproduced by a layout of {} of {} home poses\n",
+                      to_string(hand), to_string(coupling),
+                      std::ranges::count_if(study.grid, [&](const Member& m) { return is_so(m) && m.failure.empty(); }),
+                      std::ranges::count_if(study.grid, is_so));
+    }
   text += "Every length but the arm's and every angle of the home pose is chosen: no public source gives them.\n";
   return text;
 }

@@ -14,20 +14,16 @@ constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up 
 constexpr std::uint64_t kGrid = 2 * kGridReach / kGridStep + 1, kLine = 2 * kGridReach + 1;
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
-SimulatedPath simulate_case(const Layout& layout, std::size_t number) {
-  return simulate(layout, layout.storage(number, kCases[number].storage_angle));
-}
-
 /// Empty where both cases come out as captioned.
 std::string failure_of(const Layout& layout) {
   for (std::size_t i = 0; i < kCases.size(); ++i)
-    if (const std::string d = difference(simulate_case(layout, i), kCases[i]); !d.empty())
+    if (const std::string d = difference(rehearse_case(layout, i), kCases[i]); !d.empty())
       return "case " + std::to_string(i + 1) + ": " + d;
   return "";
 }
 
-Member member(Coupling coupling, const LinkAngles& home) {
-  Member member{coupling, home, solve_layout(coupling, home), ""};
+Member member(const Linkage& linkage, const LinkAngles& home) {
+  Member member{linkage, home, solve_layout(linkage, home), ""};
   member.failure = member.layout ? failure_of(*member.layout) : "no layout";
   return member;
 }
@@ -53,13 +49,14 @@ struct Parameter {
   std::function<double&(Layout&)> of;
 };
 
-const std::array<Parameter, 11> kParameters{{
+const std::array<Parameter, 12> kParameters{{
     {"home lean of the upper arm", "deg", [](Layout& l) -> double& { return l.home.lean; }},
     {"home elevation of the forearm", "deg", [](Layout& l) -> double& { return l.home.elevation; }},
     {"sphere radius", "mm", [](Layout& l) -> double& { return l.sphere_radius; }},
     {"sphere distance from the flange", "mm", [](Layout& l) -> double& { return l.sphere_distance; }},
     {"material side", "mm", [](Layout& l) -> double& { return l.side; }},
     {"gap between station axis and material", "mm", [](Layout& l) -> double& { return l.gap; }},
+    {"drop onto the place at the machine", "mm", [](Layout& l) -> double& { return l.drop; }},
     {"storage radius in case 1", "mm", [](Layout& l) -> double& { return l.storage_radius[0]; }},
     {"storage radius in case 2", "mm", [](Layout& l) -> double& { return l.storage_radius[1]; }},
     {"machine radius", "mm", [](Layout& l) -> double& { return l.machine_radius; }},
@@ -75,7 +72,8 @@ Choice choice_of(const Layout& layout, const char* name, const char* unit, doubl
 }  // namespace
 
 std::uint64_t layout_work() {
-  return kCouplings.size() * (kGrid * kGrid + kLine) + kParameters.size() + 1 + 2 * (kAngles + kHeights);
+  return kCouplings.size() * kHands.size() * (kGrid * kGrid + kLine) + kParameters.size() + 1 +
+         2 * (kAngles + kHeights);
 }
 
 std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const LayoutProgress& progress) {
@@ -85,22 +83,25 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
     return stop.load();
   };
   LayoutStudy study;
-  for (const Coupling coupling : kCouplings) {
+  std::vector<Linkage> linkages;
+  for (const Hand hand : kHands)
+    for (const Coupling coupling : kCouplings) linkages.push_back({coupling, hand});
+  for (const Linkage& linkage : linkages) {
     for (int elevation = -kGridReach; elevation <= kGridReach; elevation += kGridStep)
       for (int lean = -kGridReach; lean <= kGridReach; lean += kGridStep) {
-        study.grid.push_back(member(coupling, {0.0 + lean, 0.0 + elevation}));
+        study.grid.push_back(member(linkage, {0.0 + lean, 0.0 + elevation}));
         if (stopped()) return std::nullopt;
       }
     for (int elevation = -kGridReach; elevation <= kGridReach; ++elevation) {
-      for (const double lean : leans_of_one_height(coupling, elevation))
-        study.one_height.push_back(member(coupling, {lean, 0.0 + elevation}));
+      for (const double lean : leans_of_one_height(linkage, elevation))
+        study.one_height.push_back(member(linkage, {lean, 0.0 + elevation}));
       if (stopped()) return std::nullopt;
     }
   }
 
   study.chosen = chosen_layout();
   const Layout& layout = study.chosen;
-  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(simulate_case(layout, i));
+  for (std::size_t i = 0; i < kCases.size(); ++i) study.cases.push_back(rehearse_case(layout, i));
   study.choices.push_back(choice_of(layout, "storage height", "mm", layout.storage_height[0], [](Layout& l, double by) {
     for (double& height : l.storage_height) height += by;
   }));
@@ -115,13 +116,13 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
   for (std::size_t place = 0; place < kCases.size(); ++place) {
     for (int angle = -kLargestAngle; angle <= kLargestAngle; ++angle) {
       const Station storage = layout.storage(place, angle);
-      study.angles.push_back({place, 0.0 + angle, storage.height, simulate(layout, storage)});
+      study.angles.push_back({place, 0.0 + angle, storage.height, rehearse(layout, storage)});
       if (stopped()) return std::nullopt;
     }
     for (int step = -kLargestHeightStep; step <= kLargestHeightStep; ++step) {
       Station storage = layout.storage(place, kCases[place].storage_angle);
       storage.height += step * kHeightStep;
-      study.heights.push_back({place, kCases[place].storage_angle, storage.height, simulate(layout, storage)});
+      study.heights.push_back({place, kCases[place].storage_angle, storage.height, rehearse(layout, storage)});
       if (stopped()) return std::nullopt;
     }
   }

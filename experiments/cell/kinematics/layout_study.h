@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cell/kinematics/simulated_path.h"
+#include "experiments/cell/kinematics/laid_out.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 
 /// The computations of `touchstone cell layout`: the layouts that reproduce the captioned angles, the chosen layout,
@@ -17,7 +17,7 @@ namespace touchstone::kinematics {
 
 /// A home pose of the family and its layout.
 struct Member {
-  Coupling coupling;
+  Linkage linkage;
   LinkAngles home;
   std::optional<Layout> layout;  ///< none if there is no solution
   std::string failure;           ///< why the captions are not reproduced; empty if they are
@@ -33,14 +33,14 @@ struct Choice {
 struct Prediction {
   std::size_t place;  ///< whose radius it has: 0 or 1, as in Layout
   double angle, height;
-  SimulatedPath path;
+  cell::Process path;  ///< by the sphere alone, up to the machine
 };
 
 struct LayoutStudy {
   std::vector<Member> grid;        ///< leans and elevations by 5 degrees
   std::vector<Member> one_height;  ///< elevations by 1 degree: those with one height of the storage in both cases
   Layout chosen;
-  std::vector<SimulatedPath> cases;  ///< in the chosen layout
+  std::vector<cell::Process> cases;  ///< in the chosen layout
   std::vector<Choice> choices;
   std::vector<Prediction> angles;   ///< for every whole angle from -60 to 60, both places
   std::vector<Prediction> heights;  ///< both cases' storage raised and lowered by 10 mm and more
@@ -50,7 +50,7 @@ struct LayoutStudy {
 using LayoutProgress = std::function<void(std::uint64_t done)>;
 [[nodiscard]] std::uint64_t layout_work();
 
-/// Runs the study. Returns nothing if it was stopped. Cost: about 10 s.
+/// Runs the study. Returns nothing if it was stopped. Cost: about 20 s.
 [[nodiscard]] std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const LayoutProgress& progress);
 
 }  // namespace touchstone::kinematics

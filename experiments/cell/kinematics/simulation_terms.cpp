@@ -11,7 +11,8 @@ std::string_view to_string(Until until) {
 }
 
 std::string_view to_string(FailureCause cause) {
-  constexpr std::array<std::string_view, 4> words{"out-of-reach", "beyond-limits", "no-contact", "in-the-way"};
+  constexpr std::array<std::string_view, 6> words{"out-of-reach", "beyond-limits", "no-contact",
+                                                  "not-held",     "misplaced",     "in-the-way"};
   return words[static_cast<std::size_t>(cause)];
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Terms of both simulations of the cell: that of the thesis's case studies, and that of the whole process.
+/// Terms of the simulation of the cell.
 namespace touchstone::kinematics {
 
 /// The direction from which the sphere comes to the material. `SideWithoutShoulder` leaves the shoulder as at home.
@@ -26,7 +26,9 @@ enum class FailureCause {
   OutOfReach,  ///< inverse kinematics has no solution
   JointLimit,  ///< a joint would have to turn beyond its limits
   NoContact,   ///< the sphere does not touch its target, or steps skip the contact
-  InTheWay,    ///< sphere or arm touch something else
+  NotHeld,     ///< what the sphere touches is not between the fingers
+  Misplaced,   ///< what the gripper would let go is too far from its place
+  InTheWay,    ///< something touches what it should not
 };
 /// `out-of-reach`, `beyond-limits`, ...
 [[nodiscard]] std::string_view to_string(FailureCause cause);

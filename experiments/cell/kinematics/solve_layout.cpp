@@ -18,12 +18,12 @@ double to_a_tenth(double x) { return std::round(x * 10) / 10; }
 }  // namespace
 
 // Case 1: half a degree before the base faces the storage, the centre is `radius` beside the material's side, which is
-// `gap` beside the station's x axis, at half its height. Case 2: half a degree before the shoulder is down, the centre
-// is over the edge between that side and the upper face. At the machine it is over the upper face.
-std::optional<Layout> solve_layout(Coupling coupling, const LinkAngles& home, const Assumptions& assumptions) {
-  const auto& [distance, radius, side] = assumptions;
+// `gap` beside the station's x axis, a little below its upper face. Case 2 and machine: half a degree before the
+// shoulder is down, the centre is over the edge between that side and the upper face.
+std::optional<Layout> solve_layout(const Linkage& linkage, const LinkAngles& home, const Assumptions& assumptions) {
+  const auto& [distance, radius, side, drop] = assumptions;
   const auto& [first, second] = kCases;
-  Layout layout{coupling, home, distance, radius, side, 0, {}, {}, 0, 0, 0};
+  Layout layout{linkage.coupling, linkage.hand, home, distance, radius, side, 0, drop, {}, {}, 0, 0, 0};
   const SphereArm arm(layout);
 
   const Reach beside = arm.reach({0.0 + first.shoulder, 0.0 + first.elbow});
@@ -34,9 +34,9 @@ std::optional<Layout> solve_layout(Coupling coupling, const LinkAngles& home, co
   if (beside.out <= 0 || above.out <= 0 || at_machine.out <= 0 || layout.gap <= -radius) return std::nullopt;
   const double over_edge = layout.gap > 0 ? std::sqrt(radius * radius - layout.gap * layout.gap) : radius;
   layout.storage_radius = {beside.out * workloads::cosine(kHalf), above.out};
-  layout.storage_height = {beside.up - side / 2, above.up - side - over_edge};
+  layout.storage_height = {beside.up + below_upper_face(radius) - side, above.up - side - over_edge};
   layout.machine_radius = at_machine.out;
-  layout.machine_height = at_machine.up - side - radius;
+  layout.machine_height = at_machine.up - side - over_edge - drop;
   const Reach gripped = arm.reach({0.0 + second.shoulder, 0.0 + second.elbow});
   const Reach lifted = arm.reach({second.shoulder + second.lift + kHalf, 0.0 + second.elbow});
   layout.clearance = lifted.up - gripped.up;
@@ -44,10 +44,10 @@ std::optional<Layout> solve_layout(Coupling coupling, const LinkAngles& home, co
   return layout;
 }
 
-std::vector<double> leans_of_one_height(Coupling coupling, double elevation, const Assumptions& assumptions) {
+std::vector<double> leans_of_one_height(const Linkage& linkage, double elevation, const Assumptions& assumptions) {
   std::vector<double> leans;
   const auto difference = [&](double lean) -> std::optional<double> {
-    const auto layout = solve_layout(coupling, {lean, elevation}, assumptions);
+    const auto layout = solve_layout(linkage, {lean, elevation}, assumptions);
     if (!layout) return std::nullopt;
     return height_difference(*layout);
   };
@@ -66,10 +66,12 @@ std::vector<double> leans_of_one_height(Coupling coupling, double elevation, con
   return leans;
 }
 
-Layout chosen_layout() {
-  constexpr Coupling coupling = Coupling::KeepsElevation;
-  const double lean = to_a_tenth(leans_of_one_height(coupling, 0).front());
-  Layout layout = solve_layout(coupling, {lean, 0}).value();
+namespace {
+
+/// The layout of one height, rounded to tenths.
+Layout rounded(const Linkage& linkage, double elevation) {
+  const double lean = to_a_tenth(leans_of_one_height(linkage, elevation).front());
+  Layout layout = solve_layout(linkage, {lean, elevation}).value();
   const double height = to_a_tenth((layout.storage_height[0] + layout.storage_height[1]) / 2);
   layout.storage_height = {height, height};
   for (double* length : {&layout.gap, &layout.storage_radius[0], &layout.storage_radius[1], &layout.machine_radius,
@@ -77,5 +79,11 @@ Layout chosen_layout() {
     *length = to_a_tenth(*length);
   return layout;
 }
+
+}  // namespace
+
+Layout chosen_layout() { return rounded({Coupling::KeepsElevation, Hand::Level}, kChosenElevation); }
+
+Layout locked_layout() { return rounded({Coupling::KeepsElevation, Hand::Locked}, 0); }
 
 }  // namespace touchstone::kinematics

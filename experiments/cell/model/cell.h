@@ -38,8 +38,8 @@ struct Joint {
 };
 
 /// A coupling of two joints: the angle of `joint` about its axis is its command plus `factor` times the command of
-/// `leader`. If the two axes are opposite and the factor is 1, the leader does not turn the links that the joint
-/// carries. Limits apply to the angle.
+/// `leader`. If the two axes are opposite and the factor is 1, or they are the same and it is -1, the leader does not
+/// turn the links that the joint carries. A joint may follow several leaders. Limits apply to the angle.
 struct Coupling {
   std::size_t joint, leader;  ///< places in Robot::joints
   double factor;
@@ -66,6 +66,14 @@ struct Robot {
 struct Gripper {
   std::vector<Part> parts;
   Ball sphere;  ///< the virtual sphere that is tested for contact
+
+  /// When the gripper holds: if what is between its fingers could be shifted along a direction, either way, by no more
+  /// than `play` before it meets a finger.
+  struct Hold {
+    Eigen::Vector3d along;  ///< of length 1
+    double play;            ///< > 0
+  };
+  std::optional<Hold> hold;  ///< if none, the gripper holds whatever the sphere touches
 };
 
 /// A place for a piece of material.
@@ -103,6 +111,13 @@ struct Material {
   Solid solid;
   std::size_t slot;          ///< of the storage, where it lies initially
   std::size_t machine_slot;  ///< of the machine, its destination
+  double drop = 0;  ///< >= 0: the virtual material, onto which the sphere is lowered, is so far above the place itself
+
+  /// How far from its place, and how many degrees turned, it may be when the gripper lets go.
+  struct Tolerance {
+    double distance, degrees;
+  };
+  std::optional<Tolerance> tolerance;  ///< if none, it may be anywhere
 };
 
 struct Cell {

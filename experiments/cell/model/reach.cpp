@@ -106,23 +106,27 @@ Reach reach_of(const Cell& cell) {
   std::vector<Eigen::Vector3d> points;
   Pose frame = robot.base;
   int turning = 0;
+  std::size_t third = robot.joints.size();
+  std::optional<Eigen::Vector3d> hand;  // where a joint undoes the turning of the third: the hand behind it stays level
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
     frame.translation += frame.rotation * joint.origin.translation;
     frame.rotation *= joint.origin.rotation;
     if (joint.kind == Joint::Kind::Fixed) continue;
     double angle = joint.home;
-    bool moves = ++turning <= kMoved;
+    if (++turning == kMoved) third = i;
     for (const Coupling& coupling : robot.couplings)
       if (coupling.joint == i) {
         angle += coupling.factor * robot.joints[coupling.leader].home;
-        moves = true;
+        if (coupling.leader == third) hand = frame.translation;
       }
     if (turning == 1) continue;
-    if (moves) points.push_back(frame.translation);
+    if (turning <= kMoved) points.push_back(frame.translation);
     frame.rotation *= rotation_about(joint.axis, angle);
   }
-  points.push_back(frame.translation + frame.rotation * cell.gripper.sphere.center);
+  const Eigen::Vector3d center = frame.translation + frame.rotation * cell.gripper.sphere.center;
+  points.push_back(hand ? *hand : center);
+  const Eigen::Vector3d level = center - points.back();  // the same in every pose
   double sum = 0, longest = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double length = (points[i] - points[i - 1]).norm();
@@ -130,7 +134,8 @@ Reach reach_of(const Cell& cell) {
     longest = std::max(longest, length);
   }
   const Eigen::Vector3d& second = points.front();
-  return {std::hypot(second.x(), second.y()), second.z(), std::max(0.0, 2 * longest - sum), sum};
+  return {std::hypot(second.x(), second.y()) + level.x(), second.z() + level.z(), std::max(0.0, 2 * longest - sum),
+          sum};
 }
 
 void check_reach(const Cell& cell) {

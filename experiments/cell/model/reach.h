@@ -8,8 +8,9 @@
 namespace touchstone::cell {
 
 /// The region in which the arm can hold the centre of its sphere during the process: at a distance from `inner` to
-/// `outer` from some point of the circle about the cell's z axis on which the second joint's origin lies. Only the
-/// first three joints that turn and the joints that follow others move; all other joints stay as they are at home.
+/// `outer` from some point of the circle about the cell's z axis on which the second joint's origin lies; if the hand
+/// stays level, of that circle shifted by what the sphere hangs from the hand's joint. Only the first three joints that
+/// turn and the joints that follow others move; all other joints stay as they are at home.
 ///
 /// Ignores joint limits and the directions of axes, so it is a necessary condition only: points outside the region are
 /// out of reach, points inside may be out of reach, too.

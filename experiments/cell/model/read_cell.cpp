@@ -112,10 +112,18 @@ void check_names(const Cell& cell, const CellEntry& whole) {
 }
 
 Gripper read_gripper(const CellEntry& entry, const SolidContext& context) {
-  entry.has_only({"parts", "sphere"});
+  entry.has_only({"parts", "sphere", "hold"});
   const CellEntry sphere = entry.at("sphere");
   sphere.has_only({"at", "radius"});
-  return {read_parts(entry.at("parts"), context), {sphere.at("at").point(), sphere.at("radius").positive()}};
+  Gripper gripper{
+      read_parts(entry.at("parts"), context), {sphere.at("at").point(), sphere.at("radius").positive()}, {}};
+  if (const auto hold = entry.find("hold")) {
+    hold->has_only({"along", "play"});
+    const Eigen::Vector3d along = hold->at("along").point();
+    if (!(along.norm() > 0)) hold->at("along").bad("has no direction");
+    gripper.hold = {along.normalized(), hold->at("play").positive()};
+  }
+  return gripper;
 }
 
 Station read_station(const CellEntry& entry, const SolidContext& context) {
@@ -147,6 +155,14 @@ Station read_station(const CellEntry& entry, const SolidContext& context) {
     if (!(given.top > -station.height)) stand->at("top").bad("lies at or below the floor");
   }
   return station;
+}
+
+std::map<std::string, std::vector<std::string>> presets_of(const CellEntry& whole) {
+  std::map<std::string, std::vector<std::string>> presets;
+  if (const auto entry = whole.find("presets"))
+    for (const auto& [name, changes] : entry->members())
+      for (const CellEntry& change : changes.items()) presets[name].push_back(change.text());
+  return presets;
 }
 
 /// The paths of all values, and those of numbers.
@@ -201,13 +217,28 @@ std::size_t slot_named(const Station& station, const CellEntry& entry) {
   entry.bad(fmt::format("there is no slot \"{}\"", name));
 }
 
+std::map<std::string, std::vector<std::string>> read_presets(const std::filesystem::path& file) {
+  const harness::StrictJson json = load(file);
+  return presets_of(CellEntry(file.string(), "", json.value));
+}
+
+std::vector<std::string> preset(const std::filesystem::path& file, const std::string& name) {
+  const auto presets = read_presets(file);
+  const auto found = presets.find(name);
+  if (found != presets.end()) return found->second;
+  std::string names;
+  for (const auto& [each, changes] : presets) names += (names.empty() ? "" : ", ") + each;
+  throw BadCell(fmt::format("{}: presets: no preset is named \"{}\"; there are: {}", file.string(), name, names));
+}
+
 Cell read_cell(const std::filesystem::path& file, const std::optional<std::filesystem::path>& meshes,
                const std::vector<std::string>& changes) {
   harness::StrictJson json = load(file);
   for (const std::string& change : changes) change_cell(json.value, change);
   const CellEntry whole(file.string(), "", json.value);
-  whole.has_only(
-      {"name", "unit", "step", "clearance", "meshes", "robot", "gripper", "storage", "machine", "material", "labels"});
+  whole.has_only({"name", "unit", "step", "clearance", "meshes", "robot", "gripper", "storage", "machine", "material",
+                  "labels", "presets"});
+  static_cast<void>(presets_of(whole));
   const std::filesystem::path folder = file.parent_path();
   SolidContext context{read_unit(whole.at("unit")), folder.empty() ? "." : folder};
   if (const auto given = whole.find("meshes")) context.mesh_folder = folder / given->text();
@@ -228,9 +259,16 @@ Cell read_cell(const std::filesystem::path& file, const std::optional<std::files
             .labels = {}};
   if (cell.step > 90) whole.at("step").bad(fmt::format("must be at most 90, is {}", cell.step));
   const CellEntry material = whole.at("material");
-  material.has_only({"solid", "slot", "machine_slot"});
-  cell.material = {read_solid(material.at("solid"), context), slot_named(cell.storage, material.at("slot")),
-                   slot_named(cell.machine, material.at("machine_slot"))};
+  material.has_only({"solid", "slot", "machine_slot", "drop", "tolerance"});
+  cell.material = {.solid = read_solid(material.at("solid"), context),
+                   .slot = slot_named(cell.storage, material.at("slot")),
+                   .machine_slot = slot_named(cell.machine, material.at("machine_slot")),
+                   .tolerance = {}};
+  if (const auto drop = material.find("drop")) cell.material.drop = drop->not_negative();
+  if (const auto tolerance = material.find("tolerance")) {
+    tolerance->has_only({"distance", "degrees"});
+    cell.material.tolerance = {tolerance->at("distance").positive(), tolerance->at("degrees").positive()};
+  }
   check_names(cell, whole);
   read_labels(cell, whole);
   check_stops(cell);

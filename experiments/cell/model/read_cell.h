@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,11 +26,14 @@ namespace touchstone::cell {
 ///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns;
 ///             sides: of the URDF's cylinders; optional: coupling: [{joint, follows, factor}], links: {link: parts} to
 ///             replace the parts that the URDF gives a link
-///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link
+///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link; optional: hold: {along:
+///             [x, y, z], play}, when it holds (Gripper::Hold)
 ///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], with
 ///             an optional aim: [x, y] instead of those of place; parts; optional: stand: {from: [x, y], to: [x, y],
 ///             top: z}
-///   material  solid; slot: of the storage; machine_slot: of the machine
+///   material  solid; slot: of the storage; machine_slot: of the machine; optional: drop: from where it is let go;
+///             tolerance: {distance, degrees} from its place when it is let go
+///   presets   optional: {name: ["path=value", ...]}: named changes of the file (change_cell.h)
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
 /// `meshes` overrides the folder of the key; `changes` are applied first, in order (change_cell.h). Throws BadCell,
@@ -41,6 +45,12 @@ namespace touchstone::cell {
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});
+
+/// Returns the presets of a cell file, in alphabetic order. Throws BadCell as read_cell does.
+[[nodiscard]] std::map<std::string, std::vector<std::string>> read_presets(const std::filesystem::path& file);
+/// Returns the changes of a preset. Throws BadCell, which names the presets of the file, for an
+/// unknown name.
+[[nodiscard]] std::vector<std::string> preset(const std::filesystem::path& file, const std::string& name);
 
 /// Returns the index of the slot that an entry names. Throws BadCell if the station has no slot of that name.
 [[nodiscard]] std::size_t slot_named(const Station& station, const CellEntry& entry);

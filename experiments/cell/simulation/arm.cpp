@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -17,26 +18,57 @@ namespace {
   throw BadCell(fmt::format("{}: {}: {}", cell.file.string(), key, reason));
 }
 
-/// Returns the pose of a frame that is at `pose` in a frame at `outer`.
+/// The compensations of joints that have these places in Robot::joints, by the couplings.
+std::vector<kinematics::Compensation> compensations_of(const Cell& cell, const kinematics::Chain& free,
+                                                       const kinematics::Angles& home,
+                                                       const std::vector<std::size_t>& places) {
+  std::vector<kinematics::Compensation> all;
+  const auto& couplings = cell.robot.couplings;
+  const std::vector<Pose> frames = free.frames(home);
+  const auto axis = [&](std::size_t i) -> Eigen::Vector3d { return frames[i].rotation * free.joints()[i].axis; };
+  const auto index = [&](std::size_t joint) {
+    return static_cast<std::size_t>(std::ranges::find(places, joint) - places.begin());
+  };
+  const auto follows = [&](std::size_t i) {
+    return std::ranges::any_of(couplings, [&](const Coupling& c) { return c.joint == places[i]; });
+  };
+  for (std::size_t k = 0; k < couplings.size(); ++k) {
+    const std::size_t driver = index(couplings[k].leader), joint = index(couplings[k].joint);
+    const auto refuse = [&](const std::string& why) {
+      bad(cell, fmt::format("robot.coupling[{}]", k).c_str(),
+          fmt::format("{} is to undo the turning of {}, but {}", free.joints()[joint].name, free.joints()[driver].name,
+                      why));
+    };
+    if (driver >= joint) refuse("does not come behind it");
+    const auto parallel = [&](std::size_t i) { return axis(i).cross(axis(driver)).norm() <= 1e-12; };
+    if (!parallel(joint)) refuse("is not parallel to it at home");
+    if (couplings[k].factor != (axis(joint).dot(axis(driver)) > 0 ? -1 : 1))
+      refuse(fmt::format("would do so by the factor {:g}", -couplings[k].factor));
+    for (std::size_t i = driver + 1; i < joint; ++i)
+      if ((i <= kElbow || follows(i)) && !parallel(i))
+        refuse(fmt::format("{} moves between them and is not parallel to them", free.joints()[i].name));
+    for (const kinematics::Compensation& other : all)
+      if (other.driver == driver) refuse("another joint does so already");
+    all.push_back({driver, joint});
+  }
+  return all;
+}
+
+}  // namespace
+
 Pose within(const Pose& outer, const Pose& pose) {
   return {outer.rotation * pose.rotation, outer.rotation * pose.translation + outer.translation};
 }
 
-/// The driver of the chain, whose joints have these places in Robot::joints.
-std::optional<std::size_t> driver_of(const Cell& cell, const std::vector<kinematics::Joint>& joints,
-                                     const std::vector<std::size_t>& places) {
-  const auto& couplings = cell.robot.couplings;
-  if (couplings.empty()) return std::nullopt;
-  const Coupling& only = couplings.front();
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    if (places[i] != only.leader || places[i + 1] != only.joint || couplings.size() > 1) continue;
-    const Eigen::Vector3d axis = joints[i + 1].origin.rotation * joints[i + 1].axis;
-    if (axis == -only.factor * joints[i].axis && std::abs(only.factor) == 1) return i;
-  }
-  bad(cell, "robot.coupling", "only one is simulated: of a joint with the next, parallel one, whose turning it undoes");
+Pose inverse(const Pose& pose) {
+  const Eigen::Matrix3d back = pose.rotation.transpose();
+  return {back, -(back * pose.translation)};
 }
 
-}  // namespace
+double turn_between(const Pose& one, const Pose& other) {
+  const double chord = (one.rotation - other.rotation).norm() / (2 * std::sqrt(2.0));
+  return 2 * workloads::arc_sine(std::min(1.0, chord));
+}
 
 Ball Arm::sphere_at(const kinematics::Angles& commanded) const {
   return {chain.place(commanded, sphere.center), sphere.radius};
@@ -69,9 +101,9 @@ Arm arm_of(const Cell& cell) {
     home.push_back(joint.home);
   }
   if (joints.size() <= kElbow) bad(cell, "robot.urdf", "fewer than three joints turn");
-  const auto driver = driver_of(cell, joints, places);
   const Pose flange = links.back().pose;
-  return {{std::move(joints), flange, driver}, std::move(home), cell.gripper.sphere, std::move(links)};
+  const auto compensations = compensations_of(cell, {joints, flange}, home, places);
+  return {{std::move(joints), flange, compensations, home}, home, cell.gripper.sphere, std::move(links)};
 }
 
 PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
@@ -99,11 +131,20 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   home_ = {arm.home[kShoulder], arm.home[kElbow]};
   shoulder_sense_ = axis(kShoulder).y() > 0 ? 1 : -1;
   elbow_sense_ = axis(kElbow).y() > 0 ? -1 : 1;
-  makes_up_ = !cell.robot.couplings.empty();
+  const auto by_shoulder = arm.chain.compensating(kShoulder), by_elbow = arm.chain.compensating(kElbow);
+  makes_up_ = by_shoulder == std::size_t{kElbow};
+  const Eigen::Vector3d wrist = by_elbow ? frames[*by_elbow].translation : center;
+  if (by_elbow ? !by_shoulder : by_shoulder && !makes_up_)
+    bad(cell, "robot.coupling", "the turning of only one of shoulder and elbow is undone behind the elbow");
   shoulder_ = {at.x(), at.z()};
-  const Eigen::Vector3d first = elbow - at, second = center - elbow;
+  hand_ = {center.x() - wrist.x(), center.z() - wrist.z()};
+  const Eigen::Vector3d first = elbow - at, second = wrist - elbow;
   links_ = {first.norm(), second.norm()};
   home_angles_ = {workloads::arc_tangent(first.x(), first.z()), workloads::arc_tangent(second.z(), second.x())};
+}
+
+double PlanarArm::furthest() const {
+  return std::abs(shoulder_.out) + links_.first + links_.second + std::abs(hand_.out);
 }
 
 std::optional<PlanarArm::Commands> PlanarArm::inverse(const kinematics::Reach& center) const {
@@ -111,9 +152,10 @@ std::optional<PlanarArm::Commands> PlanarArm::inverse(const kinematics::Reach& c
   const auto away = [&](const Commands& c) {
     return std::abs(c.shoulder - home_.shoulder) + std::abs(c.elbow - home_.elbow);
   };
-  for (const kinematics::LinkAngles& angles : links_.inverse({center.out - shoulder_.out, center.up - shoulder_.up})) {
+  for (const kinematics::LinkAngles& angles :
+       links_.inverse({center.out - shoulder_.out - hand_.out, center.up - shoulder_.up - hand_.up})) {
     const double lean = std::remainder(angles.lean - home_angles_.lean, 360);
-    const double carried = makes_up_ ? 0 : lean;
+    const double carried = makes_up_ ? 0 : lean;  // else the shoulder turns the second link
     const double raised = std::remainder(angles.elevation - home_angles_.elevation + carried, 360);
     const Commands commands{home_.shoulder + shoulder_sense_ * lean, home_.elbow + elbow_sense_ * raised};
     if (!nearest || away(commands) < away(*nearest)) nearest = commands;

@@ -13,6 +13,12 @@
 
 namespace touchstone::cell {
 
+/// Returns the pose of a frame that is at `pose` in a frame at `outer`.
+[[nodiscard]] Pose within(const Pose& outer, const Pose& pose);
+[[nodiscard]] Pose inverse(const Pose& pose);
+/// Returns the angle in degrees by which the rotations of two poses differ.
+[[nodiscard]] double turn_between(const Pose& one, const Pose& other);
+
 /// The joints that the process moves: the first three that turn. The others keep their angles at home.
 enum Moved : std::size_t { kBase, kShoulder, kElbow };
 
@@ -34,15 +40,17 @@ struct Arm {
   [[nodiscard]] std::vector<Pose> link_poses(const kinematics::Angles& commanded) const;
 };
 
-/// Returns the arm of a cell. Throws BadCell naming `robot.coupling` for any coupling except one between a joint and
-/// the next, parallel one, which compensates it: with others, points would not move on arcs.
+/// Returns the arm of a cell. Throws BadCell naming the coupling unless a later joint undoes the turning of an earlier
+/// one, which no other joint undoes, and both are parallel at home and stay so: joints between them that move or follow
+/// others must be parallel to them, too. With other couplings points would not move on arcs.
 [[nodiscard]] Arm arm_of(const Cell& cell);
 
 /// The motion of the sphere's centre in the vertical plane that the base turns.
 class PlanarArm {
  public:
   /// Throws BadCell naming `robot.urdf` unless the base turns about z, shoulder and elbow turn about y, and the
-  /// sphere's centre at home is in the plane y = 0 with x > 0 (within 1e-9 of the arm's length).
+  /// sphere's centre at home is in the plane y = 0 with x > 0 (within 1e-9 of the arm's length). Throws BadCell naming
+  /// `robot.coupling` if a joint behind the elbow undoes the turning of the elbow but none that of the shoulder.
   PlanarArm(const Cell& cell, const Arm& arm);
 
   struct Commands {
@@ -51,6 +59,8 @@ class PlanarArm {
   /// Returns the commands, nearest to home, that bring the centre to the given distance from the base's axis and height
   /// above the floor; none if that is out of reach. Ignores joint limits.
   [[nodiscard]] std::optional<Commands> inverse(const kinematics::Reach& center) const;
+  /// Returns the greatest distance of the centre from the base's axis.
+  [[nodiscard]] double furthest() const;
   /// Returns the base's command that faces a direction of the plan, in degrees counter-clockwise.
   [[nodiscard]] double base(double azimuth) const { return home_base_ + base_sense_ * azimuth; }
 
@@ -58,7 +68,8 @@ class PlanarArm {
   double home_base_, base_sense_;
   Commands home_;
   kinematics::Reach shoulder_;  // where its axis is
-  kinematics::TwoLinks links_;
+  kinematics::TwoLinks links_;  // to the elbow, and on to the centre or, if the hand stays level, to its joint
+  kinematics::Reach hand_;      // from that joint to the centre
   kinematics::LinkAngles home_angles_;
   double shoulder_sense_, elbow_sense_;  // +1 where positive commands lean forward, raise
   bool makes_up_;                        // the elbow, for the shoulder

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "geometry/bvh/box.h"
 #include "robust/filtered/filtered.h"
@@ -95,6 +96,25 @@ bool BallCover::any(const Pose& pose, const std::function<bool(const Ball&)>& te
     if (!test(posed_generously(pose, node.ball))) continue;
     if (node.smallest) return true;
     for (std::uint32_t i = 0; i < node.children; ++i) open.push_back(node.first_child + i);
+  }
+  return false;
+}
+
+bool BallCover::may_be_near(const Pose& pose, const BallCover& other, const Pose& its_pose, double distance) const {
+  if (nodes_.empty() || other.nodes_.empty()) return false;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};
+  while (!open.empty()) {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    const Node &mine = nodes_[i], &its = other.nodes_[j];
+    const Ball a = posed_generously(pose, mine.ball), b = posed_generously(its_pose, its.ball);
+    if ((a.center - b.center).norm() > (a.radius + b.radius + distance) * kGenerous) continue;
+    if (mine.smallest && its.smallest) return true;
+    if (its.smallest || (!mine.smallest && mine.ball.radius > its.ball.radius)) {
+      for (std::uint32_t child = 0; child < mine.children; ++child) open.emplace_back(mine.first_child + child, j);
+    } else {
+      for (std::uint32_t child = 0; child < its.children; ++child) open.emplace_back(i, its.first_child + child);
+    }
   }
   return false;
 }

@@ -32,7 +32,13 @@ class BallCover {
   /// point of the faces satisfies it.
   [[nodiscard]] bool any(const Pose& pose, const std::function<bool(const Ball&)>& test) const;
 
+  /// Returns whether points of these faces and of other posed faces may be within a distance of each other. False
+  /// proves that none are.
+  [[nodiscard]] bool may_be_near(const Pose& pose, const BallCover& other, const Pose& its_pose, double distance) const;
+
   [[nodiscard]] std::vector<Ball> smallest() const;
+  /// Returns a ball around all faces.
+  [[nodiscard]] Ball whole() const { return nodes_.empty() ? Ball{Eigen::Vector3d::Zero(), 0} : nodes_.front().ball; }
   [[nodiscard]] double overhang() const { return overhang_; }
 
  private:

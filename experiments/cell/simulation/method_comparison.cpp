@@ -92,9 +92,11 @@ MethodComparison compare_methods(const Workcell& workcell, const Process& proces
                                  const std::vector<const cases::Method*>& methods, bool every_face) {
   const Obstacles& obstacles = workcell.obstacles();
   std::vector<PreparedFace> standing = prepared(obstacles.faces, obstacles.owners);
-  std::vector<std::vector<PreparedFace>> material;
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+  std::vector<std::vector<PreparedFace>> material, copies;
+  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
     material.push_back(prepared(workcell.at(slot).faces, {"material"}));
+    copies.push_back(prepared(workcell.at(slot).virtual_faces, {"material"}));
+  }
 
   Comparer comparer(methods, every_face);
   auto transfer = process.transfers.begin();
@@ -104,7 +106,7 @@ MethodComparison compare_methods(const Workcell& workcell, const Process& proces
     comparer.compare(i, stop.sphere, standing);
     for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
       if (transfer->slot == slot || stop.target == slot)
-        comparer.compare(i, stop.sphere, material[static_cast<std::size_t>(slot)]);
+        comparer.compare(i, stop.sphere, (transfer->slot == slot ? material : copies)[static_cast<std::size_t>(slot)]);
   }
   return std::move(comparer.result);
 }

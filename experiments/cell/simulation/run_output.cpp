@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/verdict.h"
@@ -24,9 +27,7 @@ const std::string& joint_name(const Workcell& workcell, Moved joint) {
 
 /// Returns where the material is at a stop: a place, or `gripper`.
 std::string_view holder(const Process& process, std::size_t stop) {
-  std::optional<StationSlot> slot;
-  for (const MaterialTransfer& transfer : process.transfers)
-    if (transfer.stop == 0 || transfer.stop < stop) slot = transfer.slot;
+  const auto slot = process.holding(stop).slot;
   return slot ? to_string(*slot) : "gripper";
 }
 
@@ -62,7 +63,54 @@ harness::Table<MoveRow> moves_csv() {
        {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low)},
        {"contact_high_deg", "its upper end", contact(&FirstContact::high)},
        {"kind", "the kind of contact", contact(&FirstContact::kind)},
-       {"face", "the face that is touched", contact(&FirstContact::face)}}};
+       {"face", "the face that is touched", contact(&FirstContact::face)},
+       {"early_deg", "degrees by which a wrong stop is before the exact one",
+        [](const MoveRow& row) { return row.move->wrong ? row.move->wrong->early : std::nullopt; }},
+       {"gap", "between the sphere and its target at a wrong stop",
+        [](const MoveRow& row) { return row.move->wrong ? std::optional(row.move->wrong->gap) : std::nullopt; }}}};
+}
+
+struct VertexRow {
+  std::optional<std::size_t> stop;
+  std::string_view part;
+  Eigen::Vector3d at;
+};
+
+const harness::Table<VertexRow>& poses_csv() {
+  constexpr const char* kFormat = "{:.9f}";
+  static const harness::Table<VertexRow> table(
+      "poses.csv", "a vertex of the gripper, of the material or of what stands",
+      {{"stop", "the stop; empty for what stands", &VertexRow::stop},
+       {"part", "the part", &VertexRow::part},
+       {"x", "the vertex, in the cell", [](const VertexRow& row) { return row.at.x(); }, kFormat},
+       {"y", "the same", [](const VertexRow& row) { return row.at.y(); }, kFormat},
+       {"z", "the same", [](const VertexRow& row) { return row.at.z(); }, kFormat}});
+  return table;
+}
+
+/// Each vertex once for each part, in order of first use.
+std::vector<VertexRow> vertices_of(const Workcell& workcell, const std::vector<NamedTriangle>& triangles) {
+  std::vector<VertexRow> rows;
+  std::set<std::tuple<std::uint32_t, double, double, double>> seen;
+  for (const auto& [triangle, owner] : triangles)
+    for (const Eigen::Vector3d& vertex : {triangle.a, triangle.b, triangle.c})
+      if (seen.insert({owner, vertex.x(), vertex.y(), vertex.z()}).second)
+        rows.push_back({{}, workcell.names()[owner], vertex});
+  return rows;
+}
+
+std::vector<VertexRow> pose_rows(const Workcell& workcell, const Process& process) {
+  std::vector<VertexRow> rows = vertices_of(workcell, workcell.stations());
+  const auto gripper = vertices_of(workcell, workcell.gripper()), material = vertices_of(workcell, workcell.material());
+  for (std::size_t i = 0; i < process.stops.size(); ++i) {
+    const Pose flange = workcell.arm().link_poses(process.stops[i].commanded).back();
+    const MaterialTransfer& last = process.holding(i);
+    const Pose lies = last.slot ? workcell.at(*last.slot).pose : within(flange, *last.in_flange);
+    for (const auto& [vertices, pose] : {std::pair(&gripper, &flange), std::pair(&material, &lies)})
+      for (const VertexRow& vertex : *vertices)
+        rows.push_back({i, vertex.part, pose->rotation * vertex.at + pose->translation});
+  }
+  return rows;
 }
 
 struct StopRow {
@@ -184,6 +232,11 @@ std::string summary(const Workcell& workcell, const Process& process, const Meth
     text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
                         m.degrees, to_string(m.until), m.exact);
     if (m.contact) text += fmt::format(", face {}, {}", m.contact->face, to_string(m.contact->kind));
+    if (m.wrong)
+      text += fmt::format("; WRONG STOP, {}, {:.2f} {} from the material",
+                          m.wrong->early ? fmt::format("{:g} degrees early", *m.wrong->early)
+                                         : std::string("there is no contact on the way"),
+                          m.wrong->gap, workcell.cell().unit.name);
     text += "\n";
   }
   double overhang = 0;
@@ -194,14 +247,14 @@ std::string summary(const Workcell& workcell, const Process& process, const Meth
   }
   const std::string_view unit = workcell.cell().unit.name;
   text += fmt::format(
-      "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls of "
-      "spheres and covers were asked of the obstacles\n",
-      process.stops.size(), balls, overhang, unit, process.balls);
+      "\n{} stops; the arm is covered by {} balls that reach at most {:.3g} {} beyond it; {} balls and triangles "
+      "were tested for obstacles\n",
+      process.stops.size(), balls, overhang, unit, process.queries);
   for (const MaterialTransfer& transfer : process.transfers)
-    if (transfer.shift > 0)
-      text += fmt::format("put in the {}: {:.1f} {} from where the gripper held it\n", to_string(*transfer.slot),
-                          transfer.shift, unit);
-  text += fmt::format("{} pairs of a stop and a face, {} whose boxes meet\n\n", comparison.pairs, comparison.met);
+    if (transfer.slot && transfer.stop > 0)
+      text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",
+                          to_string(*transfer.slot), transfer.shift, unit, transfer.turn);
+  text += fmt::format("{} pairs of a stop and a face could touch: their boxes meet\n\n", comparison.met);
   text += methods_csv().aligned(score_rows(comparison)) +
           "share_low, share_high: 95 % limits of the share of wrong answers\n";
   if (!process.failure.empty()) text += fmt::format("\nnot completed: {}\n", process.failure);
@@ -214,13 +267,15 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
   moves_csv().write(folder, move_rows(workcell, process));
   trajectory_csv(joints).write(folder, stop_rows(workcell, process));
+  poses_csv().write(folder, pose_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
   methods_csv().write(folder, score_rows(comparison));
   harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
 std::vector<harness::TableDescription> run_tables() {
-  return {moves_csv().description(), trajectory_csv({"<joint>"}).description(), methods_csv().description()};
+  return {moves_csv().description(), trajectory_csv({"<joint>"}).description(), poses_csv().description(),
+          methods_csv().description()};
 }
 
 }  // namespace touchstone::cell

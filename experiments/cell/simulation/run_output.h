@@ -19,6 +19,7 @@ namespace touchstone::cell {
 ///  - moves.csv: one line per move, with its certified contact;
 ///  - trajectory.csv and trajectory.json: every stop: phase, joint that moves, all joints' angles, the sphere, the face
 ///    that it touches, the place of the material;
+///  - poses.csv: the vertices of what stands, and of gripper and material at every stop;
 ///  - methods.csv: one line per method;
 ///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
 /// Throws std::runtime_error if a file cannot be written.

@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/cell/simulation/triangle_gap.h"
+#include "experiments/methods/triangulate.h"
 #include "experiments/workloads/degrees.h"
 #include "robust/scene/posing.h"
 
@@ -41,7 +44,7 @@ Eigen::AlignedBox3d box_along(const scene::Faces& faces, double azimuth) {
   return box;
 }
 
-Workplace workplace(const Station& station, const Slot& slot, const scene::Faces& material) {
+Workplace workplace(const Station& station, const Slot& slot, const scene::Faces& material, double drop) {
   const double x = station.radius + slot.aim.x(), y = slot.aim.y();
   const Pose frame = pose_of(station);
   Workplace place;
@@ -49,12 +52,20 @@ Workplace workplace(const Station& station, const Slot& slot, const scene::Faces
   place.out = std::sqrt(x * x + y * y);
   place.pose = {frame.rotation, frame.rotation * slot.place + frame.translation};
   place.faces = posed(place.pose, material);
+  place.drop = drop;
+  place.virtual_faces = posed({place.pose.rotation, place.pose.translation + Eigen::Vector3d(0, 0, drop)}, material);
   const Eigen::AlignedBox3d box = box_along(place.faces, place.azimuth);
   place.bottom = box.min().z();
   place.top = box.max().z();
   place.right = box.min().y();
   place.left = box.max().y();
   return place;
+}
+
+void append(std::vector<NamedTriangle>& all, const scene::Faces& faces, std::uint32_t owner) {
+  for (const Triangle& triangle : faces.triangles) all.push_back({triangle, owner});
+  for (const Polygon& polygon : faces.polygons)
+    for (const Triangle& triangle : methods::triangles_of(polygon)) all.push_back({triangle, owner});
 }
 
 }  // namespace
@@ -72,9 +83,9 @@ Pose pose_of(const Station& station) {
 std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
   std::vector<Covered> covered;
   for (const ModelPart& part : parts) {
-    if (part.carrier != Carrier::Link && part.carrier != Carrier::Gripper) continue;
+    if (part.carrier == Carrier::Storage || part.carrier == Carrier::Machine) continue;
     try {
-      covered.push_back({part.name, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
+      covered.push_back({part.name, part.carrier, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
     } catch (const std::length_error& error) {
       throw std::length_error(
           fmt::format("the part {}: {}; --cover-margin allows larger ones", part.name, error.what()));
@@ -89,58 +100,94 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
   std::vector<std::string> owners_of_polygons;
   for (const ModelPart& part : parts) {
     scene::Faces faces = scene_faces(part.faces).faces;
+    const auto owner = static_cast<std::uint32_t>(names_.size());
+    names_.push_back(part.name);
     switch (part.carrier) {
-      case Carrier::Link:
-      case Carrier::Gripper: break;
+      case Carrier::Link: break;
+      case Carrier::Gripper: append(gripper_, faces, owner); break;
       case Carrier::Storage:
       case Carrier::Machine: {
-        faces = posed(pose_of(part.carrier == Carrier::Storage ? cell.storage : cell.machine), faces);
+        const bool storage = part.carrier == Carrier::Storage;
+        faces = posed(pose_of(storage ? cell.storage : cell.machine), faces);
         standing_.push_back(scene_.add(part.name, faces));
+        append(stations_[storage ? 0 : 1], faces, owner);
         append(obstacles_.faces, faces);
         obstacles_.owners.insert(obstacles_.owners.end(), faces.triangles.size(), part.name);
         owners_of_polygons.insert(owners_of_polygons.end(), faces.polygons.size(), part.name);
         break;
       }
       case Carrier::Material:
-        places_ = {workplace(cell.storage, cell.storage.slots[cell.material.slot], faces),
-                   workplace(cell.machine, cell.machine.slots[cell.material.machine_slot], faces)};
+        append(material_triangles_, faces, owner);
+        places_ = {workplace(cell.storage, cell.storage.slots[cell.material.slot], faces, cell.material.drop),
+                   workplace(cell.machine, cell.machine.slots[cell.material.machine_slot], faces, cell.material.drop)};
+        for (const Workplace& place : places_) {
+          std::vector<NamedTriangle> there;
+          append(there, place.faces, owner);
+          slots_triangles_.emplace_back(std::move(there));
+        }
         break;
     }
   }
   obstacles_.owners.insert(obstacles_.owners.end(), owners_of_polygons.begin(), owners_of_polygons.end());
-  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
+  for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine}) {
     material_.push_back(scene_.add(fmt::format("the material in the {}", to_string(slot)), at(slot).faces));
+    copies_.push_back(
+        scene_.add(fmt::format("the virtual material in the {}", to_string(slot)), at(slot).virtual_faces));
+  }
+  const double reach = 2 * (plane_.furthest() + cell.storage.radius + cell.machine.radius);
+  const auto corner = [&](double x, double y) { return Eigen::Vector3d(x * reach, y * reach, 0); };
+  const scene::Faces floor{
+      {{corner(-1, -1), corner(1, -1), corner(1, 1)}, {corner(-1, -1), corner(1, 1), corner(-1, 1)}}, {}};
+  floor_ = scene_.add("the floor", floor);
+  std::vector<NamedTriangle> standing = stations();
+  append(standing, floor, static_cast<std::uint32_t>(names_.size()));
+  names_.emplace_back("the floor");
+  standing_triangles_.emplace(std::move(standing));
 }
 
-std::string Workcell::touched_obstacle(const kinematics::Angles& commanded, Material material,
-                                       std::uint64_t& balls) const {
+scene::Scene::Objects Workcell::in_the_way(Material material, bool floor) const {
   std::vector<std::uint32_t> numbers = standing_;
   if (material) numbers.push_back(material_[static_cast<std::size_t>(*material)]);
-  const scene::Scene::Objects objects(numbers);
-  const auto name = [&](const Ball& ball) { return scene_.name(scene_.touched(ball, objects).front().object); };
-
-  ++balls;
-  const Ball sphere = arm_.sphere_at(commanded);
-  if (scene_.touches(sphere, objects)) return fmt::format("the sphere touches {}", name(sphere));
-  const std::vector<Pose> poses = arm_.link_poses(commanded);
-  for (const Covered& part : *covered_) {
-    std::string touched;
-    const bool any = part.cover.any(poses[part.link], [&](const Ball& ball) {
-      ++balls;
-      if (!scene_.touches(ball, objects)) return false;
-      touched = name(ball);
-      return true;
-    });
-    if (any)
-      return fmt::format("{} comes within {:.3g} {} of {}", part.name, part.cover.overhang(), cell_.unit.name, touched);
-  }
-  return "";
+  if (floor) numbers.push_back(floor_);
+  return {std::move(numbers)};
 }
 
-std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot) const {
-  const auto faces = scene_.touched(ball, {{material_[static_cast<std::size_t>(slot)]}});
+std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot, bool virtual_copy) const {
+  const auto faces = scene_.touched(ball, {{(virtual_copy ? copies_ : material_)[static_cast<std::size_t>(slot)]}});
   if (faces.empty()) return std::nullopt;
   return faces.front().face;
+}
+
+std::vector<NamedTriangle> Workcell::stations() const {
+  std::vector<NamedTriangle> both = stations_[0];
+  both.insert(both.end(), stations_[1].begin(), stations_[1].end());
+  return both;
+}
+
+double Workcell::gap(const Ball& ball, StationSlot slot, bool virtual_copy) const {
+  const auto nearest = scene_.nearest(ball, {{(virtual_copy ? copies_ : material_)[static_cast<std::size_t>(slot)]}});
+  return std::max(0.0, nearest.value().distance - ball.radius);
+}
+
+std::string Workcell::overlap_of_stations() const {
+  const auto& [storage, machine] = stations_;
+  const TriangleTree tree(machine);
+  std::map<std::uint32_t, touchstone::Box> in_storage, in_machine;
+  for (const auto& [triangle, owner] : storage) {
+    const NamedTriangle* met = tree.find(
+        box(triangle), [&](const NamedTriangle& other) { return !further_apart(triangle, other.triangle, 0); });
+    if (met != nullptr) return fmt::format("{} stands in {}", names_[owner], names_[met->owner]);
+    in_storage[owner] = in_storage[owner].joined(box(triangle));
+  }
+  for (const auto& [triangle, owner] : machine) in_machine[owner] = in_machine[owner].joined(box(triangle));
+  const auto within = [](const touchstone::Box& inner, const touchstone::Box& outer) {
+    return (inner.low.array() >= outer.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
+  };
+  for (const auto& [part, its] : in_storage)
+    for (const auto& [other, box] : in_machine)
+      if (within(its, box) || within(box, its))
+        return fmt::format("{} and {} stand one in the other", names_[part], names_[other]);
+  return "";
 }
 
 }  // namespace touchstone::cell

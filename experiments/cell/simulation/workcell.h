@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/arm.h"
 #include "experiments/cell/simulation/ball_cover.h"
+#include "experiments/cell/simulation/triangle_tree.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::cell {
@@ -28,10 +30,12 @@ struct Workplace {
   double azimuth,
       out;  ///< of the point that the arm faces: degrees counter-clockwise, and distance from the base's axis
   double bottom, top;  ///< of the material there, above the floor
+  double drop;         ///< of its virtual copy above it
   double left,
       right;  ///< of the material, from the plane of the arm that faces it: counter-clockwise is left; left >= right
   Pose pose;  ///< of the material
-  scene::Faces faces;  ///< of the material
+  scene::Faces faces;          ///< of the material
+  scene::Faces virtual_faces;  ///< of its virtual copy, `drop` above it
 };
 
 /// The fixed obstacles, in the cell's frame.
@@ -40,13 +44,14 @@ struct Obstacles {
   std::vector<std::string> owners;  ///< for each face, the part, as in ModelPart::name
 };
 
-/// A part of the arm, or the gripper, and the balls that cover it.
+/// A part of the arm, of the gripper, or the material, and the balls that cover it.
 struct Covered {
   std::string name;  ///< as in ModelPart
+  Carrier carrier;
   std::size_t link;
   BallCover cover;
 };
-/// Covers links and gripper. Throws std::length_error, which names the part, as BallCover does. Cost: that of
+/// Covers links, gripper and material. Throws std::length_error, which names the part, as BallCover does. Cost: that of
 /// BallCover.
 [[nodiscard]] std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang);
 
@@ -71,12 +76,31 @@ class Workcell {
   /// The place of the material that is an obstacle, if any.
   using Material = std::optional<StationSlot>;
 
-  /// Names the obstacle that the sphere touches at a stop, besides its target, or that a part of the arm may touch;
-  /// empty if nothing is touched. Adds the number of tested balls to `balls`.
-  [[nodiscard]] std::string touched_obstacle(const kinematics::Angles& commanded, Material material,
-                                             std::uint64_t& balls) const;
-  /// Returns the lowest face of the material at a place that a ball touches.
-  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot) const;
+  /// The parts that stand, the material in both slots, its virtual copies and the floor.
+  [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  /// Returns the objects that are in the way: the parts that stand, the material in a slot and, if asked, the floor.
+  [[nodiscard]] scene::Scene::Objects in_the_way(Material material, bool floor) const;
+  /// Returns the lowest face of the material in a slot, or of its virtual copy, that a ball touches.
+  [[nodiscard]] std::optional<std::size_t> touched(const Ball& ball, StationSlot slot, bool virtual_copy) const;
+
+  /// Returns the distance of a ball from the material in a slot, or from its virtual copy; 0 if they touch.
+  [[nodiscard]] double gap(const Ball& ball, StationSlot slot, bool virtual_copy) const;
+
+  /// The same things as triangles, which cover their faces: those of the parts that stand and of the floor, and those
+  /// of the material in a slot. Owners are indices of `names()`.
+  [[nodiscard]] const TriangleTree& standing() const { return *standing_triangles_; }
+  [[nodiscard]] const TriangleTree& material_in(StationSlot slot) const {
+    return slots_triangles_[static_cast<std::size_t>(slot)];
+  }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// The triangles of storage and machine, in the cell.
+  [[nodiscard]] std::vector<NamedTriangle> stations() const;
+  /// The triangles of the gripper in the flange's frame, and of the material in its own.
+  [[nodiscard]] const std::vector<NamedTriangle>& gripper() const { return gripper_; }
+  [[nodiscard]] const std::vector<NamedTriangle>& material() const { return material_triangles_; }
+
+  /// Says which parts of storage and machine overlap, or that one lies in the other's bounding box; empty if none do.
+  [[nodiscard]] std::string overlap_of_stations() const;
 
  private:
   Cell cell_;
@@ -86,8 +110,14 @@ class Workcell {
   Obstacles obstacles_;
   std::shared_ptr<const std::vector<Covered>> covered_;
   scene::Scene scene_;
-  std::vector<std::uint32_t> standing_;  // objects of the scene
-  std::vector<std::uint32_t> material_;  // by place
+  std::vector<std::uint32_t> standing_;           // objects of the scene
+  std::vector<std::uint32_t> material_, copies_;  // by place
+  std::uint32_t floor_ = 0;
+  std::vector<std::string> names_;
+  std::vector<NamedTriangle> gripper_, material_triangles_;
+  std::array<std::vector<NamedTriangle>, 2> stations_;  // storage, machine
+  std::optional<TriangleTree> standing_triangles_;
+  std::vector<TriangleTree> slots_triangles_;  // by place
 };
 
 /// Returns the pose of a station's frame in the cell.

@@ -5,7 +5,8 @@ from results import finite
 
 TITLE = "Where the storage of the cell may stand"
 OUTCOMES = {"completed": "the whole process runs", "in-the-way": "something is in the way", "no-contact": "the sphere touches nothing",
-            "beyond-limits": "a joint is at its limit", "out-of-reach": "out of reach"}
+            "beyond-limits": "a joint is at its limit", "out-of-reach": "out of reach",
+            "not-held": "the part is not between the fingers", "misplaced": "the part would not arrive in its place"}
 
 
 def asked(study):

@@ -3,7 +3,7 @@
 from page import code, count, escaped, number, percent, picture, smaller, table, words
 from results import maybe, natural
 from results import number as any_number
-from thesis_page import CHAPTERS, anchor, chapter_of, name_of
+from thesis_page import CHAPTERS, anchor, bases, chapter_of, name_of
 
 TITLE = "The figures of the thesis of 2008"
 SHOWN = ("E.1", "E.2", "4.8", "5.24")  # in this page; all are on the thesis's own
@@ -12,7 +12,7 @@ SHOWN = ("E.1", "E.2", "4.8", "5.24")  # in this page; all are on the thesis's o
 class Data:
     def __init__(self, study):
         self.entries = study.rows("entries.csv", id=str, caption=str, page=str, status=str, text=str, picture=str, shows=str)
-        self.numbers = study.rows("numbers.csv", id=str, what=str, unit=str, ours=any_or_none, stated=str, label=str, agrees=str)
+        self.numbers = study.rows("numbers.csv", id=str, what=str, unit=str, ours=any_or_none, stated=str, label=str, basis=str, agrees=str)
         self.areas = study.rows("areas.csv", outline=str, share=maybe(any_number), right=natural, wrong=natural)
         self.stated = [row for row in self.numbers if row["stated"]]
         self.differing = [row for row in self.stated if row["agrees"] == "no"]
@@ -44,7 +44,7 @@ def differing(data):
 def finding(study):
     data = Data(study)
     return (f"<b>The thesis, reproduced.</b> Of {len(data.entries)} figures, tables and known errors, "
-            f"{len(data.stated) - len(data.differing)} of the {len(data.stated)} stated numbers are reproduced"
+            f"numbers agree as follows: {words(bases(data.stated))}"
             + (f" (not: {differing(data)})." if data.differing else "."))
 
 

@@ -7,9 +7,11 @@ import math
 
 from pictures.style import STYLES, plt, save
 
-BLUE, ORANGE, RED, BLACK, GREEN, PURPLE = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5))
+BLUE, ORANGE, RED, BLACK, GREEN, PURPLE, GREY = (STYLES[i][0] for i in (0, 1, 2, 3, 4, 5, 7))
 OUTCOMES = {"completed": ("the whole process runs", GREEN, "o", 14),
-            "in-the-way": ("sphere or arm come upon something else", RED, "s", 5),
+            "in-the-way": ("arm, gripper or part come upon something", RED, "s", 5),
+            "misplaced": ("the part would not arrive in its place", GREY, "d", 6),
+            "not-held": ("the part is not between the fingers", BLACK, "v", 6),
             "no-contact": ("the sphere does not touch the material", PURPLE, "x", 8),
             "beyond-limits": ("a joint is at its limit", ORANGE, "^", 8),
             "out-of-reach": ("out of reach", "#bbbbbb", ".", 3)}

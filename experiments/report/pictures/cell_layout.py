@@ -41,7 +41,7 @@ def branches(rows):
 
 def family_map(axes, grid, line, coupling, choice):
     """By how much the storage's height must differ between the cases, for every home pose."""
-    rows = [row for row in grid if row["coupling"] == coupling]
+    rows = [row for row in grid if row["coupling"] == coupling and row["hand"] == choice["hand"]]
     leans = sorted({number(row, "lean_deg") for row in rows})
     elevations = sorted({number(row, "elevation_deg") for row in rows})
     values = np.full((len(elevations), len(leans)), math.nan)
@@ -50,7 +50,7 @@ def family_map(axes, grid, line, coupling, choice):
             values[elevations.index(number(row, "elevation_deg")), leans.index(number(row, "lean_deg"))] = \
                 number(row, "storage_height_2_mm") - number(row, "storage_height_1_mm")
     image = axes.pcolormesh(leans, elevations, values, cmap="PuOr", vmin=-200, vmax=200, shading="nearest", rasterized=True)
-    come_out = [row for row in line if row["coupling"] == coupling and row["captions_come_out"] == "yes"]
+    come_out = [row for row in line if (row["coupling"], row["hand"], row["captions_come_out"]) == (coupling, choice["hand"], "yes")]
     for i, run in enumerate(branches(come_out)):
         axes.plot([number(row, "lean_deg") for row in run], [number(row, "elevation_deg") for row in run], color=BLACK,
                   linewidth=1.5, label="one height of the storage" if i == 0 else None)
@@ -71,7 +71,7 @@ def family_map(axes, grid, line, coupling, choice):
 
 def radii(axes, line, coupling, choice):
     """Where storage and machine stand along the line of one height."""
-    rows = [row for row in line if row["coupling"] == coupling and row["captions_come_out"] == "yes"]
+    rows = [row for row in line if (row["coupling"], row["hand"], row["captions_come_out"]) == (coupling, choice["hand"], "yes")]
     for j, run in enumerate(branches(rows)):
         for name, label, color, style in (("storage_radius_1_mm", "storage, case 1", BLUE, "-"),
                                           ("storage_radius_2_mm", "storage, case 2", ORANGE, "--"),
@@ -96,7 +96,8 @@ def family(folder, choice):
         image = family_map(axes[0, i], grid, line, coupling, choice)
         radii(axes[1, i], line, coupling, choice)
     figure.colorbar(image, ax=axes[0, :], label="storage height, case 2 less case 1 (mm)", extend="both")
-    figure.suptitle("Home poses that reproduce the captioned angles of both cases (grey: no such layout)\n"
+    figure.suptitle("Home poses that reproduce the captioned angles of both cases (grey: no such layout), "
+                    f"the hand {choice['hand']}\n"
                     "home pose, coupling, storage and machine are chosen: no public source gives them", fontsize=10)
     save(figure, folder, "cell-layout-family")
 
@@ -141,7 +142,7 @@ def plan_view(axes, choice):
     axes.annotate("home", at(0, 430, 0), va="center")
     stands = [(-150 + STORAGE_ANGLES[c], choice[f"storage radius in case {c}"], -gap - side / 2, CASES[c][0],
                f"storage, case {c}") for c in CASES]
-    stands.append((-83, choice["machine radius"], 0, GREEN, "machine"))
+    stands.append((-83, choice["machine radius"], -gap - side / 2, GREEN, "machine"))
     for azimuth, radius, across, color, label in stands:
         corners = [at(azimuth, radius + dx * side / 2, across + dy * side / 2) for dx, dy in
                    ((-1, -1), (1, -1), (1, 1), (-1, 1))]

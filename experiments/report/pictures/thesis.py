@@ -92,7 +92,7 @@ def pictures(data):
         "5-22": lambda: model.area(cell, data.places),
         "5-24": lambda: views.perspective(cell, "case 1, move 2"),
         "5-25": lambda: views.perspective(cell, "case 1, move 5"),
-        "5-26": lambda: views.perspective(cell, "case 1, move 4"),
+        "5-26": lambda: views.perspective(cell, "case 1, move 8"),
         "6-4": lambda: views.views(cell, 1, 1),
         "6-6": lambda: views.base_turn(cell, 1, 2),
         "6-10": lambda: views.close_up(cell, "case 1, move 2"),

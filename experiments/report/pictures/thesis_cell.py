@@ -110,9 +110,9 @@ def box_in(axes, station, box, **style):
     axes.fill(*zip(*corners), **style)
 
 
-def material_box(cell, at_machine):
+def material_box(cell):
     side, gap = cell.drawing["material"]["side"], cell.drawing["material"]["gap"]
-    low = -side / 2 if at_machine else -gap - side
+    low = -gap - side
     return {"from": (-side / 2, low), "to": (side / 2, low + side)}
 
 
@@ -121,7 +121,7 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
     drawing = cell.drawing
     machine = drawing["stations"]["machine"]
     box_in(axes, machine, drawing["plan"]["machine"], facecolor=COLORS["machine"], alpha=0.5, edgecolor=GREEN)
-    box_in(axes, machine, material_box(cell, True), facecolor="none", edgecolor=BLACK, linestyle="--")
+    box_in(axes, machine, material_box(cell), facecolor="none", edgecolor=BLACK, linestyle="--")
     name_at(axes, turned(machine["azimuth"], machine["radius"] + 150, 0), "machine")
     axes.add_patch(plt.Circle((0, 0), drawing["plan"]["body"], facecolor=COLORS["link"], alpha=0.5, edgecolor=BLACK))
     taken = bool(moments) and cell.moments[moments[-1][0]]["gripped"]
@@ -130,7 +130,7 @@ def plan(axes, cell, storages=("storage 1",), moments=(), radius=None, ticks=Tru
         if radius:
             station["radius"] = radius
         box_in(axes, station, drawing["plan"]["storage"], facecolor=SKY, alpha=0.45, edgecolor=STATION_COLORS[name])
-        box_in(axes, station, material_box(cell, False), facecolor="none" if taken else PURPLE, edgecolor=BLACK,
+        box_in(axes, station, material_box(cell), facecolor="none" if taken else PURPLE, edgecolor=BLACK,
                linewidth=0.8)
         angle = round(station["azimuth"] + 150)
         text = f"storage\n{angle}°".replace("-", "−")
@@ -282,7 +282,7 @@ def contact_from_above(cell, case, stop):
     """The material and the sphere in the frame of the storage: x away from the base, y counter-clockwise round it."""
     station = cell.drawing["stations"][f"storage {case}"]
     figure, axes = plt.subplots(figsize=(5.6, 4.2))
-    box = material_box(cell, False)
+    box = material_box(cell)
     (x0, y0), (x1, y1) = box["from"], box["to"]
     axes.fill([x0, x1, x1, x0], [y0, y0, y1, y1], color=PURPLE, alpha=0.45)
     axes.plot([x0, x1], [y1, y1], color=PURPLE, linewidth=2.5)
@@ -307,7 +307,8 @@ def contact_from_side(cell, case, stop):
     station = cell.drawing["stations"]["machine"]
     length = cell.drawing["material"]["side"]
     figure, axes = plt.subplots(figsize=(5.6, 4.2))
-    low, top = station["height"], station["height"] + length
+    low = station["height"] + cell.drawing["material"]["drop"]
+    top = low + length
     axes.add_patch(plt.Rectangle((-length / 2, low), length, length, facecolor="#eeeeee", edgecolor=BLACK, linestyle="--"))
     axes.plot([-length / 2, length / 2], [top, top], color=BLACK, linewidth=2)
     axes.annotate("virtual material", (0, low + 14), ha="center")
@@ -331,7 +332,8 @@ def heights(cell, places, which):
         arm_side(left, cell, f"case {case}, move {move}", color, ":", f"case {case}, chosen height", 1.5)
         name = f"case {case}, {which}"
         if name in cell.sides:
-            square(left, station["radius"], cell.sides[name][0]["height"], length, color, which, "-")
+            raised = cell.sides[name][0]["height"] - station["deck"]
+            square(left, station["radius"], station["height"] + raised, length, color, which, "-")
             arm_side(left, cell, name, color, "-", f"case {case}, {which}")
     left.set_aspect("equal")
     left.set_xlim(-60, 800)
@@ -354,13 +356,13 @@ def heights(cell, places, which):
                 at = cell.sides[f"case {case}, {end}"][0]["height"]
                 right.annotate(f"{at:g} mm", (case, at + offset), ha="center", fontsize=8,
                                bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8})
-    chosen = cell.drawing["stations"]["storage 1"]["height"]
+    chosen = cell.drawing["stations"]["storage 1"]["deck"]
     right.axhline(chosen, color=BLACK, linewidth=0.8, linestyle=":")
     right.annotate("case studies", (2.55, chosen + 8), ha="right", fontsize=7)
     right.set_xticks([1, 2], ["case 1's place", "case 2's place"])
     right.set_xlim(0.4, 2.6)
     right.set_ylim(0, 920)
-    right.set_ylabel("height of the material's underside (mm)")
+    right.set_ylabel("height of the storage's deck (mm)")
     right.set_title("heights that complete\n(dark: touched from the side; light: from above)")
     figure.tight_layout()
     return figure

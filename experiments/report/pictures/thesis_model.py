@@ -227,9 +227,9 @@ def robot(cell):
 # ---- Reconfiguration ----
 
 OUTCOMES = {"from the side": (BLUE, "completes, touched from the side"), "from above": (SKY, "completes, touched from above"),
-            "on the robot": ("#f0c878", "on the robot's body"), "on the machine": ("#b9c4b9", "in the machine"),
-            "out of reach": ("#dddddd", "out of reach"), "joint limit": (PURPLE, "beyond a joint's limit"),
-            "in the way": (RED, "something in the way"), "no contact": (ORANGE, "no contact where one should be")}
+            "out-of-reach": ("#dddddd", "out of reach"), "beyond-limits": (PURPLE, "beyond a joint's limit"),
+            "no-contact": (ORANGE, "no contact where one should be"), "not-held": ("#f0c878", "not between the fingers"),
+            "misplaced": ("#b9c4b9", "let go too far from its place"), "in-the-way": (RED, "something in the way")}
 
 
 def area(cell, places):
@@ -285,8 +285,8 @@ def too_far(cell):
     figure, axes = plt.subplots(figsize=(6, 5.6))
     plan(axes, cell, ("storage 1",), radius=720)
     reach = cell.drawing["reach"]
-    length = reach["first"] + math.hypot(*reach["second"])
-    up = cell.drawing["stations"]["storage 1"]["height"] + cell.drawing["material"]["side"] / 2 - reach["shoulder"]
+    length = reach["first"] + reach["second"]
+    up = cell.drawing["stations"]["storage 1"]["height"] + cell.drawing["material"]["side"] + reach["down"] - reach["shoulder"]
     axes.add_patch(plt.Circle((0, 0), math.sqrt(length ** 2 - up ** 2), facecolor="none", edgecolor=BLUE, linestyle="--"))
     axes.annotate("as far as the sphere reaches\nat the material's height", turned(25, 560, 0), fontsize=8, color=BLUE, ha="center",
                   bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "edgecolor": "none", "alpha": 0.85})
@@ -301,17 +301,16 @@ def process(cell):
     words = {("elbow", -1): "elbow down", ("elbow", 1): "elbow up", ("base", -1): "base clockwise", ("base", 1): "base counter-clockwise",
              ("shoulder", 1): "shoulder down", ("shoulder", -1): "shoulder up"}
     boxes = [("home", "#eeeeee")]
-    for number in range(1, 6):
-        move = cell.moves[1, number]
+    ends = {"to-storage": [("grip the material", "#f7d9c4")], "to-machine": [("let it go in the machine", "#f7d9c4")],
+            "withdraw": [("the machine mills", "#d5e8d8")], "to-piece": [("grip it again", "#f7d9c4")],
+            "back-to-storage": [("let it go in the storage", "#f7d9c4")], "to-home": [("home", "#eeeeee")]}
+    moves = [cell.moves[key] for key in sorted(key for key in cell.moves if key[0] == 1)]
+    for move, after in zip(moves, moves[1:] + [None]):
         text = f"{words[move['joint'], 1 if move['degrees'] > 0 else -1]} {abs(move['degrees'])}°"
         boxes.append((text + (", until the\nsphere touches" if move["until"] == "contact" else ""), "white"))
-        if number == 2:
-            boxes.append(("grip the material", "#f7d9c4"))
-        if number == 5:
-            boxes.append(("place it in the machine", "#f7d9c4"))
-    boxes += [("the machine mills", "#d5e8d8"), ("grip it again", "#f7d9c4"), ("the same moves reversed", "white"),
-              ("place it in the storage", "#f7d9c4"), ("home", "#eeeeee")]
-    figure, axes = plt.subplots(figsize=(8.4, 4.4))
+        if after is None or after["phase"] != move["phase"]:
+            boxes += ends[move["phase"]]
+    figure, axes = plt.subplots(figsize=(8.4, 6.4))
     figure.subplots_adjust(0, 0, 1, 1)
     columns, places = 4, []
     for i in range(len(boxes)):

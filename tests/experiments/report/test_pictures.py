@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 
 from pictures import thesis_cell
 
-STATION = {"azimuth": 0, "radius": 500, "height": 412}
+STATION = {"azimuth": 0, "radius": 500, "height": 409, "deck": 412}
 
 
 def bars(step):

