@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "robust/exact/motion.h"
+#include "robust/filtered/detail/motion/exact_triangle.h"
 #include "robust/filtered/detail/motion/first_candidate.h"
 #include "robust/filtered/detail/motion/triangle_doubles.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
@@ -18,9 +18,7 @@ inline namespace TOUCHSTONE_TARGET {
 template <class Counts>
 FirstContact exact_first_contact(const MotionTriangleView& view, Counts& counts) {
   counts.count(Stage::BigInteger);
-  const auto point = [](const double* p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
-  return exact::first_contact({{point(view.motion), view.radius()}, point(view.motion + 4)},
-                              Polygon({point(view.vertex[0]), point(view.vertex[1]), point(view.vertex[2])}));
+  return filtered::exact_first_contact(view);
 }
 
 /// Returns the first contact of a ball that touches at its start. Requires round to nearest.
