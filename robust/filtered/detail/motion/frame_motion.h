@@ -68,23 +68,30 @@ TOUCHSTONE_INLINE MovingEdge<Pack> moving_edges(const EdgeTree::Leaf& leaf, cons
 }
 
 /// The part of the plane that a motion's ball may touch until some time: all points within `reach` of the segment that
-/// the foot covers. Only ever too large.
+/// the foot covers while the ball may reach the plane. Only ever too large.
 class SweptDisc {
  public:
   TOUCHSTONE_INLINE explicit SweptDisc(const FrameMotion& motion) : motion_(motion) {
     margin_ = 0x1p-40 * motion.size;  // far above the error of any coordinate
+    const double radius = motion.start.radius, first = motion.start.height, change = motion.velocity.z;
+    // The times between which the height is at most r, up to the margin. Its errors are far below the margin, too.
+    if (const double speed = std::abs(change); speed > margin_) {
+      const double middle = -first / change, half = (radius + margin_) / speed;
+      begin_ = larger(middle - half, 0);
+      end_ = middle + half;
+    }
     // The least height above the plane, on either side.
-    const double first = motion.start.height, last = first + motion.velocity.z;
+    const double last = first + change;
     const double low = larger(larger(first < last ? first : last, first < last ? -last : -first) - margin_, 0);
-    const double radius = motion.start.radius;
     reach_ = std::sqrt(larger((radius - low) * (radius + low), 0)) * bounds::kWide + margin_;
     end_at(1);
   }
-  /// Shortens the motion.
+  /// Ends the motion at this time, if it does not end before.
   TOUCHSTONE_INLINE void end_at(double time) {
-    const double shorter = larger(0, time < 1 ? time : 1);
-    middle_x_ = motion_.x + 0.5 * shorter * motion_.velocity.x, half_x_ = 0.5 * shorter * motion_.velocity.x;
-    middle_y_ = motion_.y + 0.5 * shorter * motion_.velocity.y, half_y_ = 0.5 * shorter * motion_.velocity.y;
+    end_ = larger(begin_, time < end_ ? time : end_);
+    const double middle = 0.5 * (begin_ + end_), half = 0.5 * (end_ - begin_);
+    middle_x_ = motion_.x + middle * motion_.velocity.x, half_x_ = half * motion_.velocity.x;
+    middle_y_ = motion_.y + middle * motion_.velocity.y, half_y_ = half * motion_.velocity.y;
     // Twice the area that the foot's half segment spans with a point at distance `reach`.
     reach_area_ = reach_ * std::sqrt(half_x_ * half_x_ + half_y_ * half_y_) * bounds::kWide;
   }
@@ -112,6 +119,7 @@ class SweptDisc {
 
  private:
   const FrameMotion& motion_;
+  double begin_ = 0, end_ = 1;  // times
   double margin_, reach_, reach_area_;
   double middle_x_, middle_y_, half_x_, half_y_;
 };
