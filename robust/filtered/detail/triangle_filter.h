@@ -26,13 +26,18 @@ TOUCHSTONE_INLINE LaneSigns certain_signs(const Pack& value, double constant, co
 /// is above kTiny, which need not be added.
 TOUCHSTONE_INLINE Pack not_too_small(const Pack& largest) { return maximum(largest, all_lanes(bounds::kSmallest)); }
 
+// Vectors of lanes are copied by component: g++ 12 copies a whole one through memory in pieces, which costs more than
+// the arithmetic.
+
 /// A triangle as seen from its corners, one corner and the edge from it a lane; lane 3 repeats a corner.
 struct TriangleLanes {
   Vector3<Pack> edge, normal;
   Pack m_edge, m_normal;  ///< maxima
 
   TOUCHSTONE_INLINE TriangleLanes(const Vector3<Pack>& edges, const Vector3<Pack>& normals)
-      : edge(edges), normal(normals), m_edge(not_too_small(largest_component(edge))) {
+      : edge{edges.x, edges.y, edges.z},
+        normal{normals.x, normals.y, normals.z},
+        m_edge(not_too_small(largest_component(edges))) {
     const Pack m_edges = m_edge * previous_of_three(m_edge);
     m_normal = m_edges + m_edges;
   }
@@ -72,7 +77,8 @@ struct BallAtTriangle {
   LaneSigns vertex_out, after_start, after_end, line_out, side_in, plane_out;
 
   TOUCHSTONE_INLINE BallAtTriangle(const TriangleLanes& triangle, const Vector3<Pack>& from_corners, const Pack& radius)
-      : to_center(from_corners), m_center(not_too_small(maximum(largest_component(to_center), radius))) {
+      : to_center{from_corners.x, from_corners.y, from_corners.z},
+        m_center(not_too_small(maximum(largest_component(from_corners), radius))) {
     const auto& [edge, normal, m_edge, m_normal] = triangle;
     const Pack m_both = m_center * m_edge, m_plane = m_normal * m_center;
     vertex_out = certain_signs(signs::vertex(to_center, radius), bounds::kVertex, m_center * m_center);

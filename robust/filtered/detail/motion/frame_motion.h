@@ -48,7 +48,7 @@ struct FrameMotion {
 
 /// Returns a vector whose components are known to this error.
 TOUCHSTONE_INLINE BoundedVector<Pack> known_within(const Vector3<Pack>& v, double error) {
-  return {v, maximum(largest_component(v), all_lanes(1 / bounds::kLongestMotion)), all_lanes(error)};
+  return {{v.x, v.y, v.z}, maximum(largest_component(v), all_lanes(1 / bounds::kLongestMotion)), all_lanes(error)};
 }
 
 /// Four edges of a leaf as seen from a motion: along the edge, across it in the plane, and along the plane's normal.

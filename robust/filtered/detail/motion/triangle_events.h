@@ -12,7 +12,7 @@ inline namespace TOUCHSTONE_TARGET {
 /// Returns a vector whose components are known to kUnit of the largest one.
 TOUCHSTONE_INLINE BoundedVector<Pack> rounded_vector(const Vector3<Pack>& v) {
   const Pack largest = maximum(largest_component(v), all_lanes(1 / bounds::kLongestMotion));
-  return {v, largest, all_lanes(bounds::kUnit) * largest};
+  return {{v.x, v.y, v.z}, largest, all_lanes(bounds::kUnit) * largest};
 }
 
 /// The vectors of a motion and a triangle, one edge a lane. Requires numbers of at most bounds::kLongestMotion / 2.

@@ -166,7 +166,8 @@ TOUCHSTONE_INLINE Bounded<Number> dot(const BoundedVector<Number>& a, const Boun
 template <class Number>
 TOUCHSTONE_INLINE BoundedVector<Number> cross(const BoundedVector<Number>& a, const BoundedVector<Number>& b) {
   const Vector3<Number> value = cross(a.value, b.value);
-  return {value, largest_component(value), error_of_products(a, b, 2, ErrorTraits<Number>::cross)};
+  return {
+      {value.x, value.y, value.z}, largest_component(value), error_of_products(a, b, 2, ErrorTraits<Number>::cross)};
 }
 
 }  // namespace TOUCHSTONE_TARGET
