@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <utility>
 #include <vector>
 
 #include "robust/exact/motion.h"
@@ -165,6 +166,33 @@ TEST(FilteredMotion, IsWhatWasDerivedByHand) {
     EXPECT_EQ(filtered::contact(given.motion, prepared), expected.contact()) << given.id;
     if (given.polygon.vertex_count() != 3) continue;
     EXPECT_EQ(filtered::first_contact(given.motion, triangle_of(given.polygon)), expected) << given.id;
+  }
+}
+
+// Steps of the point from exact numbers underflow, or have underflowed in the frame's unit of length.
+TEST(FilteredMotion, RoundsPointsWithVerySmallCoordinates) {
+  const std::vector<std::pair<Motion, Triangle>> cases{
+      {{{{0, 0, 0x1.ce1b86f04904cp+21}, 0x1.59504f517bda6p-975}, {0, 0, -0x1.999999999999ap+22}},
+       {{0x1.999999999999ap+22, -0x1.ccccccccccccdp+24, 0},
+        {0x1.999999999999ap+22, 0x1.ccccccccccccdp+24, 0},
+        {-0x1.999999999999ap+23, 0, 0x1.999999999999ap+22}}},
+      {{{{0, 0, 1}, 0x0.0000000000003p-1022}, {0, 0, -1}}, {{1, -5, 0}, {1, 5, 0}, {-2, 0, 1}}},
+      {{{{0x1.b05e319e42b57p+642, 0x1.45491789ab089p+642, 0x1.84aae644c7e2ap+641}, 0x1.6f68c9cfdbcb8p+641},
+        {-0x1.7a1631398fdp+641, -0x1.2b90108ba5174p+639, 0x1.642a22b5e3872p+642}},
+       {{0x1.c46fef35d2a0dp+543, 0x1.9c4bebf88p-398, 0x1.149e91c9222c6p+641},
+        {0x1.7ba26b31a4fa4p+641, 0, 0x1.149e91c9222c6p+641},
+        {0x1.e91df59f85396p+641, -0x1.0bc5b95dabdb6p+641, 0x1.149e91c9222c6p+641}}},
+      {{{{0, 0x1.3333333333333p-2, 3}, 0}, {0x1p-1018, 0x1.3333333333333p-2, -4}},
+       {{-1, -5, 0}, {1, -5, 0}, {0, 5, 0}}},
+      {{{{2, 0x1.0000000000002p-1, 0}, 0.5}, {-1, 0x1.0000000000002p-1, 0}},
+       {{0, 0, 0}, {0x1p-1019, 1, 0}, {-4, 0.5, 0}}}};
+  for (const auto& [motion, triangle] : cases) {
+    const Polygon polygon({triangle.a, triangle.b, triangle.c});
+    const FirstContact truth = exact::first_contact(motion, polygon);
+    EXPECT_EQ(truth.kind, FirstContactKind::Way);
+    EXPECT_EQ(filtered::first_contact(motion, triangle), truth);
+    EXPECT_EQ(filtered::first_contact(motion, polygon), truth);
+    EXPECT_EQ(filtered::first_contact(motion, filtered::PreparedPolygon(polygon)), truth);
   }
 }
 

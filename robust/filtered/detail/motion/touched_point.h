@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "geometry/contact/first_contact.h"
@@ -58,7 +59,7 @@ class TouchedPoint {
 
   /// Returns the first contact, if the rounding of time and point is certain.
   [[nodiscard]] std::optional<FirstContact> rounded_contact() const {
-    const auto time = rounded(enclosed(time_), Unitless());
+    const auto time = not_too_small(time_, Unitless());
     const auto x = coordinate(0), y = coordinate(1), z = coordinate(2);
     if (!time || !x || !y || !z) return std::nullopt;
     const bool passes = feature_.kind == Feature::Kind::Face && !(moving_.radius.value.high > 0);
@@ -66,9 +67,6 @@ class TouchedPoint {
   }
 
  private:
-  static Enclosed enclosed(const Bounded<DoubleDouble>& number) {
-    return {number.value, bounds::kWideError * number.error};
-  }
   /// Returns the coordinate as the nearest double; zero as +0.
   [[nodiscard]] std::optional<double> coordinate(int axis) const {
     const auto& doubles = doubles_;
@@ -76,12 +74,18 @@ class TouchedPoint {
         (feature_.kind == Feature::Kind::Edge && !doubles.lifts(axis) && moving_.edge.value[axis].high == 0))  // exact
       return doubles.rounded_vertex(feature_.index, axis);
     if (feature_.kind == Feature::Kind::Edge)
-      return rounded(enclosed(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis)),
-                     doubles_);
+      return not_too_small(doubles.vertex(feature_.index, axis) + multiple_ * component(moving_.edge, axis), doubles);
     Bounded<DoubleDouble> value =
         Bounded<DoubleDouble>{doubles.center(axis), 0} + time_ * component(moving_.velocity, axis);
     if (moving_.radius.value.high > 0) value = value + multiple_ * component(doubles.normal(), axis);
-    return rounded(enclosed(value), doubles_);
+    return not_too_small(value, doubles);
+  }
+  /// Returns the nearest double. Steps from exact numbers may underflow, of which their errors know nothing; from
+  /// kSmallestResult on that does not matter.
+  template <class Unit>
+  static std::optional<double> not_too_small(const Bounded<DoubleDouble>& number, const Unit& unit) {
+    if (!(std::abs(number.value.high) >= kSmallestResult)) return std::nullopt;
+    return rounded(Enclosed{number.value, bounds::kWideError * number.error}, unit);
   }
   static Bounded<DoubleDouble> component(const BoundedVector<DoubleDouble>& vector, int axis) {
     return {vector.value[axis], vector.error};

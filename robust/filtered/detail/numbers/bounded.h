@@ -16,7 +16,8 @@
 /// rounding direction and under flush-to-zero, double-doubles in round to nearest.
 ///
 /// Requires lengths of at most bounds::kLongestMotion, and vectors whose maximum is at least the inverse of that. Then
-/// nothing overflows in expressions of degree 8, and every error exceeds the effect of underflow by far.
+/// nothing overflows in expressions of degree 8, and the error of every expression of vectors exceeds the effect of
+/// underflow by far. That need not be so for products of single exact numbers.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
