@@ -55,12 +55,13 @@ Polygon gear(std::size_t edges) {
   return Polygon(loop);
 }
 
-/// Balls about the gear, half of them within a double of touching it, none so near that integers are asked.
+/// Balls about the gear, half of them within a double of touching it, none so near that integers are asked. Batches ask
+/// four at once, and two are left over.
 std::vector<Ball> balls_about(const Polygon& polygon) {
   std::vector<Ball> balls;
   const exact::PreparedPolygon truth(polygon);
   const filtered::PreparedPolygon prepared(polygon);
-  for (int i = 0; balls.size() < 100; ++i) {
+  for (int i = 0; balls.size() < 102; ++i) {
     const double t = 0.1 * i;
     Ball ball{{1.2 * std::cos(t), std::sin(3 * t), 0.7 * std::sin(t)}, 0.3};
     if (i % 2 == 0) ball.radius = workloads::move_by_doubles(exact::answer(ball, truth).distance, i % 4 - 1);
