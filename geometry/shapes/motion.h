@@ -16,6 +16,13 @@ namespace touchstone {
 /// ball and a finite end; `find_fault` checks this. The contact functions do not check it again, but debug builds
 /// assert it.
 struct Motion {
+  Motion() = default;
+  /// Makes a motion from a ball and the end of its centre's way. Not an aggregate: {centre, radius} is a ball only.
+  Motion(const Ball& start, const Eigen::Vector3d& end) : ball(start), to(end) {}
+
+  /// Returns whether c' = c. Call it in the default state of the floating-point unit.
+  [[nodiscard]] bool at_rest() const { return to == ball.center; }  // exact
+
   Ball ball;           ///< at t = 0, with centre c
   Eigen::Vector3d to;  ///< c', the centre at t = 1
 };

@@ -153,6 +153,7 @@ TriangleSet& TriangleSet::operator=(TriangleSet&&) noexcept = default;
 TriangleSet::~TriangleSet() = default;
 
 std::size_t TriangleSet::size() const { return parts_->triangles.size(); }
+std::span<const Triangle> TriangleSet::triangles() const { return parts_->triangles; }
 
 void contact(const Ball& ball, const TriangleSet& set, std::span<bool> touches) {
   expect_equal_lengths("triangles", set.size(), "answers", touches.size());

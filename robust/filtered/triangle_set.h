@@ -43,6 +43,8 @@ class TriangleSet {
 
   /// Returns the number of triangles.
   [[nodiscard]] std::size_t size() const;
+  /// Returns the triangles as they were given.
+  [[nodiscard]] std::span<const Triangle> triangles() const;
 
   struct Parts;  ///< internal
 

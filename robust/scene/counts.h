@@ -15,6 +15,10 @@ namespace touchstone::scene {
 /// Slab to Touched are decided exactly and depend only on the ball and the face, except that Foot and Edges of a
 /// polygon also depend on the polygon's own hierarchy. In `nearest` the ball is the one about the centre that has
 /// shrunk to little more than the distance of the nearest face found so far.
+///
+/// A moving ball counts in the same way, at all times together: Slab if it stays on one side of the plane and never
+/// reaches it, else Edges or Touched, but never Foot. In `first_contact` Box also covers faces in boxes that the ball
+/// comes to later than to the first face found so far.
 enum class CullOutcome {
   Box,      ///< not tested: some box of the object's hierarchy misses the ball
   Known,    ///< not tested: no box misses the ball, but the answer was already known (`touches` only)
@@ -56,7 +60,8 @@ class FaceCounts {
   [[nodiscard]] std::uint64_t edges() const { return edges_; }
   /// Returns the number of edges whose distance from the ball was needed. Triangle: all three if the foot is outside
   /// and neither Slab nor Foot settled it, else none (the first stage computes with all three either way). Polygon: the
-  /// edges in the leaves of its hierarchy that were visited, or all edges if only `exact` can decide.
+  /// edges in the leaves of its hierarchy that were visited, or all edges if only `exact` can decide. Moving ball: the
+  /// edges of a triangle, and those in the leaves of a polygon that the ball may reach, unless Slab settled the face.
   [[nodiscard]] std::uint64_t edges_looked_at() const { return edges_looked_at_; }
 
   /// Adds the counts of other queries.

@@ -27,6 +27,18 @@ auto made(const std::string& object, std::size_t first, const Make& make) {
   }
 }
 
+/// @{
+/// Returns the walks of this machine for contact with a ball or a motion.
+template <class T>
+const ContactWalks<Ball, T>& walks_for(const Ball&, const T& tally) {
+  return fastest_walks(tally).ball;
+}
+template <class T>
+const ContactWalks<Motion, T>& walks_for(const Motion&, const T& tally) {
+  return fastest_walks(tally).motion;
+}
+/// @}
+
 }  // namespace
 
 struct Scene::Object {
@@ -125,28 +137,28 @@ bool Scene::any_of(const Objects& objects, const F& f) const {
   return false;
 }
 
-template <class T>
-bool Scene::touches(const Ball& ball, const Objects& objects, T& tally) const {
+template <class Query, class T>
+bool Scene::touches(const Query& query, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = fastest_walks(tally);
+  const auto& walks = walks_for(query, tally);
   return any_of(objects,
                 [&](std::uint32_t, const Object& object) {
-                  return (object.has_triangles() && walks.touches_triangle(ball, object.triangles, tally)) ||
-                         (object.has_polygons() && walks.touches_polygon(ball, object.polygons, tally));
+                  return (object.has_triangles() && walks.touches_triangle(query, object.triangles, tally)) ||
+                         (object.has_polygons() && walks.touches_polygon(query, object.polygons, tally));
                 }) ||
          tally.answered();
 }
 
-template <class T>
-std::vector<FaceId> Scene::touched(const Ball& ball, const Objects& objects, T& tally) const {
+template <class Query, class T>
+std::vector<FaceId> Scene::touched(const Query& query, const Objects& objects, T& tally) const {
   const FloatingPointState nearest;
-  const auto& walks = fastest_walks(tally);
+  const auto& walks = walks_for(query, tally);
   std::vector<FaceId> result;
   any_of(objects, [&](std::uint32_t number, const Object& object) {
     if (object.has_triangles())
-      walks.touched_triangles(ball, object.triangles, object.first_triangle(number), result, tally);
+      walks.touched_triangles(query, object.triangles, object.first_triangle(number), result, tally);
     if (object.has_polygons())
-      walks.touched_polygons(ball, object.polygons, object.first_polygon(number), result, tally);
+      walks.touched_polygons(query, object.polygons, object.first_polygon(number), result, tally);
     return false;
   });
   std::sort(result.begin(), result.end());
@@ -177,6 +189,24 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   return search.nearest();
 }
 
+template <class T>
+std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects, T& tally) const {
+  const FloatingPointState nearest;
+  FirstContactSearch search(motion);
+  any_of(objects, [&](std::uint32_t number, const Object& object) {
+    if (object.has_triangles()) {
+      search.enter(object.first_triangle(number));
+      fastest_walks(tally).first_triangle(object.triangles, search, tally);
+    }
+    if (object.has_polygons()) {
+      search.enter(object.first_polygon(number));
+      fastest_walks(tally).first_polygon(object.polygons, search, tally);
+    }
+    return false;
+  });
+  return search.first();
+}
+
 bool Scene::touches(const Ball& ball, const Objects& objects) const {
   NoTally none;
   expect(objects);
@@ -191,6 +221,26 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, const Objects& objec
   NoTally none;
   expect(objects);
   return nearest(required(ball), objects, none);
+}
+
+bool Scene::touches(const Motion& motion, const Objects& objects) const {
+  const FloatingPointState nearest;  // at_rest compares doubles
+  if (required(motion).at_rest()) return touches(motion.ball, objects);
+  NoTally none;
+  expect(objects);
+  return touches(motion, objects, none);
+}
+std::vector<FaceId> Scene::touched(const Motion& motion, const Objects& objects) const {
+  const FloatingPointState nearest;  // at_rest compares doubles
+  if (required(motion).at_rest()) return touched(motion.ball, objects);
+  NoTally none;
+  expect(objects);
+  return touched(motion, objects, none);
+}
+std::optional<FirstFace> Scene::first_contact(const Motion& motion, const Objects& objects) const {
+  NoTally none;
+  expect(objects);
+  return first_contact(required(motion), objects, none);
 }
 
 bool Scene::touches(const Ball& ball, FaceCounts& counts, const Objects& objects) const {
@@ -209,27 +259,60 @@ std::optional<NearestFace> Scene::nearest(const Ball& ball, FaceCounts& counts, 
   return nearest(required(ball), objects, tally);
 }
 
-void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
+bool Scene::touches(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  expect(objects);
+  return touches(required(motion), objects, tally);
+}
+std::vector<FaceId> Scene::touched(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  expect(objects);
+  return touched(required(motion), objects, tally);
+}
+std::optional<FirstFace> Scene::first_contact(const Motion& motion, FaceCounts& counts, const Objects& objects) const {
+  Tally tally(counts);
+  expect(objects);
+  return first_contact(required(motion), objects, tally);
+}
+
+template <class Query>
+void Scene::touches_each(std::span<const Query> queries, std::span<bool> answers, const char* name,
+                         const Objects& objects) const {
   const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
   expect(objects);
-  expect_equal_lengths("balls", balls.size(), "answers", answers.size());
-  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touches(balls[i], objects); });
+  expect_equal_lengths(name, queries.size(), "answers", answers.size());
+  tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) { answers[i] = touches(queries[i], objects); });
 }
 
+template <class Query, class Answer>
+std::vector<Answer> Scene::answers_to(std::span<const Query> queries, const Objects& objects,
+                                      Answer (Scene::*answer)(const Query&, const Objects&) const) const {
+  const FloatingPointState state;
+  expect(objects);
+  std::vector<Answer> answers(queries.size());
+  tbb::parallel_for(std::size_t{0}, queries.size(),
+                    [&](std::size_t i) { answers[i] = (this->*answer)(queries[i], objects); });
+  return answers;
+}
+
+void Scene::touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects) const {
+  touches_each(balls, answers, "balls", objects);
+}
 std::vector<std::vector<FaceId>> Scene::touched(std::span<const Ball> balls, const Objects& objects) const {
-  const FloatingPointState state;
-  expect(objects);
-  std::vector<std::vector<FaceId>> answers(balls.size());
-  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = touched(balls[i], objects); });
-  return answers;
+  return answers_to<Ball, std::vector<FaceId>>(balls, objects, &Scene::touched);
 }
-
 std::vector<std::optional<NearestFace>> Scene::nearest(std::span<const Ball> balls, const Objects& objects) const {
-  const FloatingPointState state;
-  expect(objects);
-  std::vector<std::optional<NearestFace>> answers(balls.size());
-  tbb::parallel_for(std::size_t{0}, balls.size(), [&](std::size_t i) { answers[i] = nearest(balls[i], objects); });
-  return answers;
+  return answers_to<Ball, std::optional<NearestFace>>(balls, objects, &Scene::nearest);
+}
+void Scene::touches(std::span<const Motion> motions, std::span<bool> answers, const Objects& objects) const {
+  touches_each(motions, answers, "motions", objects);
+}
+std::vector<std::vector<FaceId>> Scene::touched(std::span<const Motion> motions, const Objects& objects) const {
+  return answers_to<Motion, std::vector<FaceId>>(motions, objects, &Scene::touched);
+}
+std::vector<std::optional<FirstFace>> Scene::first_contact(std::span<const Motion> motions,
+                                                           const Objects& objects) const {
+  return answers_to<Motion, std::optional<FirstFace>>(motions, objects, &Scene::first_contact);
 }
 
 }  // namespace touchstone::scene

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "../../geometry/contact/answer.h"
+#include "../../geometry/contact/first_contact.h"
 #include "../../geometry/shapes/ball.h"
+#include "../../geometry/shapes/motion.h"
 #include "../../geometry/shapes/polygon.h"
 #include "../../geometry/shapes/pose.h"
 #include "../../geometry/shapes/triangle.h"
@@ -27,8 +29,12 @@
 ///  (2) the nearest face is the one at the least exact distance; among equal distances the lowest object comes first,
 ///  then
 ///      the lowest face number;
-///  (3) answers depend on the current poses only: an object that is moved and moved back answers as before;
-///  (4) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
+///  (3) for every motion that `find_fault` accepts, a face is touched on the way if and only if `exact::contact` of
+///  motion
+///      and face is true, and the first face is the one whose exact first time is least; among equal times the lowest
+///      object comes first, then the lowest face number;
+///  (4) answers depend on the current poses only: an object that is moved and moved back answers as before;
+///  (5) the caller's rounding mode, flush-to-zero setting and INVALID, OVERFLOW and DIVBYZERO flags are left as found.
 namespace touchstone::scene {
 
 /// The faces of an object, numbered together from 0: first the triangles, then the polygons.
@@ -52,6 +58,12 @@ struct NearestFace {
   Feature feature;        ///< the feature of that face that contains the closest point
   Eigen::Vector3d point;  ///< the closest point, rounded as in Answer
   double distance;        ///< rounded as in Answer
+};
+
+/// The face of a scene that a moving ball touches first.
+struct FirstFace {
+  FaceId face;           ///< the lowest of several that are touched at the same time
+  FirstContact contact;  ///< the first contact with that face: Start or Way
 };
 
 /// A set of named objects, each under a pose. Several threads may query a scene at once, while no object is added or
@@ -123,22 +135,42 @@ class Scene {
   /// shares the nearest vertex or edge.
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects = {}) const;
 
+  /// Returns whether the moving ball touches any face at any time. This is the contact of the capsule around the
+  /// centre's way, too. Cost: that of the faces near the way.
+  [[nodiscard]] bool touches(const Motion& motion, const Objects& objects = {}) const;
+  /// Returns the faces that the moving ball touches at any time, or the capsule touches, ascending.
+  [[nodiscard]] std::vector<FaceId> touched(const Motion& motion, const Objects& objects = {}) const;
+  /// Returns the face that the moving ball touches first; nothing if it touches none. Cost: that of the faces near the
+  /// way up to that time, and 0.5 to 1 us to round time and point. Each further face at exactly the same time adds 100
+  /// us, unless it shares the touched vertex or edge.
+  [[nodiscard]] std::optional<FirstFace> first_contact(const Motion& motion, const Objects& objects = {}) const;
+
   /// @{
   /// The same, and adds the outcome of each face to the counts. Cost: at least twice the time.
   [[nodiscard]] bool touches(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<FaceId> touched(const Ball& ball, FaceCounts& counts, const Objects& objects = {}) const;
   [[nodiscard]] std::optional<NearestFace> nearest(const Ball& ball, FaceCounts& counts,
                                                    const Objects& objects = {}) const;
+  [[nodiscard]] bool touches(const Motion& motion, FaceCounts& counts, const Objects& objects = {}) const;
+  [[nodiscard]] std::vector<FaceId> touched(const Motion& motion, FaceCounts& counts,
+                                            const Objects& objects = {}) const;
+  [[nodiscard]] std::optional<FirstFace> first_contact(const Motion& motion, FaceCounts& counts,
+                                                       const Objects& objects = {}) const;
   /// @}
 
   /// @{
-  /// The same for many balls, on all cores of the machine: answer i is that of ball i. Throws std::invalid_argument if
-  /// the spans differ in length.
+  /// The same for many balls or motions, on all cores of the machine: answer i is that of number i. Throws
+  /// std::invalid_argument if the spans differ in length.
   void touches(std::span<const Ball> balls, std::span<bool> answers, const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Ball> balls,
                                                          const Objects& objects = {}) const;
   [[nodiscard]] std::vector<std::optional<NearestFace>> nearest(std::span<const Ball> balls,
                                                                 const Objects& objects = {}) const;
+  void touches(std::span<const Motion> motions, std::span<bool> answers, const Objects& objects = {}) const;
+  [[nodiscard]] std::vector<std::vector<FaceId>> touched(std::span<const Motion> motions,
+                                                         const Objects& objects = {}) const;
+  [[nodiscard]] std::vector<std::optional<FirstFace>> first_contact(std::span<const Motion> motions,
+                                                                    const Objects& objects = {}) const;
   /// @}
 
  private:
@@ -156,12 +188,21 @@ class Scene {
   bool any_of(const Objects& objects, const F& f) const;
 
   // The queries, for one way of counting.
-  template <class T>
-  bool touches(const Ball& ball, const Objects& objects, T& tally) const;
-  template <class T>
-  std::vector<FaceId> touched(const Ball& ball, const Objects& objects, T& tally) const;
+  template <class Query, class T>
+  bool touches(const Query& query, const Objects& objects, T& tally) const;
+  template <class Query, class T>
+  std::vector<FaceId> touched(const Query& query, const Objects& objects, T& tally) const;
   template <class T>
   std::optional<NearestFace> nearest(const Ball& ball, const Objects& objects, T& tally) const;
+  template <class T>
+  std::optional<FirstFace> first_contact(const Motion& motion, const Objects& objects, T& tally) const;
+  // The queries for many.
+  template <class Query>
+  void touches_each(std::span<const Query> queries, std::span<bool> answers, const char* name,
+                    const Objects& objects) const;
+  template <class Query, class Answer>
+  std::vector<Answer> answers_to(std::span<const Query> queries, const Objects& objects,
+                                 Answer (Scene::*answer)(const Query&, const Objects&) const) const;
 
   std::vector<std::unique_ptr<const Object>> objects_;
 };

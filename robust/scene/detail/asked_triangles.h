@@ -44,7 +44,7 @@ class StandingTriangles {
   StandingTriangles(const TriangleSet& set, const Ball& ball)
       : triangles_(set.placed->triangles.data()), ball_(ball), finder_(ball) {}
 
-  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
   [[nodiscard]] const Ball& culling() const { return ball_; }
   void set_radius(double radius) {
@@ -85,7 +85,7 @@ class TrianglesInOwnFrame {
         seen_(frame_.seen(ball)),
         finder_(seen_.inner_ball()) {}
 
-  [[nodiscard]] const Ball& ball() const { return ball_; }
+  [[nodiscard]] const Ball& asked() const { return ball_; }
   [[nodiscard]] const Ball& culling() const { return seen_.outer; }
   void set_radius(double radius) {
     ball_.radius = radius;

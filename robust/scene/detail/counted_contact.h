@@ -8,9 +8,11 @@
 #include "robust/filtered/detail/bigint_sign.h"
 #include "robust/filtered/detail/frame_query.h"
 #include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/motion/polygon_motion.h"
 #include "robust/filtered/detail/prepared.h"
 #include "robust/filtered/detail/sign_ladder.h"
 #include "robust/filtered/detail/triangle_contact.h"
+#include "robust/filtered/motion.h"
 #include "robust/scene/detail/tally.h"
 
 /// The contact query for one face, with its outcome. Only the walks that count use it.
@@ -68,6 +70,25 @@ inline bool touches(const Ball& ball, const Triangle& triangle, Tally& tally) {
   return touched;
 }
 
+/// Returns whether the moving ball stays on one side of the triangle's plane and does not reach it.
+inline bool stays_off_plane(const Motion& motion, const Triangle& triangle) {
+  const Ball end{motion.to, motion.ball.radius};
+  const BallTriangleView first = filtered::view_of(motion.ball, triangle), last = filtered::view_of(end, triangle);
+  return sign<SignKind::Plane>(first, 0) > 0 && sign<SignKind::Plane>(last, 0) > 0 &&
+         sign<SignKind::Front>(first, 0) == sign<SignKind::Front>(last, 0);
+}
+
+inline bool touches(const Motion& motion, const Triangle& triangle, Tally& tally) {
+  filtered::StageCounts stages;
+  const bool touched = filtered::contact(motion, triangle, stages);
+  const bool slab = !touched && stays_off_plane(motion, triangle);
+  tally.meet(touched ? CullOutcome::Touched
+             : slab  ? CullOutcome::Slab
+                     : CullOutcome::Edges,
+             stages.last(), slab ? 0 : 3);
+  return touched;
+}
+
 /// Returns how many edges of the polygon filtered::contact examines, by repeating its walk.
 inline std::size_t edges_looked_at(const Ball& ball, const filtered::PreparedPolygon::Parts& parts) {
   const double largest =
@@ -97,6 +118,31 @@ inline bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, 
                               : edges == 0 ? CullOutcome::Foot
                                            : CullOutcome::Edges;
   tally.meet(outcome, stages.last(), edges);
+  return touched;
+}
+
+/// Returns how many edges of the polygon are near the plane's part that the moving ball may reach.
+inline std::size_t edges_looked_at(const Motion& motion, const filtered::PreparedPolygon::Parts& parts) {
+  const auto in_frame = filtered::frame_motion(motion, parts);
+  if (!in_frame) return parts.polygon.vertex_count();
+  std::size_t edges = 0;
+  const auto look = [&](const filtered::EdgeTree::Leaf& leaf, unsigned) { edges += leaf.count; };
+  filtered::walk(*parts.edges, filtered::SweptDisc(*in_frame), look);
+  return edges;
+}
+
+inline bool touches(const Motion& motion, const filtered::PreparedPolygon& polygon, Tally& tally) {
+  filtered::StageCounts stages;
+  const bool touched = filtered::contact(motion, polygon, stages);
+  const auto side = [&](const Eigen::Vector3d& center) {
+    return filtered::plane_side({center, motion.ball.radius}, polygon);
+  };
+  const PlaneSide first = side(motion.ball.center);
+  const bool slab = !touched && first != PlaneSide::Intersects && first == side(motion.to);
+  tally.meet(touched ? CullOutcome::Touched
+             : slab  ? CullOutcome::Slab
+                     : CullOutcome::Edges,
+             stages.last(), slab ? 0 : edges_looked_at(motion, parts_of(polygon)));
   return touched;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "robust/exact/exact.h"
 #include "robust/filtered/detail/kernels.h"
@@ -19,10 +18,6 @@ using Eigen::Vector3d;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 filtered::NoCounts uncounted;
-
-Vector3d corner(const Triangle& triangle, std::size_t i) {
-  return i == 0 ? triangle.a : i == 1 ? triangle.b : triangle.c;
-}
 
 Feature nearest_feature(const Vector3d& center, const Triangle& triangle) {
   const Ball point{center, 0};
@@ -40,7 +35,8 @@ NearestSearch::NearestSearch(const Vector3d& center) : ball_{center, kLargest} {
 
 bool NearestSearch::touched(const Met& met) const {
   if (!has_shrunk()) return true;
-  return met.triangle ? filtered::contact(ball_, *met.triangle) : filtered::contact(ball_, *met.polygon);
+  const MetFace& face = met.face;
+  return face.triangle ? filtered::contact(ball_, *face.triangle) : filtered::contact(ball_, *face.polygon);
 }
 
 void NearestSearch::shrink_to(double distance) {
@@ -63,47 +59,26 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
 
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
   const Feature feature = nearest_feature(ball_.center, triangle);
-  met_.push_back({{first_.object, first_.face + number}, feature, triangle, nullptr, std::nullopt});
+  met_.push_back({{{first_.object, first_.face + number}, triangle}, feature, std::nullopt});
 }
 
 void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {
   const Answer answer = filtered::answer({ball_.center, 0}, polygon);
-  met_.push_back({{first_.object, first_.face + number},
+  met_.push_back({{{first_.object, first_.face + number}, polygon},
                   answer.nearest,
-                  std::nullopt,
-                  &polygon,
                   filtered::ClosestPoint{answer.nearest, answer.point, answer.distance}});
   shrink_to(answer.distance);
 }
 
-std::optional<std::pair<Vector3d, Vector3d>> NearestSearch::place(const Met& met) {
-  if (met.feature.kind == Feature::Kind::Face) return std::nullopt;
-  if (met.polygon != nullptr && !parts_of(*met.polygon).exact_form().bigint.planar()) return std::nullopt;
-  const auto vertex = [&met](std::size_t i) {
-    return met.triangle ? corner(*met.triangle, i) : parts_of(*met.polygon).polygon.vertex(i);
-  };
-  const std::size_t i = met.feature.index;
-  Vector3d first = vertex(i);
-  if (met.feature.kind == Feature::Kind::Vertex) return std::pair(first, first);
-  Vector3d second = vertex(met.triangle ? (i + 1) % 3 : parts_of(*met.polygon).polygon.next(i));
-  if (std::lexicographical_compare(second.begin(), second.end(), first.begin(), first.end())) std::swap(first, second);
-  return std::pair(first, second);
-}
-
 double NearestSearch::distance(const Met& met) const {
   if (met.closest) return met.closest->distance;
-  return feature_distance(ball_.center, *met.triangle, met.feature);
+  return feature_distance(ball_.center, *met.face.triangle, met.feature);
 }
 
 int NearestSearch::compare(const Met& first, double first_distance, const Met& second, double second_distance) const {
   // Distances whose doubles differ are in the same order.
   if (first_distance != second_distance) return first_distance < second_distance ? -1 : 1;
-  const auto polygon = [](const Met& met) {
-    if (met.polygon != nullptr) return parts_of(*met.polygon).polygon;
-    return Polygon({met.triangle->a, met.triangle->b, met.triangle->c});
-  };
-  const Polygon a = polygon(first), b = polygon(second);
-  return exact::compare_distances(ball_, exact::PreparedPolygon(a), exact::PreparedPolygon(b));
+  return exact::compare_distances(ball_, first.face.exactly(), second.face.exactly());
 }
 
 std::optional<NearestFace> NearestSearch::nearest() const {
@@ -117,20 +92,22 @@ std::optional<NearestFace> NearestSearch::nearest() const {
     }
     int order = 0;
     std::optional<double> here = least;
-    if (const auto at = place(met); !at || at != place(*best)) {  // exact: coordinates as they were given
+    if (const auto at = met.face.place(met.feature);
+        !at || at != best->face.place(best->feature)) {  // exact: coordinates as they were given
       if (!touched(met)) continue;
       if (!least) least = distance(*best);
       here = distance(met);
       order = compare(met, *here, *best, *least);
     }
-    if (order < 0 || (order == 0 && met.id < best->id)) best = &met, least = here;
+    if (order < 0 || (order == 0 && met.face.id < best->face.id)) best = &met, least = here;
   }
   if (best == nullptr) return std::nullopt;
-  if (best->closest) return NearestFace{best->id, best->feature, best->closest->point, best->closest->distance};
+  if (best->closest) return NearestFace{best->face.id, best->feature, best->closest->point, best->closest->distance};
   const Ball at{ball_.center, 0};
   double point[3];
-  filtered::kernels().plain.triangle_point(filtered::view_of(at, *best->triangle), best->feature, point, uncounted);
-  return NearestFace{best->id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
+  filtered::kernels().plain.triangle_point(filtered::view_of(at, *best->face.triangle), best->feature, point,
+                                           uncounted);
+  return NearestFace{best->face.id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
 }
 
 }  // namespace touchstone::scene

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "geometry/contact/answer.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
 #include "robust/filtered/filtered.h"
+#include "robust/scene/detail/met_face.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene {
@@ -46,16 +46,11 @@ class NearestSearch {
 
  private:
   struct Met {
-    FaceId id;
+    MetFace face;
     Feature feature;
-    std::optional<Triangle> triangle;               ///< either this
-    const filtered::PreparedPolygon* polygon;       ///< or this
     std::optional<filtered::ClosestPoint> closest;  ///< for polygons only
   };
   [[nodiscard]] bool touched(const Met& met) const;
-  /// Returns the position of the feature: the ends of an edge in lexicographic order, or a vertex twice. Features with
-  /// the same position have the same distance. Nothing for a face, or if vertices are lifted.
-  [[nodiscard]] static std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> place(const Met& met);
   /// Shrinks the ball to a distance that was rounded to the nearest double.
   void shrink_to(double distance);
   /// Returns the distance, rounded to the nearest double.

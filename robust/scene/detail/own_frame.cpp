@@ -60,6 +60,14 @@ SeenBall OwnFrame::seen(const Ball& ball) const {
           (ball.radius - lost(spread)) * kNarrow / longer_};
 }
 
+SeenMotion OwnFrame::seen(const Motion& motion) const {
+  if (!sees(motion.ball.center) || !sees(motion.to))
+    return {{{Eigen::Vector3d::Zero(), kInfinity}, Eigen::Vector3d::Zero()}, -1};
+  const SeenBall first = seen(motion.ball), last = seen(Ball{motion.to, motion.ball.radius});
+  return {{{first.outer.center, std::max(first.outer.radius, last.outer.radius)}, last.outer.center},
+          std::min(first.inner, last.inner)};
+}
+
 double OwnFrame::radius_under_pose(const Eigen::Vector3d& center, double radius) const {
   return sees(center) ? (longer_ * radius + lost(spread(center))) * kWide : kInfinity;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
 
@@ -42,6 +43,15 @@ struct SeenBall {
   [[nodiscard]] Ball inner_ball() const { return {outer.center, inner}; }
 };
 
+/// A motion as seen from an object's own frame: both balls move from one centre that is computed to another.
+struct SeenMotion {
+  Motion
+      outer;  ///< touches every triangle in its own frame at every time at which the motion touches it under the pose
+  double inner;  ///< the radius of a ball that touches such triangles at such times only; negative if no ball does
+
+  [[nodiscard]] Motion inner_motion() const { return {{outer.ball.center, inner}, outer.to}; }
+};
+
 /// The pose of triangles that stay in their own frame.
 ///
 /// R may be any matrix that rounding apart is a rotation or a reflection times a number. A = R^T / s^2 with
@@ -64,6 +74,9 @@ class OwnFrame {
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] SeenBall seen(const Ball& ball) const;
+  /// Sees both ends. In between the seen centre is as far off as on average, weighted by time, and so is what the
+  /// bounds above allow for: nowhere farther than at the worse end.
+  [[nodiscard]] SeenMotion seen(const Motion& motion) const;
   /// Returns the radius of a ball about `center` that touches, under the pose, each triangle that the ball of this
   /// radius about the seen centre touches in its own frame; infinite for centres beyond the limit.
   [[nodiscard]] double radius_under_pose(const Eigen::Vector3d& center, double radius) const;

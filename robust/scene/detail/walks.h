@@ -5,28 +5,40 @@
 #include <vector>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "robust/scene/detail/face_sets.h"
+#include "robust/scene/detail/first_contact_search.h"
 #include "robust/scene/detail/nearest_search.h"
 #include "robust/scene/detail/tally.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene {
 
+/// The walks through an object for contact with a ball or a motion.
+template <class Query, class T>
+struct ContactWalks {
+  /// Returns whether the ball touches a face of the set. With a Tally the walk continues and counts all faces; then the
+  /// answer is `answered()`, not the returned value.
+  bool (*touches_triangle)(const Query&, const TriangleSet&, T&);
+  bool (*touches_polygon)(const Query&, const PolygonSet&, T&);
+  /// Adds the faces that the ball touches, in no particular order. `first` is the first face of the set.
+  void (*touched_triangles)(const Query&, const TriangleSet&, FaceId first, std::vector<FaceId>&, T&);
+  void (*touched_polygons)(const Query&, const PolygonSet&, FaceId first, std::vector<FaceId>&, T&);
+};
+
 /// The walks through an object, for one way of counting (NoTally, Tally).
 ///
 /// Requires round to nearest, without flush-to-zero.
 template <class T>
 struct Walks {
-  /// Returns whether the ball touches a face of the set. With a Tally the walk continues and counts all faces; then the
-  /// answer is `answered()`, not the returned value.
-  bool (*touches_triangle)(const Ball&, const TriangleSet&, T&);
-  bool (*touches_polygon)(const Ball&, const PolygonSet&, T&);
-  /// Adds the faces that the ball touches, in no particular order. `first` is the first face of the set.
-  void (*touched_triangles)(const Ball&, const TriangleSet&, FaceId first, std::vector<FaceId>&, T&);
-  void (*touched_polygons)(const Ball&, const PolygonSet&, FaceId first, std::vector<FaceId>&, T&);
+  ContactWalks<Ball, T> ball;
+  ContactWalks<Motion, T> motion;
   /// Passes to the search every face that is not farther than the nearest one found so far.
   void (*nearest_triangle)(const TriangleSet&, NearestSearch&, T&);
   void (*nearest_polygon)(const PolygonSet&, NearestSearch&, T&);
+  /// Passes to the search every face that the motion does not touch later than the first one found so far.
+  void (*first_triangle)(const TriangleSet&, FirstContactSearch&, T&);
+  void (*first_polygon)(const PolygonSet&, FirstContactSearch&, T&);
 };
 
 // Compiled once for each instruction set; all give the same answers.

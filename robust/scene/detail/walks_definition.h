@@ -3,25 +3,46 @@
 
 #include <cmath>
 
+#include "robust/filtered/motion.h"
 #include "robust/scene/detail/asked_triangles.h"
-#include "robust/scene/detail/ball_walk.h"
+#include "robust/scene/detail/culling_ball.h"
+#include "robust/scene/detail/culling_motion.h"
+#include "robust/scene/detail/tree_walk.h"
+#include "robust/scene/detail/triangles_on_way.h"
 #include "robust/scene/detail/walks.h"
 
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Returns whether the ball touches the triangle at a place.
+/// The classes with which a ball or a motion asks.
+template <class Query>
+struct Asking;
+template <>
+struct Asking<Ball> {
+  using Culling = CullingBall;
+  using Standing = StandingTriangles;
+  using InOwnFrame = TrianglesInOwnFrame;
+};
+template <>
+struct Asking<Motion> {
+  using Culling = CullingMotion;
+  using Standing = StandingTrianglesOnWay;
+  using InOwnFrame = TrianglesInOwnFrameOnWay;
+};
+
+/// Returns whether the triangle at a place is touched.
 template <class Triangles>
 TOUCHSTONE_INLINE bool touches(const Triangles& triangles, std::uint32_t place, NoTally) {
   return triangles.touches(place);
 }
 template <class Triangles>
 bool touches(const Triangles& triangles, std::uint32_t place, Tally& tally) {
-  return touches(triangles.ball(), triangles.triangle(place), tally);
+  return touches(triangles.asked(), triangles.triangle(place), tally);
 }
 
-TOUCHSTONE_INLINE bool touches(const Ball& ball, const filtered::PreparedPolygon& polygon, NoTally) {
-  return filtered::contact(ball, polygon);
+template <class Query>
+TOUCHSTONE_INLINE bool touches(const Query& query, const filtered::PreparedPolygon& polygon, NoTally) {
+  return filtered::contact(query, polygon);
 }
 
 /// Adds a face to those that are touched. The first makes room for more.
@@ -44,39 +65,40 @@ TOUCHSTONE_INLINE bool ends(const Asked& asked, const Face& face, NoTally tally)
   return touches(asked, face, tally);
 }
 
-/// Calls f(triangles) with the triangles of the set, as the ball asks about them.
-template <class F>
-TOUCHSTONE_INLINE auto with_triangles(const TriangleSet& set, const Ball& ball, const F& f) {
-  return set.frame ? f(TrianglesInOwnFrame(set, ball)) : f(StandingTriangles(set, ball));
+/// Calls f(triangles) with the triangles of the set, as the ball or motion asks about them.
+template <class Query, class F>
+TOUCHSTONE_INLINE auto with_triangles(const TriangleSet& set, const Query& query, const F& f) {
+  return set.frame ? f(typename Asking<Query>::InOwnFrame(set, query))
+                   : f(typename Asking<Query>::Standing(set, query));
 }
 
-template <class T>
-bool touches_triangle(const Ball& ball, const TriangleSet& set, T& tally) {
+template <class Query, class T>
+bool touches_triangle(const Query& query, const TriangleSet& set, T& tally) {
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
-  return with_triangles(set, ball, [&](const auto& triangles) {
+  return with_triangles(set, query, [&](const auto& triangles) {
     return walk<false>(
-        tree, CullingBall(triangles.culling(), tree),
+        tree, typename Asking<Query>::Culling(triangles.culling(), tree),
         [&](std::uint32_t place) { return ends(triangles, place, tally); }, prefetch_of(set.placed->triangles));
   });
 }
 
-template <class T>
-bool touches_polygon(const Ball& ball, const PolygonSet& set, T& tally) {
+template <class Query, class T>
+bool touches_polygon(const Query& query, const PolygonSet& set, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
-  const CullingBall culling_ball(ball, set.tree);
+  const typename Asking<Query>::Culling culling(query, set.tree);
   return walk<false>(
-      set.tree, culling_ball,
-      [&](std::uint32_t place) { return ends(ball, set.prepared[set.tree.order()[place]], tally); }, kFetchNothing);
+      set.tree, culling, [&](std::uint32_t place) { return ends(query, set.prepared[set.tree.order()[place]], tally); },
+      kFetchNothing);
 }
 
-template <class T>
-void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
+template <class Query, class T>
+void touched_triangles(const Query& query, const TriangleSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.size(), set.edge_count());
   const BoxTree& tree = set.placed->tree;
-  with_triangles(set, ball, [&](const auto& triangles) {
+  with_triangles(set, query, [&](const auto& triangles) {
     walk<false>(
-        tree, CullingBall(triangles.culling(), tree),
+        tree, typename Asking<Query>::Culling(triangles.culling(), tree),
         [&](std::uint32_t place) {
           if (touches(triangles, place, tally)) add(faces, {first.object, first.face + tree.order()[place]});
           return false;
@@ -85,15 +107,15 @@ void touched_triangles(const Ball& ball, const TriangleSet& set, FaceId first, s
   });
 }
 
-template <class T>
-void touched_polygons(const Ball& ball, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
+template <class Query, class T>
+void touched_polygons(const Query& query, const PolygonSet& set, FaceId first, std::vector<FaceId>& faces, T& tally) {
   tally.ask(set.polygons.size(), set.edge_count());
-  const CullingBall culling_ball(ball, set.tree);
+  const typename Asking<Query>::Culling culling(query, set.tree);
   walk<false>(
-      set.tree, culling_ball,
+      set.tree, culling,
       [&](std::uint32_t place) {
         const std::uint32_t number = set.tree.order()[place];
-        if (touches(ball, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
+        if (touches(query, set.prepared[number], tally)) add(faces, {first.object, first.face + number});
         return false;
       },
       kFetchNothing);
@@ -161,10 +183,75 @@ void nearest_polygon(const PolygonSet& set, NearestSearch& search, T& tally) {
       kFetchNothing);
 }
 
-/// The walks of the target that this is compiled for.
+/// @{
+/// Counts a face that a search for the first contact meets.
+TOUCHSTONE_INLINE void count(const Motion&, const filtered::PreparedPolygon&, NoTally) {}
+template <class Triangles>
+TOUCHSTONE_INLINE void count(const Triangles&, std::uint32_t, NoTally) {}
+template <class Asked, class Face>
+void count(const Asked& asked, const Face& face, Tally& tally) {
+  (void)touches(asked, face, tally);
+}
+/// @}
+
 template <class T>
-inline constexpr Walks<T> kWalks{touches_triangle<T>, touches_polygon<T>,  touched_triangles<T>,
-                                 touched_polygons<T>, nearest_triangle<T>, nearest_polygon<T>};
+void first_triangle(const TriangleSet& set, FirstContactSearch& search, T& tally) {
+  tally.ask(set.size(), set.edge_count());
+  const BoxTree& tree = set.placed->tree;
+  with_triangles(set, search.motion(), [&](auto triangles) {
+    CullingMotion culling(triangles.culling(), tree);
+    double end = 1;
+    const auto shorten = [&] {
+      if (!(search.end() < end)) return;
+      end = search.end();
+      triangles.end_at(end), culling.end_at(end);
+    };
+    shorten();
+    walk<true>(
+        tree, culling,
+        [&](std::uint32_t place) {
+          count(triangles, place, tally);
+          const std::uint32_t number = tree.order()[place];
+          if (!search.is_at_start())
+            triangles.meet(place, number, search);
+          else if (search.is_lower(number) && triangles.touches_at_start(place))
+            search.start(triangles.triangle(place), number);
+          shorten();
+          return false;
+        },
+        prefetch_of(set.placed->triangles));
+  });
+}
+
+template <class T>
+void first_polygon(const PolygonSet& set, FirstContactSearch& search, T& tally) {
+  tally.ask(set.polygons.size(), set.edge_count());
+  const Motion& motion = search.motion();
+  CullingMotion culling(motion, set.tree);
+  if (search.end() < 1) culling.end_at(search.end());
+  walk<true>(
+      set.tree, culling,
+      [&](std::uint32_t place) {
+        const std::uint32_t number = set.tree.order()[place];
+        const filtered::PreparedPolygon& polygon = set.prepared[number];
+        count(motion, polygon, tally);
+        if (!search.is_at_start())
+          search.meet(polygon, number, filtered::first_contact(motion, polygon));
+        else if (search.is_lower(number) && filtered::contact(motion.ball, polygon))
+          search.start(polygon, number);
+        culling.end_at(search.end());
+        return false;
+      },
+      kFetchNothing);
+}
+
+/// The walks of the target that this is compiled for.
+template <class Query, class T>
+inline constexpr ContactWalks<Query, T> kContactWalks{touches_triangle<Query, T>, touches_polygon<Query, T>,
+                                                      touched_triangles<Query, T>, touched_polygons<Query, T>};
+template <class T>
+inline constexpr Walks<T> kWalks{kContactWalks<Ball, T>, kContactWalks<Motion, T>, nearest_triangle<T>,
+                                 nearest_polygon<T>,     first_triangle<T>,        first_polygon<T>};
 
 }  // namespace TOUCHSTONE_TARGET
 }  // namespace touchstone::scene

@@ -55,6 +55,7 @@ class Bytes {
   void add(const filtered::ClosestPoint& p) { add(p.feature), add(p.point), add(p.distance); }
   void add(const scene::FaceId& id) { add(id.object), add(id.face); }
   void add(const scene::NearestFace& n) { add(n.face), add(n.feature), add(n.point), add(n.distance); }
+  void add(const scene::FirstFace& f) { add(f.face), add(f.contact); }
   void add(const Rejection& r) { add(r.code), add(r.message); }
   void add(const Triangle& t) { add(t.a), add(t.b), add(t.c); }
   void add(const Polygon& p) {

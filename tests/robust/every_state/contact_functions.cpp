@@ -123,6 +123,13 @@ std::vector<PublicFunction> set_functions() {
                 return touched(ball, *set);
               };
             }),
+      gives(
+          "filtered::TriangleSet::triangles",
+          [](const Input& in) {
+            const filtered::TriangleSet set = set_of(in.triangle);
+            return std::vector<Triangle>(set.triangles().begin(), set.triangles().end());
+          },
+          false),
       gives("filtered::contact", [](const Input& in) { return touched(in.ball, set_of(in.triangle)); }),
       gives("filtered::contact",
             [](const Input& in) {

@@ -38,9 +38,54 @@ auto of_scene(const Ask& ask) {
   };
 }
 
-}  // namespace
+/// Motions from ball to ball, short ones too, and one at rest.
+std::vector<Motion> motions_of(const Input& in) {
+  return {{in.ball, in.point}, {in.ball, in.triangle.b}, {{in.point, -0.0}, in.ball.center}, {in.ball, in.ball.center}};
+}
 
-std::vector<PublicFunction> scene_functions() {
+/// What `ask` says about each motion.
+template <class Ask>
+auto of_motions(const Ask& ask) {
+  return of_scene([ask](const Scene& scene, const Input& in) {
+    std::vector<decltype(ask(scene, motions_of(in).front()))> answers;
+    for (const Motion& motion : motions_of(in)) answers.push_back(ask(scene, motion));
+    return answers;
+  });
+}
+
+std::vector<PublicFunction> moving_functions() {
+  using scene::FaceCounts;
+  return {
+      gives("scene::Scene::touches", of_motions([](const Scene& s, const Motion& m) { return s.touches(m); })),
+      gives("scene::Scene::touched", of_motions([](const Scene& s, const Motion& m) { return s.touched(m); })),
+      gives("scene::Scene::first_contact",
+            of_motions([](const Scene& s, const Motion& m) { return s.first_contact(m); })),
+      gives("scene::Scene::touches", of_motions([](const Scene& s, const Motion& m) {
+              FaceCounts counts;
+              return s.touches(m, counts);
+            })),
+      gives("scene::Scene::touched", of_motions([](const Scene& s, const Motion& m) {
+              FaceCounts counts;
+              return s.touched(m, counts);
+            })),
+      gives("scene::Scene::first_contact", of_motions([](const Scene& s, const Motion& m) {
+              FaceCounts counts;
+              return s.first_contact(m, counts);
+            })),
+      gives("scene::Scene::touches", of_scene([](const Scene& scene, const Input& in) {
+              const std::vector<Motion> motions = motions_of(in);
+              std::array<bool, 4> touches{};
+              scene.touches(motions, touches);
+              return touches;
+            })),
+      gives("scene::Scene::touched",
+            of_scene([](const Scene& scene, const Input& in) { return scene.touched(motions_of(in)); })),
+      gives("scene::Scene::first_contact",
+            of_scene([](const Scene& scene, const Input& in) { return scene.first_contact(motions_of(in)); })),
+  };
+}
+
+std::vector<PublicFunction> static_functions() {
   return {
       gives("scene::Scene::add",
             [](const Input& in) {
@@ -105,6 +150,14 @@ std::vector<PublicFunction> scene_functions() {
       gives("scene::Scene::nearest",
             of_scene([](const Scene& scene, const Input& in) { return scene.nearest(balls_of(in)); })),
   };
+}
+
+}  // namespace
+
+std::vector<PublicFunction> scene_functions() {
+  std::vector<PublicFunction> all = static_functions();
+  for (PublicFunction& moving : moving_functions()) all.push_back(std::move(moving));
+  return all;
 }
 
 }  // namespace touchstone::every_state_tests

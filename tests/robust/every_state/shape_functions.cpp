@@ -53,6 +53,11 @@ std::vector<PublicFunction> shape_functions() {
             [](const Input& in) {
               return find_fault(Motion{in.ball, in.any_ball.center});
             }),
+      hands_on("Motion::Motion",
+               [](const Input& in) {
+                 const Motion motion(in.ball, in.any_ball.center);
+                 return std::pair(motion.ball.center, motion.to);
+               }),
       hands_on("Polygon::Polygon", [](const Input& in) { return Polygon(in.any_outer, in.any_holes); }),
       hands_on("Polygon::vertex", [](const Input& in) { return in.polygon.vertex(1); }),
       hands_on("Polygon::coordinates", [](const Input& in) { return in.polygon.coordinates(0)[0]; }),

@@ -59,6 +59,11 @@ TEST(WrongArguments, NumbersOfNoObjectAreNamed) {
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.nearest(far, some); }), expected);
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(kBall, some); }), expected);  // object 0 is touched
   EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(std::vector<Ball>(), some); }), expected);
+  const Motion near(kBall, far.center);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touches(near, some); }), expected);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.touched(near, some); }), expected);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.first_contact(near, some); }), expected);
+  EXPECT_EQ(message<std::out_of_range>([&] { (void)scene.first_contact(std::vector<Motion>(), some); }), expected);
 }
 
 TEST(WrongArguments, SpansOfDifferentLengthsAreRefusedBeforeAnythingIsWritten) {
@@ -72,6 +77,8 @@ TEST(WrongArguments, SpansOfDifferentLengthsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_EQ(message<std::invalid_argument>([&] { filtered::contact(kBall, triangles, touches); }),
             "3 triangles but 2 answers");
   EXPECT_EQ(message<std::invalid_argument>([&] { scene.touches(balls, touches); }), "3 balls but 2 answers");
+  const std::vector<Motion> motions(3, Motion(kBall, kBall.center));
+  EXPECT_EQ(message<std::invalid_argument>([&] { scene.touches(motions, touches); }), "3 motions but 2 answers");
   EXPECT_EQ(touches, (std::array<bool, 2>{}));
 }
 
@@ -121,6 +128,7 @@ TEST(WrongArgumentsDeathTest, BallsThatAreNoneAreAsserted) {
     EXPECT_DEATH((void)filtered::contact(wrong, kTriangle), "find_fault");
     EXPECT_DEATH((void)scene.touches(wrong), "find_fault");
     EXPECT_DEATH((void)scene.nearest(wrong), "find_fault");
+    EXPECT_DEATH((void)scene.first_contact(Motion{wrong, {0, 0, 0}}), "find_fault");
     EXPECT_DEATH((void)fast::contact(Motion{wrong, {0, 0, 0}}, fast_polygon), "find_fault");
     EXPECT_DEATH((void)fast::first_contact(Motion{wrong, {0, 0, 0}}, kTriangle), "find_fault");
     EXPECT_DEATH((void)exact::first_contact(Motion{wrong, {0, 0, 0}}, exact_polygon), "find_fault");

@@ -218,5 +218,26 @@ TEST(FilteredMotion, DecidesRandomMotionsInDoublesAndRoundsInDoubleDoubles) {
   EXPECT_EQ(firsts.last(), filtered::Stage::DoubleDouble);
 }
 
+TEST(FilteredMotion, DecidesBallsAtRestAsBallsAtAPlace) {
+  const Triangle triangle{{0, 0, 0}, {3, 1, 0.5}, {1, 2, 1}};
+  const Polygon polygon({triangle.a, triangle.b, triangle.c});
+  const filtered::PreparedPolygon prepared(polygon);
+  filtered::StageCounts contacts, firsts;
+  bool some = false, all = true;
+  for (int i = 0; i < 200; ++i) {
+    const Ball ball{{0.02 * i - 1, 0.015 * i - 0.5, 0.01 * i}, 0.375};
+    const Motion motion(ball, ball.center);
+    const bool touches = filtered::contact(ball, triangle);
+    some = some || touches, all = all && touches;
+    EXPECT_EQ(filtered::contact(motion, triangle, contacts), touches);
+    EXPECT_EQ(filtered::contact(motion, prepared, contacts), touches);
+    EXPECT_EQ(filtered::first_contact(motion, triangle, firsts), exact::first_contact(motion, polygon));
+    EXPECT_EQ(filtered::first_contact(motion, prepared, firsts), exact::first_contact(motion, polygon));
+  }
+  EXPECT_TRUE(some && !all);
+  EXPECT_EQ(contacts.last(), filtered::Stage::Double);
+  EXPECT_LT(firsts.last(), filtered::Stage::BigInteger);
+}
+
 }  // namespace
 }  // namespace touchstone::contact_tests

@@ -9,6 +9,7 @@
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "robust/scene/posing.h"
 #include "tests/robust/support/signed_zeros.h"
 
 namespace touchstone::scene_tests {
@@ -121,13 +122,43 @@ std::vector<scene::Faces> draw_objects(Kind kind, std::uint64_t seed, std::uint6
   return objects;
 }
 
-Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {
+std::vector<Polygon> all_polygons(const std::vector<scene::Faces>& objects) {
   std::vector<Polygon> all;
   for (const scene::Faces& faces : objects) {
     for (const Triangle& triangle : faces.triangles) all.push_back(polygon_of(triangle));
     all.insert(all.end(), faces.polygons.begin(), faces.polygons.end());
   }
-  return draw_ball(all, seed, index);
+  return all;
+}
+
+Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {
+  return draw_ball(all_polygons(objects), seed, index);
+}
+
+Motion draw_motion(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index) {
+  Random random(seed, index, 67);
+  const Ball ball = draw_ball(all, seed, index);
+  const Polygon& face = all[static_cast<std::size_t>(random.integer(0, static_cast<std::int64_t>(all.size()) - 1))];
+  const Eigen::Vector3d edge = face.vertex(1) - face.vertex(0);
+  Eigen::Vector3d way;
+  switch (random.integer(0, 3)) {
+    case 0: way = edge; break;
+    case 1: way = edge.cwiseAbs().maxCoeff() * Eigen::Vector3d::Unit(random.integer(0, 2)); break;
+    case 2: way = face.vertex(2) - ball.center; break;
+    default: way = edge.cwiseAbs().maxCoeff() * point(random);
+  }
+  if (random.coin()) way *= std::ldexp(1.0, static_cast<int>(random.integer(-40, 2)));
+  Motion motion(ball, ball.center);
+  switch (random.integer(0, 4)) {
+    case 0: break;
+    case 1: motion.to += way; break;
+    case 2: motion.ball.center -= way; break;
+    case 3: motion.ball.center -= way / 2, motion.to += way / 2; break;
+    default: motion.ball.center -= way, motion.to += way;
+  }
+  if (find_fault(motion)) return {ball, ball.center};
+  sign_zeros(motion.to, random);
+  return motion;
 }
 
 Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index) {
@@ -149,6 +180,13 @@ Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_
   }
   sign_zeros(ball, random);
   return ball;
+}
+
+scene::Faces posed(const Pose& pose, const scene::Faces& model) {
+  scene::Faces result;
+  for (const Triangle& triangle : model.triangles) result.triangles.push_back(scene::posed(pose, triangle));
+  for (const Polygon& polygon : model.polygons) result.polygons.push_back(scene::posed(pose, polygon));
+  return result;
 }
 
 Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "robust/scene/scene.h"
 
 namespace touchstone::scene_tests {
@@ -34,7 +35,17 @@ enum class Kind {
 [[nodiscard]] Ball draw_ball(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
 [[nodiscard]] Ball draw_ball(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index);
 
+/// A motion that has such a ball at its start, at its end or in between, and is as short or as long as may be; or at
+/// rest. The centre moves along an edge, along an axis, to a vertex, or anywhere.
+[[nodiscard]] Motion draw_motion(const std::vector<Polygon>& all, std::uint64_t seed, std::uint64_t index);
+
+/// All faces as polygons, object by object.
+[[nodiscard]] std::vector<Polygon> all_polygons(const std::vector<scene::Faces>& objects);
+
 /// The identity, a translation, a quarter or eighth of a turn, any rotation, or a matrix that is not a rotation.
 [[nodiscard]] Pose draw_pose(const std::vector<scene::Faces>& objects, std::uint64_t seed, std::uint64_t index);
+
+/// The faces under a pose. Throws Rejected if one of them becomes invalid.
+[[nodiscard]] scene::Faces posed(const Pose& pose, const scene::Faces& model);
 
 }  // namespace touchstone::scene_tests

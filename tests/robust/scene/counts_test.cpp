@@ -157,6 +157,61 @@ TEST(FaceCounts, AreAboutTheChosenObjectsOnly) {
   EXPECT_EQ(counts.edges(), 6U);
 }
 
+/// The fate of the only face of a scene on the way of a ball.
+Settled settled_on_way(scene::Faces faces, const Motion& motion) {
+  Scene scene;
+  scene.add("the face", std::move(faces));
+  FaceCounts counts, first;
+  (void)scene.touched(motion, counts);
+  (void)scene.first_contact(motion, first);
+  EXPECT_EQ(counts, first);
+  for (const CullOutcome outcome : kAll)
+    if (counts.faces(outcome) == 1) return {outcome, counts.edges_looked_at()};
+  ADD_FAILURE() << "no outcome";
+  return {};
+}
+
+TEST(FaceCounts, SettleATriangleOnTheWay) {
+  const Triangle tilted{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  const auto outcome = [&](const Motion& motion) { return settled_on_way({{tilted}, {}}, motion); };
+  EXPECT_EQ(outcome(Motion({{8, 8, 0}, 1}, {8, 8, 4})), (Settled{CullOutcome::Box, 0}));
+  // Along the plane, within the box, at a distance of 0.29.
+  EXPECT_EQ(outcome(Motion({{1, 1, 1.5}, 0.25}, {1, 1.5, 1})), (Settled{CullOutcome::Slab, 0}));
+  EXPECT_EQ(outcome(Motion({{1, 1, 1.5}, 0.3}, {1, 1.5, 1})), (Settled{CullOutcome::Touched, 3}));
+  EXPECT_EQ(outcome(Motion({{1, 1, 1.5}, 0.25}, {1, 1, 2})), (Settled{CullOutcome::Touched, 3})) << "passes through";
+  // Through the plane, beside an edge.
+  EXPECT_EQ(outcome(Motion({{4, 4, 0}, 0.25}, {0, 0, -0.25})), (Settled{CullOutcome::Touched, 3}));
+  EXPECT_EQ(outcome(Motion({{4, 4, 0}, 0.25}, {0, 0, -1})), (Settled{CullOutcome::Edges, 3}));
+}
+
+TEST(FaceCounts, SettleAPolygonOnTheWay) {
+  const Polygon ell({{0, 0, 0}, {8, 0, 0}, {8, 1, 0}, {1, 1, 0}, {1, 8, 0}, {0, 8, 0}});
+  const auto outcome = [&](const Motion& motion) { return settled_on_way({{}, {ell}}, motion); };
+  EXPECT_EQ(outcome(Motion({{4, 4, 2}, 1}, {4, 5, 2})), (Settled{CullOutcome::Box, 0}));
+  EXPECT_EQ(outcome(Motion({{4, 4, 1}, 1}, {4, 4, -1})).outcome, CullOutcome::Edges);
+  EXPECT_EQ(outcome(Motion({{4, 2, 1}, 1}, {4, 2, -1})).outcome, CullOutcome::Touched);
+  const Polygon tilted({{4, 0, 0}, {0, 4, 0}, {0, 0, 4}});
+  EXPECT_EQ(settled_on_way({{}, {tilted}}, Motion({{1, 1, 1.5}, 0.25}, {1, 1.5, 1})), (Settled{CullOutcome::Slab, 0}));
+}
+
+// A row of walls across the way: the ball comes to the first, and the boxes behind it are not entered.
+TEST(FaceCounts, LeaveOutWhatIsTouchedLaterThanTheFirstFace) {
+  scene::Faces walls;
+  for (int i = 63; i >= 0; --i) {
+    const double x = 10.0 * i;
+    walls.triangles.push_back({{x, -1, -1}, {x, 1, -1}, {x, 0, 2}});
+  }
+  Scene scene;
+  scene.add("walls", walls);
+  const Motion through({{-5, 0, 0}, 0.5}, {635, 0, 0});
+  FaceCounts all, first;
+  EXPECT_EQ(scene.touched(through, all).size(), 64U);
+  EXPECT_EQ(all.tested(), 64U);
+  EXPECT_EQ(scene.first_contact(through, first)->face, (scene::FaceId{0, 63}));
+  EXPECT_EQ(first.faces(), 64U);
+  EXPECT_LE(first.tested(), scene.face_count(0) / 8) << "one leaf";
+}
+
 /// Calls f(objects, scene, ball, words) for scenes of each kind.
 template <class F>
 void for_each_scene_and_ball(std::uint64_t balls, const F& f) {
@@ -208,6 +263,43 @@ TEST(FaceCounts, AddUpAndLeaveTheAnswersAlone) {
         (void)scene.touched(ball, both);
         EXPECT_EQ(sum, both) << what;
       });
+}
+
+TEST(FaceCounts, AddUpForMovingBallsAndLeaveTheAnswersAlone) {
+  for (const Kind kind : all_kinds()) {
+    const auto objects = draw_objects(kind, 2027, 0);
+    const auto all_faces = all_polygons(objects);
+    Scene scene;
+    for (std::size_t i = 0; i < objects.size(); ++i) scene.add(std::to_string(i), objects[i]);
+    for (std::uint64_t i = 0; i < TOUCHSTONE_SAMPLES / 5; ++i) {
+      const Motion motion = draw_motion(all_faces, 2027, i);
+      const std::string what = name(kind) + ", motion " + std::to_string(i);
+      FaceCounts any, all, first;
+      const auto touched = scene.touched(motion, all);
+      EXPECT_EQ(touched, scene.touched(motion)) << what;
+      EXPECT_EQ(scene.touches(motion, any), scene.touches(motion)) << what;
+      const auto found = scene.first_contact(motion, first), expected = scene.first_contact(motion);
+      ASSERT_EQ(found.has_value(), expected.has_value()) << what;
+      if (found) {
+        EXPECT_EQ(found->face, expected->face) << what;
+        EXPECT_EQ(found->contact, expected->contact) << what;
+        EXPECT_GE(first.faces(CullOutcome::Touched), 1U) << what;
+      }
+      for (const FaceCounts* counts : {&any, &all, &first}) {
+        EXPECT_EQ(counts->faces(), all_faces.size()) << what;
+        EXPECT_LE(counts->edges_looked_at(), counts->edges()) << what;
+        EXPECT_EQ(staged(*counts), counts->tested()) << what;
+        EXPECT_EQ(counts->faces(CullOutcome::Foot), 0U) << what;
+        EXPECT_EQ(counts->tested(), counts->faces(CullOutcome::Slab) + counts->faces(CullOutcome::Edges) +
+                                        counts->faces(CullOutcome::Touched))
+            << what;
+      }
+      EXPECT_EQ(all.faces(CullOutcome::Touched), touched.size()) << what;
+      EXPECT_EQ(any.faces(CullOutcome::Touched), touched.empty() ? 0U : 1U) << what;
+      EXPECT_EQ(any.faces(CullOutcome::Box), all.faces(CullOutcome::Box)) << what;
+      EXPECT_GE(first.faces(CullOutcome::Box), all.faces(CullOutcome::Box)) << what;
+    }
+  }
 }
 
 /// Is the foot beyond the line of an edge that the ball does not reach?

@@ -18,21 +18,38 @@ namespace {
 using scene::FaceId;
 
 struct Found {
-  bool any;
-  std::vector<FaceId> all;
+  bool any, any_on_way;
+  std::vector<FaceId> all, all_on_way;
   std::optional<scene::NearestFace> nearest;
+  std::optional<scene::FirstFace> first;
 };
 
+/// Asks about contact; tells whether there is any, and adds the faces.
+template <class Query, class T>
+bool ask(const scene::ContactWalks<Query, T>& walks, const Query& query, const scene::TriangleSet& triangles,
+         const scene::PolygonSet& polygons, T tally, std::vector<FaceId>& all) {
+  const bool any = walks.touches_triangle(query, triangles, tally) || walks.touches_polygon(query, polygons, tally) ||
+                   tally.answered();
+  walks.touched_triangles(query, triangles, {0, 0}, all, tally);
+  walks.touched_polygons(query, polygons, {1, 0}, all, tally);
+  std::sort(all.begin(), all.end());
+  return any;
+}
+
 template <class T>
-Found ask(const scene::Walks<T>& walks, const Ball& ball, const scene::TriangleSet& triangles,
+Found ask(const scene::Walks<T>& walks, const Motion& motion, const scene::TriangleSet& triangles,
           const scene::PolygonSet& polygons, T tally) {
   const FloatingPointState nearest_mode;
   Found found;
-  found.any = walks.touches_triangle(ball, triangles, tally) || walks.touches_polygon(ball, polygons, tally) ||
-              tally.answered();
-  walks.touched_triangles(ball, triangles, {0, 0}, found.all, tally);
-  walks.touched_polygons(ball, polygons, {1, 0}, found.all, tally);
-  std::sort(found.all.begin(), found.all.end());
+  const Ball& ball = motion.ball;
+  found.any = ask(walks.ball, ball, triangles, polygons, tally, found.all);
+  found.any_on_way = ask(walks.motion, motion, triangles, polygons, tally, found.all_on_way);
+  scene::FirstContactSearch first(motion);
+  first.enter({0, 0});
+  walks.first_triangle(triangles, first, tally);
+  first.enter({1, 0});
+  walks.first_polygon(polygons, first, tally);
+  found.first = first.first();
   scene::NearestSearch search(ball.center);
   search.enter({0, 0});
   walks.nearest_triangle(triangles, search, tally);
@@ -45,6 +62,13 @@ Found ask(const scene::Walks<T>& walks, const Ball& ball, const scene::TriangleS
 void expect_equal(const Found& found, const Found& expected, const std::string& what) {
   EXPECT_EQ(found.any, expected.any) << what;
   EXPECT_EQ(found.all, expected.all) << what;
+  EXPECT_EQ(found.any_on_way, expected.any_on_way) << what;
+  EXPECT_EQ(found.all_on_way, expected.all_on_way) << what;
+  ASSERT_EQ(found.first.has_value(), expected.first.has_value()) << what;
+  if (found.first) {
+    EXPECT_EQ(found.first->face, expected.first->face) << what;
+    EXPECT_EQ(found.first->contact, expected.first->contact) << what;
+  }
   ASSERT_EQ(found.nearest.has_value(), expected.nearest.has_value()) << what;
   if (!found.nearest) return;
   EXPECT_EQ(found.nearest->face, expected.nearest->face) << what;
@@ -53,14 +77,16 @@ void expect_equal(const Found& found, const Found& expected, const std::string& 
 }
 
 /// Asks every engine, counting or not.
-void expect_the_same_faces(const Ball& ball, const scene::TriangleSet& triangles, const scene::PolygonSet& polygons,
+void expect_the_same_faces(const Motion& motion, const scene::TriangleSet& triangles, const scene::PolygonSet& polygons,
                            const std::string& what) {
   scene::FaceCounts counts;
-  const Found expected = ask(scene::baseline_walks(), ball, triangles, polygons, scene::NoTally());
+  const Found expected = ask(scene::baseline_walks(), motion, triangles, polygons, scene::NoTally());
   EXPECT_EQ(expected.any, !expected.all.empty()) << what;
-  expect_equal(ask(scene::fastest_walks(scene::NoTally()), ball, triangles, polygons, scene::NoTally()), expected,
+  EXPECT_EQ(expected.any_on_way, !expected.all_on_way.empty()) << what;
+  EXPECT_EQ(expected.first.has_value(), expected.any_on_way) << what;
+  expect_equal(ask(scene::fastest_walks(scene::NoTally()), motion, triangles, polygons, scene::NoTally()), expected,
                what);
-  expect_equal(ask(scene::baseline_counted_walks(), ball, triangles, polygons, scene::Tally(counts)), expected,
+  expect_equal(ask(scene::baseline_counted_walks(), motion, triangles, polygons, scene::Tally(counts)), expected,
                what + ", counted");
 }
 
@@ -71,12 +97,12 @@ TEST(SceneEngines, FindTheSameFaces) {
       const scene::TriangleSet triangles(objects.front().triangles);
       const scene::PolygonSet polygons(objects.front().polygons);
       for (std::uint64_t i = 0; i < 10; ++i)
-        expect_the_same_faces(draw_ball(objects, 2027, 1000 * index + i), triangles, polygons,
-                              name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
+        expect_the_same_faces(draw_motion(all_polygons(objects), 2027, 1000 * index + i), triangles, polygons,
+                              name(kind) + ", scene " + std::to_string(index) + ", motion " + std::to_string(i));
     }
 }
 
-// In their own frame where it can hold them; balls are about the posed faces.
+// In their own frame where it can hold them; motions are about the posed faces.
 TEST(SceneEngines, FindTheSameFacesUnderPoses) {
   std::size_t held = 0;
   const scene::PolygonSet none(std::vector<Polygon>{});
@@ -95,8 +121,8 @@ TEST(SceneEngines, FindTheSameFacesUnderPoses) {
       }
       held += triangles->frame.has_value();
       for (std::uint64_t i = 0; i < 10; ++i)
-        expect_the_same_faces(draw_ball({posed}, 2027, 1000 * index + i), *triangles, none,
-                              name(kind) + ", scene " + std::to_string(index) + ", ball " + std::to_string(i));
+        expect_the_same_faces(draw_motion(all_polygons({posed}), 2027, 1000 * index + i), *triangles, none,
+                              name(kind) + ", scene " + std::to_string(index) + ", motion " + std::to_string(i));
     }
   EXPECT_GT(held, TOUCHSTONE_SAMPLES / 5U);
 }

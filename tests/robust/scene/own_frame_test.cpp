@@ -101,6 +101,57 @@ TEST(OwnFrame, SeesEveryBallThatTouchesAndNoOther) {
   }
 }
 
+/// Checks what a frame says about a motion that nearly touches a vertex at some time: at that time.
+void expect_sound(const OwnFrame& frame, const Seen& seen, const Eigen::Vector3d& first, const Eigen::Vector3d& last,
+                  const std::string& what) {
+  const Eigen::Vector3d posed = scene::posed(seen.pose, seen.own);
+  for (int eighths = 0; eighths <= 8; ++eighths) {
+    const mpq_class time(eighths, 8);
+    const auto squared_at = [&](const Eigen::Vector3d& vertex, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+      mpq_class sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        const mpq_class component = (1 - time) * difference(vertex, a, k) + time * difference(vertex, b, k);
+        sum += component * component;
+      }
+      return sum;
+    };
+    const mpq_class squared = squared_at(posed, first, last);
+    const double near = std::sqrt(squared.get_d());
+    for (int doubles = -2; doubles <= 2; ++doubles) {
+      const double radius = std::max(0.0, workloads::move_by_doubles(near, doubles));
+      const scene::SeenMotion motion = frame.seen(Motion({first, radius}, last));
+      const mpq_class own_squared = squared_at(seen.own, motion.outer.ball.center, motion.outer.to);
+      if (within(squared, radius)) {
+        EXPECT_TRUE(within(own_squared, motion.outer.ball.radius)) << what << ", time " << time;
+      }
+      if (within(own_squared, motion.inner)) {
+        EXPECT_TRUE(within(squared, radius)) << what << ", time " << time;
+      }
+    }
+  }
+}
+
+TEST(OwnFrame, SeesEveryMotionThatTouchesAndNoOther) {
+  constexpr double kThick = 0x1p200;
+  for (std::uint64_t index = 0; index < 5 * TOUCHSTONE_SAMPLES; ++index) {
+    Random random(2026, index, 93);
+    const Seen seen = draw_seen(random);
+    const auto frame = OwnFrame::of(seen.pose, seen.reach, kThick);
+    ASSERT_TRUE(frame);
+    const double scale = seen.reach * seen.pose.rotation.norm();
+    const auto end = [&] {
+      return Eigen::Vector3d(scene::posed(seen.pose, seen.own) +
+                             point(random, scale * std::abs(random.log_uniform(-30, 2))));
+    };
+    const Eigen::Vector3d first = end();
+    expect_sound(*frame, seen, first, random.coin() ? end() : first, "sample " + std::to_string(index));
+  }
+  const auto frame = OwnFrame::of({}, 1, 1);
+  const scene::SeenMotion far = frame->seen(Motion({{0, 0, 0}, 1}, {0x1p501, 0, 0}));
+  EXPECT_EQ(far.outer.ball.radius, std::numeric_limits<double>::infinity());
+  EXPECT_LT(far.inner, 0);
+}
+
 // Each of these vertices is nearly as far off as its length may be: a tenth less would miss it.
 TEST(OwnFrame, SeesTheWorstStretch) {
   for (const double more : {0x1p-23, -0x1p-23, 0x1p-30, -0x1p-30}) {

@@ -23,13 +23,6 @@ using scene::FaceId;
 using scene::Scene;
 using workloads::Random;
 
-scene::Faces posed(const Pose& pose, const scene::Faces& model) {
-  scene::Faces result;
-  for (const Triangle& triangle : model.triangles) result.triangles.push_back(scene::posed(pose, triangle));
-  for (const Polygon& polygon : model.polygons) result.polygons.push_back(scene::posed(pose, polygon));
-  return result;
-}
-
 /// The faces of an object where it stands, without any hierarchy.
 struct Standing {
   explicit Standing(const scene::Faces& faces) {

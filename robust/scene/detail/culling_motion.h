@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bvh/box_tree.h"
+#include "geometry/shapes/motion.h"
+#include "robust/filtered/detail/numbers/pack.h"
+#include "robust/scene/detail/culling_ball.h"
+
+/// Finds the boxes of a tree that a moving ball may touch.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+namespace culling {
+
+/// Lengths of a motion, in units of the largest number L of centres and reach: by so much more does the ball reach
+/// along each axis, to cover the rounding of times. A centre that moves by less than kStill along an axis has no times
+/// for it. Of sides within 4 L the roundings are less than 2^-47 L.
+inline constexpr double kMargin = 0x1p-44, kStill = 0x1p-30;
+
+/// Returns the time at which a side of the ball is at a side of a box: the centre's coordinate moves with speed
+/// 1 / inverse, and at time 0 the ball's side is at -offset / inverse.
+template <class T>
+TOUCHSTONE_INLINE T time_at(const T& side, const T& inverse, const T& offset) {
+  return multiply_add(side, inverse, offset);
+}
+
+}  // namespace culling
+
+/// A moving ball in the units of a tree, to test it against boxes.
+///
+/// Culling is conservative: a box that the ball touches until the time of `end_at` is never culled, and the time that
+/// is computed for a box is not later than the one at which the ball touches it first. Two tests cull: the box's
+/// distance from the box around the centre's way, and the times at which the ball's own box meets it along each axis.
+/// The second test is left out for motions of at most two radii, where it culls little: all times are 0 then. If a
+/// motion cannot be scaled, no box is culled.
+class CullingMotion {
+ public:
+  /// Requires round to nearest, without flush-to-zero.
+  TOUCHSTONE_INLINE CullingMotion(const Motion& motion, const BoxTree& tree) {
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      center_[axis] = scaled(motion.ball.center[axis], tree), to_[axis] = scaled(motion.to[axis], tree);
+      largest = std::max({largest, std::abs(center_[axis]), std::abs(to_[axis])});
+    }
+    const double reach = scaled(motion.ball.radius, tree) + culling::kTiny;
+    const bool everywhere = !(largest < 0x1p500 && reach < 0x1p500);
+    if (everywhere) largest = 0;
+    squared_ = everywhere ? 0x1p1020 : culling::squared_reach(reach, culling::kWide);
+    largest = std::max(largest, reach);
+    margin_ = everywhere ? 0 : culling::kMargin * largest;
+    double longest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (everywhere) center_[axis] = to_[axis] = 0;
+      const double change = to_[axis] - center_[axis];
+      longest = std::max(longest, std::abs(change));
+      if (!everywhere && std::abs(change) > culling::kStill * largest) {
+        const double inverse = 1 / change, side = std::copysign(reach + margin_, change);
+        inverse_[axis] = inverse;
+        entry_[axis] = -(center_[axis] + side) * inverse, exit_[axis] = -(center_[axis] - side) * inverse;
+      } else {
+        // No infinite side times the inverse is NaN, no finite one is more than 2^-90.
+        inverse_[axis] = 0x1p-400, entry_[axis] = -1, exit_[axis] = 2;
+      }
+      forward_[axis] = !(inverse_[axis] < 0);
+    }
+    timed_ = longest > 2 * reach;
+    end_at(1);
+  }
+
+  /// Shortens the motion: it ends at this time.
+  TOUCHSTONE_INLINE void end_at(double time) {
+    end_ = time;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double first = center_[axis], change = to_[axis] - first;
+      const double last = time < 1 ? first + time * change + std::copysign(margin_, change) : to_[axis];
+      low_[axis] = std::min(first, last), high_[axis] = std::max(first, last);
+    }
+  }
+
+  /// Returns one bit for each box of a node that the ball may touch. Writes the earliest times at which it may.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned may_touch(const BoxTree::Node& node, Pack& times) const {
+    const Pack zero = filtered::all_lanes(0);
+    const auto gap = [&](int axis) {
+      return culling::gap(filtered::load(node.low[axis]), filtered::load(node.high[axis]),
+                          filtered::all_lanes(low_[axis]), filtered::all_lanes(high_[axis]), zero);
+    };
+    const Pack apart = filtered::all_lanes(squared_) - culling::squared_distance(gap(0), gap(1), gap(2));
+    times = zero;
+    if (!timed_) return ~negative_lanes(apart) & 0b1111;
+    Pack exit = filtered::all_lanes(end_);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Pack inverse = filtered::all_lanes(inverse_[axis]);
+      const Pack near = filtered::load(forward_[axis] ? node.low[axis] : node.high[axis]);
+      const Pack far = filtered::load(forward_[axis] ? node.high[axis] : node.low[axis]);
+      times = maximum(times, culling::time_at(near, inverse, filtered::all_lanes(entry_[axis])));
+      exit = minimum(exit, culling::time_at(far, inverse, filtered::all_lanes(exit_[axis])));
+    }
+    return ~negative_lanes(apart | (exit - times)) & 0b1111;
+  }
+  /// Returns whether the ball may touch a box with this earliest time.
+  [[nodiscard]] bool may_touch(double time) const { return time <= end_; }
+
+ private:
+  double center_[3], to_[3];
+  double low_[3], high_[3];  ///< the box around the centre's way until then
+  double inverse_[3], entry_[3], exit_[3];
+  bool forward_[3], timed_;
+  double squared_, margin_, end_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

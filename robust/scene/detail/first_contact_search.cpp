@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/scene/detail/first_contact_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "robust/exact/motion.h"
+#include "robust/filtered/motion.h"
+
+namespace touchstone::scene {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void FirstContactSearch::meet(const Triangle& triangle, std::uint32_t number, const std::optional<Feature>& feature,
+                              double earliest, double latest) {
+  meet(Met{{numbered(number), triangle}, feature, earliest, latest, std::nullopt});
+}
+
+// The time was rounded to the nearest double.
+void FirstContactSearch::meet(const MetFace& face, const FirstContact& contact) {
+  meet(Met{face, contact.feature, std::nextafter(contact.time, -kInfinity), std::nextafter(contact.time, kInfinity),
+           contact});
+}
+
+void FirstContactSearch::meet(Met met) {
+  constexpr std::size_t kFew = 8;
+  if (is_at_start() || met.earliest > end_) return;
+  if (met_.empty()) met_.reserve(kFew);
+  end_ = std::min(end_, met.latest);
+  met_.push_back(std::move(met));
+}
+
+void FirstContactSearch::find_contact(Met& met) const {
+  if (met.contact) return;
+  const MetFace& face = met.face;
+  met.contact = face.triangle ? filtered::first_contact(motion_, *face.triangle)
+                              : filtered::first_contact(motion_, *face.polygon);
+  met.feature = met.contact->feature;
+}
+
+int FirstContactSearch::compare(Met& first, Met& second) const {
+  if (first.latest < second.earliest) return -1;
+  if (second.latest < first.earliest) return 1;
+  if (!first.feature) find_contact(first);
+  if (!second.feature) find_contact(second);
+  // The same vertex or edge, as it was given, is touched at the same time.
+  if (const auto place = first.face.place(*first.feature); place && place == second.face.place(*second.feature))
+    return 0;
+  find_contact(first);
+  find_contact(second);
+  // Times whose doubles differ are in the same order.
+  const double time = first.contact->time, other = second.contact->time;
+  if (time != other) return time < other ? -1 : 1;
+  return exact::compare_times(motion_, first.face.exactly(), second.face.exactly());
+}
+
+std::optional<FirstFace> FirstContactSearch::first() const {
+  if (start_) {
+    Met met{*start_, std::nullopt, 0, 0, std::nullopt};
+    find_contact(met);
+    return FirstFace{met.face.id, *met.contact};
+  }
+  Met* best = nullptr;
+  for (Met& met : met_) {
+    if (met.earliest > end_) continue;
+    const int order = best == nullptr ? -1 : compare(met, *best);
+    if (order < 0 || (order == 0 && met.face.id < best->face.id)) best = &met;
+  }
+  if (best == nullptr) return std::nullopt;
+  find_contact(*best);
+  return FirstFace{best->face.id, *best->contact};
+}
+
+}  // namespace touchstone::scene

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/shapes/motion.h"
+#include "geometry/shapes/triangle.h"
+#include "robust/filtered/detail/numbers/pack.h"
+
+/// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+/// The space that a moving ball sweeps until some time: its motion, and the box around it. Only ever too large.
+class Swept {
+ public:
+  TOUCHSTONE_INLINE explicit Swept(const Motion& motion) : whole_(motion), motion_(motion) { set_box(); }
+
+  /// Shortens the motion: it ends at this time. The end of the way is rounded; a larger radius makes up for that.
+  TOUCHSTONE_INLINE void end_at(double time) {
+    const Eigen::Vector3d &first = whole_.ball.center, &last = whole_.to, change = last - first;
+    if (!(change.lpNorm<Eigen::Infinity>() <= std::numeric_limits<double>::max())) return;
+    const double largest = std::max(first.lpNorm<Eigen::Infinity>(), last.lpNorm<Eigen::Infinity>());
+    motion_.to = first + time * change;
+    motion_.ball.radius = whole_.ball.radius + kMargin * std::max(largest, whole_.ball.radius) + kTiny;
+    set_box();
+  }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  /// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
+  [[nodiscard]] TOUCHSTONE_INLINE bool misses(const Triangle& triangle) const {
+    using filtered::Pack;
+    const Pack low = filtered::load_three(low_), high = filtered::load_three(high_);
+    // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
+    const Pack radius = filtered::all_lanes(motion_.ball.radius + 0.0);
+    const Pack a = filtered::load_three(triangle.a.data()), b = filtered::load_three(triangle.b.data()),
+               c = filtered::load_three(triangle.c.data());
+    const Pack below = maximum(high - a, maximum(high - b, high - c)) + radius;
+    const Pack above = radius - minimum(low - a, minimum(low - b, low - c));
+    return (negative_lanes(below | above) & 0b111) != 0;
+  }
+
+ private:
+  /// Times the largest coordinate or radius: far more than the roundings of the end. Underflow adds at most 2^-1072.
+  static constexpr double kMargin = 0x1p-44, kTiny = 0x1p-1060;
+
+  TOUCHSTONE_INLINE void set_box() {
+    for (int axis = 0; axis < 3; ++axis) {
+      low_[axis] = std::min(motion_.ball.center[axis], motion_.to[axis]);
+      high_[axis] = std::max(motion_.ball.center[axis], motion_.to[axis]);
+    }
+  }
+
+  Motion whole_;
+  Motion motion_;  ///< the shortened one
+  double low_[3], high_[3];
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

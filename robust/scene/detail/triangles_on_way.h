@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "robust/filtered/detail/motion/triangle_motion.h"
+#include "robust/scene/detail/asked_triangles.h"
+#include "robust/scene/detail/first_contact_search.h"
+#include "robust/scene/detail/swept.h"
+
+/// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
+namespace touchstone::scene {
+inline namespace TOUCHSTONE_TARGET {
+
+/// Returns whether the moving ball certainly misses the triangle, by doubles.
+TOUCHSTONE_INLINE bool certainly_misses(const Motion& motion, const Triangle& triangle) {
+  filtered::CapsuleSigns signs;
+  return capsule_filter(filtered::view_of(motion, triangle), signs) == filtered::FilterResult::No;
+}
+
+/// Passes the triangle to a search if the ball touches it before the search's end.
+inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSearch& search) {
+  const filtered::MotionTriangleView view = filtered::view_of(search.motion(), triangle);
+  const filtered::MotionFilterResult known = filtered::motion_filter(view);
+  if (known.contact == filtered::FilterResult::No) return;
+  if (known.latest <= 2) {  // finite
+    if (known.earliest <= search.end()) search.meet(triangle, number, known.feature, known.earliest, known.latest);
+  } else if (known.at_start == filtered::FilterResult::Yes) {
+    search.start(triangle, number);
+  } else {
+    filtered::NoCounts counts;
+    search.meet(triangle, number, filtered::later_first_contact(view, known, counts));
+  }
+}
+
+/// Triangles that stand where they are.
+class StandingTrianglesOnWay {
+ public:
+  StandingTrianglesOnWay(const TriangleSet& set, const Motion& motion)
+      : triangles_(set.placed->triangles.data()), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
+
+  [[nodiscard]] const Motion& asked() const { return motion_; }
+  /// Returns a motion that touches the boxes of all triangles that the ball touches, not later than the ball does.
+  [[nodiscard]] const Motion& culling() const { return motion_; }
+  /// Shortens the motion: it ends at this time.
+  void end_at(double time) { swept_.end_at(time); }
+
+  [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  /// Returns whether the ball touches the triangle at a place.
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
+    if (swept_.misses(triangles_[place])) return false;
+    filtered::NoCounts counts;
+    return filtered::triangle_motion_contact(filtered::view_of(motion_, triangles_[place]), counts);
+  }
+  [[nodiscard]] TOUCHSTONE_INLINE bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
+  /// Passes the triangle to the search if the ball touches it before the search's end.
+  void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
+    const Triangle& triangle = triangles_[place];
+    if (!swept_.misses(triangle) && !certainly_misses(swept_.motion(), triangle)) scene::meet(triangle, number, search);
+  }
+
+ private:
+  const Triangle* triangles_;
+  const Motion& motion_;
+  Swept swept_;
+  StandingTriangles at_start_;
+};
+
+/// Triangles in their own frame. Most are decided there; the others are posed.
+class TrianglesInOwnFrameOnWay {
+ public:
+  TrianglesInOwnFrameOnWay(const TriangleSet& set, const Motion& motion)
+      : triangles_(set.placed->triangles.data()),
+        frame_(*set.frame),
+        motion_(motion),
+        seen_(frame_.seen(motion)),
+        swept_(seen_.outer),
+        at_start_(set, motion.ball) {}
+
+  [[nodiscard]] const Motion& asked() const { return motion_; }
+  [[nodiscard]] const Motion& culling() const { return seen_.outer; }
+  void end_at(double time) { swept_.end_at(time); }
+
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const {
+    return posed_vertices(frame_.pose(), triangles_[place]);
+  }
+  [[nodiscard]] bool touches(std::uint32_t place) const {
+    const Triangle& own = triangles_[place];
+    if (swept_.misses(own)) return false;
+    filtered::CapsuleSigns signs;
+    const Motion inner = seen_.inner_motion();
+    switch (capsule_filter(filtered::view_of(seen_.outer, own), signs)) {
+      case filtered::FilterResult::No: return false;
+      case filtered::FilterResult::Yes:
+        if (seen_.inner >= 0 && capsule_filter(filtered::view_of(inner, own), signs) == filtered::FilterResult::Yes)
+          return true;
+        [[fallthrough]];
+      default: return touches_posed(place);
+    }
+  }
+  [[nodiscard]] bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
+  void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
+    const Triangle& own = triangles_[place];
+    if (!swept_.misses(own) && !certainly_misses(swept_.motion(), own)) scene::meet(triangle(place), number, search);
+  }
+
+ private:
+  [[nodiscard]] __attribute__((noinline)) bool touches_posed(std::uint32_t place) const {
+    const Triangle posed = triangle(place);
+    filtered::NoCounts counts;
+    return filtered::triangle_motion_contact(filtered::view_of(motion_, posed), counts);
+  }
+
+  const Triangle* triangles_;
+  const OwnFrame& frame_;
+  const Motion& motion_;
+  const SeenMotion seen_;
+  Swept swept_;
+  TrianglesInOwnFrame at_start_;
+};
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::scene

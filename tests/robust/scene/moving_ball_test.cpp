@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What scenes answer about moving balls, against brute force over all faces.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/workloads/random.h"
+#include "tests/robust/scene/adversarial_scenes.h"
+#include "tests/robust/scene/faces_on_way.h"
+#include "tests/robust/support/environment.h"
+#include "tests/robust/support/moving.h"
+
+namespace touchstone::scene {
+
+/// How GoogleTest shows a first face.
+void PrintTo(const FirstFace& first, std::ostream* out) {
+  *out << "object " << first.face.object << ", face " << first.face.face << ": ";
+  touchstone::PrintTo(first.contact, out);
+}
+bool operator==(const FirstFace& a, const FirstFace& b) { return a.face == b.face && a.contact == b.contact; }
+
+}  // namespace touchstone::scene
+
+namespace touchstone::scene_tests {
+namespace {
+
+using scene::FaceId;
+using scene::FirstFace;
+using scene::Scene;
+
+/// A scene, its faces without any hierarchy, and motions through them.
+struct Subject {
+  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index), name(kind)) {}
+  Subject(const std::vector<scene::Faces>& objects, std::string words)
+      : what(std::move(words)), polygons(all_polygons(objects)), faces(objects) {
+    for (std::size_t i = 0; i < objects.size(); ++i) built.add("object " + std::to_string(i), objects[i]);
+  }
+  [[nodiscard]] Motion motion(std::uint64_t index) const { return draw_motion(polygons, 2026, index); }
+
+  std::string what;
+  std::vector<Polygon> polygons;
+  FacesOnWay faces;
+  Scene built;
+};
+
+/// Calls f(subject, motion, number, words) for scenes of each kind.
+template <class F>
+void for_each_query(std::uint64_t motions, const F& f) {
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < 2; ++index) {
+      const Subject subject(kind, index);
+      for (std::uint64_t i = 0; i < motions; ++i) {
+        const std::uint64_t number = 1000 * index + i;
+        f(subject, subject.motion(number), number, subject.what + ", motion " + std::to_string(number));
+      }
+    }
+}
+
+TEST(MovingBallInScene, TouchesExactlyTheFacesOnItsWay) {
+  std::uint64_t touching = 0;
+  for_each_query(2 * TOUCHSTONE_SAMPLES,
+                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
+                   const auto expected = subject.faces.touched(motion);
+                   EXPECT_EQ(subject.built.touched(motion), expected) << what;
+                   EXPECT_EQ(subject.built.touches(motion), !expected.empty()) << what;
+                   if (number % 20 == 3) {
+                     EXPECT_EQ(subject.faces.touched_by_exact(motion), expected) << what;
+                   }
+                   touching += expected.empty() ? 0 : 1;
+                 });
+  EXPECT_GT(touching, 5U * TOUCHSTONE_SAMPLES);
+}
+
+TEST(MovingBallInScene, TouchesTheFirstFaceFirstAndTheLowestOfEquals) {
+  std::uint64_t on_way = 0;
+  for_each_query(2 * TOUCHSTONE_SAMPLES,
+                 [&](const Subject& subject, const Motion& motion, std::uint64_t number, const std::string& what) {
+                   const auto expected = subject.faces.first(motion);
+                   EXPECT_EQ(subject.built.first_contact(motion), expected) << what;
+                   if (number % 50 == 7) {
+                     EXPECT_EQ(subject.faces.first_by_exact(motion), expected) << what;
+                   }
+                   on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
+                 });
+  EXPECT_GT(on_way, 2U * TOUCHSTONE_SAMPLES);
+}
+
+TEST(MovingBallInScene, TouchesAtRestWhatTheBallTouches) {
+  for_each_query(TOUCHSTONE_SAMPLES / 2,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Motion at_rest(motion.ball, motion.ball.center);
+                   const auto touched = subject.built.touched(motion.ball);
+                   EXPECT_EQ(subject.built.touched(at_rest), touched) << what;
+                   EXPECT_EQ(subject.built.touches(at_rest), !touched.empty()) << what;
+                   const auto first = subject.built.first_contact(at_rest);
+                   ASSERT_EQ(first.has_value(), !touched.empty()) << what;
+                   if (!first) return;
+                   EXPECT_EQ(first->face, touched.front()) << what;
+                   EXPECT_EQ(first->contact.kind, FirstContactKind::Start) << what;
+                 });
+}
+
+TEST(MovingBallInScene, TouchesTheSameFacesOnItsWayBack) {
+  for_each_query(TOUCHSTONE_SAMPLES / 2,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Motion back({motion.to, motion.ball.radius}, motion.ball.center);
+                   EXPECT_EQ(subject.built.touched(back), subject.built.touched(motion)) << what;
+                 });
+}
+
+TEST(MovingBallInScene, AsksChosenObjectsOnly) {
+  for_each_query(TOUCHSTONE_SAMPLES / 5,
+                 [](const Subject& subject, const Motion& motion, std::uint64_t, const std::string& what) {
+                   const Scene::Objects chosen(std::vector<std::uint32_t>{2, 1, 2}), none(std::vector<std::uint32_t>{});
+                   std::vector<FaceId> expected;
+                   for (const FaceId& id : subject.faces.touched(motion))
+                     if (id.object != 0) expected.push_back(id);
+                   EXPECT_EQ(subject.built.touched(motion, chosen), expected) << what;
+                   EXPECT_EQ(subject.built.touches(motion, chosen), !expected.empty()) << what;
+                   const auto first = subject.built.first_contact(motion, chosen);
+                   EXPECT_EQ(first.has_value(), !expected.empty()) << what;
+                   EXPECT_TRUE(!first || first->face.object != 0) << what;
+                   EXPECT_FALSE(subject.built.touches(motion, none)) << what;
+                   EXPECT_FALSE(subject.built.first_contact(motion, none)) << what;
+                 });
+  const Scene empty;
+  const Motion motion({{0, 0, 0}, 1}, {1, 0, 0});
+  EXPECT_FALSE(empty.touches(motion) || empty.first_contact(motion) || !empty.touched(motion).empty());
+  EXPECT_THROW((void)empty.first_contact(motion, std::vector<std::uint32_t>{0}), std::out_of_range);
+}
+
+TEST(MovingBallInScene, AnswersBatchesAsSingleQuestions) {
+  for (const Kind kind : all_kinds()) {
+    const Subject subject(kind, 7);
+    std::vector<Motion> motions;
+    for (std::uint64_t i = 0; i < 300; ++i) motions.push_back(subject.motion(i));
+    const std::unique_ptr<bool[]> touches(new bool[motions.size()]);
+    subject.built.touches(std::span<const Motion>(motions), {touches.get(), motions.size()});
+    const auto touched = subject.built.touched(motions);
+    const auto first = subject.built.first_contact(motions);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      EXPECT_EQ(touches[i], subject.built.touches(motions[i])) << subject.what << ", motion " << i;
+      EXPECT_EQ(touched[i], subject.built.touched(motions[i])) << subject.what << ", motion " << i;
+      EXPECT_EQ(first[i], subject.built.first_contact(motions[i])) << subject.what << ", motion " << i;
+    }
+    EXPECT_THROW(subject.built.touches(std::span<const Motion>(motions), {touches.get(), 1}), std::invalid_argument);
+  }
+}
+
+TEST(MovingBallInScene, AnswersInEveryFloatingPointEnvironmentAndLeavesItAsFound) {
+  using contact_tests::Environment;
+  for_each_query(TOUCHSTONE_SAMPLES / 20, [](const Subject& subject, const Motion& motion, std::uint64_t,
+                                             const std::string& what) {
+    const auto expected = subject.built.touched(motion);
+    const auto expected_first = subject.built.first_contact(motion);
+    for (const int mode : contact_tests::kModes)
+      for (const unsigned flush : contact_tests::kFlushes) {
+        const Environment changed(mode, flush);
+        const unsigned before = Environment::modes();
+        std::feclearexcept(FE_ALL_EXCEPT);
+        const auto touched = subject.built.touched(motion);
+        const auto first = subject.built.first_contact(motion);
+        const bool touches = subject.built.touches(motion);
+        const bool raised = std::fetestexcept(contact_tests::kFlags) != 0;
+        const bool left = Environment::modes() == before;
+        EXPECT_EQ(touched, expected) << what << ", rounding mode " << mode << ", flush bits " << flush;
+        EXPECT_EQ(touches, !expected.empty()) << what << ", rounding mode " << mode << ", flush bits " << flush;
+        EXPECT_EQ(first, expected_first) << what << ", rounding mode " << mode << ", flush bits " << flush;
+        EXPECT_TRUE(left && !raised) << what << ", rounding mode " << mode << ", flush bits " << flush;
+      }
+  });
+}
+
+// Triangles stay in their own frame where it can hold them; motions are about the posed faces.
+TEST(MovingBallInScene, FindsPosedFacesAsIfTheyWereBuiltThere) {
+  std::uint64_t posed_scenes = 0, on_way = 0;
+  for (const Kind kind : all_kinds())
+    for (std::uint64_t index = 0; index < TOUCHSTONE_SAMPLES / 10; ++index) {
+      const auto models = draw_objects(kind, 2026, index);
+      std::vector<scene::Faces> there;
+      Scene moved;
+      for (std::uint32_t i = 0; i < models.size(); ++i) {
+        const Pose pose = draw_pose({models[i]}, 2026, 10 * index + i);
+        try {
+          there.push_back(posed(pose, models[i]));
+          moved.add(std::to_string(i), models[i], pose);
+        } catch (const Rejected&) {
+          there.push_back(models[i]);
+          moved.add(std::to_string(i), models[i]);
+        }
+      }
+      ++posed_scenes;
+      const Subject subject(there, name(kind) + ", scene " + std::to_string(index));
+      for (std::uint64_t i = 0; i < 20; ++i) {
+        const Motion motion = subject.motion(100 * index + i);
+        const std::string what = subject.what + ", motion " + std::to_string(i);
+        const auto expected = subject.faces.first(motion);
+        EXPECT_EQ(moved.first_contact(motion), expected) << what;
+        const auto touched = subject.faces.touched(motion);
+        EXPECT_EQ(moved.touched(motion), touched) << what;
+        EXPECT_EQ(moved.touches(motion), !touched.empty()) << what;
+        on_way += expected && expected->contact.kind == FirstContactKind::Way ? 1 : 0;
+      }
+    }
+  EXPECT_GT(on_way, posed_scenes);
+}
+
+const Motion kFalls({{0.5, 0.5, 8}, 1}, {0.5, 0.5, 0});  // reaches height 0 with its lowest point at time 7/8
+
+Triangle floor_at(double height) { return {{-2, -2, height}, {4, -2, height}, {0, 8, height}}; }
+
+TEST(MovingBallInScene, NamesTheLowestOfFacesTouchedAtOnce) {
+  Scene scene;
+  scene.add("late", {{floor_at(-1)}, {}});
+  scene.add("twice", {{floor_at(-2), floor_at(0), {{4, -2, 0}, {0, 8, 0}, {-2, -2, 0}}}, {}});
+  scene.add("as a polygon", {{}, {Polygon({{-2, -2, 0}, {4, -2, 0}, {0, 8, 0}})}});
+  const auto first = scene.first_contact(kFalls);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->face, (FaceId{1, 1}));
+  EXPECT_EQ(first->contact,
+            (FirstContact{FirstContactKind::Way, 0.875, false, {Feature::Kind::Face, 0}, {0.5, 0.5, 0}}));
+  // Without that object the polygon is first, which is as high.
+  const auto polygon = scene.first_contact(kFalls, std::vector<std::uint32_t>{0, 2});
+  ASSERT_TRUE(polygon);
+  EXPECT_EQ(polygon->face, (FaceId{2, 0}));
+  EXPECT_EQ(scene.first_contact(kFalls, std::vector<std::uint32_t>{0})->face, (FaceId{0, 0}));
+}
+
+// Both times round to 7/8, but the second floor is higher.
+TEST(MovingBallInScene, TellsTimesApartThatRoundToOneDouble) {
+  Scene scene;
+  scene.add("floors", {{floor_at(0), floor_at(0x1p-60)}, {}});
+  const auto first = scene.first_contact(kFalls);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->face, (FaceId{0, 1}));
+  EXPECT_EQ(first->contact.time, 0.875);
+}
+
+// A pyramid: its apex and its ridges belong to four faces.
+TEST(MovingBallInScene, NamesTheLowestFaceAtASharedVertexOrEdge) {
+  const Eigen::Vector3d apex(0, 0, 1), corners[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
+  scene::Faces pyramid;
+  for (int i = 3; i >= 0; --i) pyramid.triangles.push_back({corners[i], corners[(i + 1) % 4], apex});
+  Scene scene;
+  scene.add("pyramid", pyramid);
+  const auto on_apex = scene.first_contact(Motion({{0, 0, 3}, 1}, {0, 0, 0}));
+  ASSERT_TRUE(on_apex);
+  EXPECT_EQ(on_apex->face, (FaceId{0, 0}));
+  EXPECT_EQ(on_apex->contact.feature, (Feature{Feature::Kind::Vertex, 2}));
+  // Along a diagonal onto the ridge to (1, 1, 0), which faces 0 (as edge 1) and 3 (as edge 2) share.
+  const auto on_ridge = scene.first_contact(Motion({{2.5, 2.5, 2.5}, 0.5}, {0.5, 0.5, 0.5}));
+  ASSERT_TRUE(on_ridge);
+  EXPECT_EQ(on_ridge->face, (FaceId{0, 0}));
+  EXPECT_EQ(on_ridge->contact.feature, (Feature{Feature::Kind::Edge, 1}));
+}
+
+// Needles whose tips are at distance 5 from the way's end, but for the first, which is a double farther.
+TEST(MovingBallInScene, ComparesTimesAtDifferentPlacesExactly) {
+  const auto needle = [](double x, double y) {
+    return Triangle{{x, y, 0}, {1.25 * x, 1.25 * y, -8}, {1.25 * x - 0.25 * y, 1.25 * y + 0.25 * x, -8}};
+  };
+  Scene scene;
+  scene.add("needles", {{needle(4, 3.0000000000000004), needle(-3, 4), needle(3, -4), needle(0, 5)}, {}});
+  const auto first = scene.first_contact(Motion({{0, 0, 8}, 5}, {0, 0, 0}));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->face, (FaceId{0, 1}));
+  EXPECT_EQ(first->contact.time, 1);
+  EXPECT_EQ(first->contact.momentary, true);
+}
+
+// Of the faces touched at the start the lowest counts, whichever the walk meets first, and none that is touched later.
+TEST(MovingBallInScene, NamesTheLowestFaceTouchedAtTheStart) {
+  Scene scene;
+  scene.add("ahead", {{floor_at(6.5)}, {}});
+  scene.add("floors", {{floor_at(0), floor_at(8.5), floor_at(7.75), floor_at(8)}, {}});
+  const auto first = scene.first_contact(kFalls);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->face, (FaceId{1, 1}));
+  EXPECT_EQ(first->contact.kind, FirstContactKind::Start);
+  EXPECT_EQ(first->contact.time, 0);
+  EXPECT_EQ(first->contact.point, Eigen::Vector3d(0.5, 0.5, 8.5));
+}
+
+TEST(MovingBallInScene, SeesAGrazeOfASingleMoment) {
+  Scene scene;
+  scene.add("fin", {{{{0, 0, 0}, {1, 0, -1}, {-1, 0, -1}}}, {}});
+  const auto first = scene.first_contact(Motion({{0, -4, 1}, 1}, {0, 4, 1}));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->contact, (FirstContact{FirstContactKind::Way, 0.5, true, {Feature::Kind::Vertex, 0}, {0, 0, 0}}));
+  EXPECT_FALSE(scene.first_contact(Motion({{0, -4, 1.0000000000000002}, 1}, {0, 4, 1.0000000000000002})));
+}
+
+// A motion whose centre is twice the largest double from its end.
+TEST(MovingBallInScene, CrossesTheLargestNumbers) {
+  const double far = 0x1.fp1023;
+  Scene scene;
+  scene.add("wall", {{{{0, -far, -far}, {0, far, -far}, {0, 0, far}}}, {}});
+  const auto first = scene.first_contact(Motion({{-far, 0, 0}, 0}, {far, 0, 0}));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->contact.time, 0.5);
+  EXPECT_FALSE(scene.touches(Motion({{-far, 0, 0}, 0}, {-1, 0, 0})));
+}
+
+}  // namespace
+}  // namespace touchstone::scene_tests
