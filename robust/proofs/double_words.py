@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gappa scripts for sums of products of double-doubles.
+"""What is claimed of sums of products of double-doubles, from their records.
 
 Two lines of operations are recorded: those of words, each rounded to within u = 2^-53 of its result, with error-free
-transformations, whose rests are exact; and those of numbers, without any rounding, that they stand for. As in gappa.py
+transformations, whose rests are exact; and those of numbers, without any rounding, that they stand for. As in signs.py
 the model has no scale, and maxima are 1.
 
 Gappa's intervals do not see that rests cancel roundings, so the difference of the two lines is multiplied out here. It
-is a hint: Gappa reports a hint that is not an identity.
+is a hint, an identity that Gappa reports and Coq refuses if it is none.
 """
 
 import collections
 import fractions
 
-import gappa
+import statement
 
 UNIT = fractions.Fraction(1, 2**53)
 # A number of magnitude at most 1 has words that are at most so large, the lower one times UNIT.
@@ -46,41 +46,34 @@ def multiplied_out(nodes, inputs, roundings):
     return values
 
 
-def script(record, constant):
+def claim(record, constant):
     """|computed - exact| <= constant u^2, for every relative error of at most u in every operation."""
-    operations = [(node["operation"], *node["of"]) for node in record["words"] if "of" in node]
-    if len(set(operations)) < len(operations):
-        raise ValueError("an operation is carried out twice; Gappa would take both to have the same error")
-    definitions, hypotheses, rounding = [], [], {}
+    says, rounding, words_of = statement.Statement(), {}, {}
     for node in record["words"]:
         name = f"c{node['node']}"
         if "input" in node:
-            size = WORD if node["word"] == "high" else WORD * UNIT
-            hypotheses.append(f"|{name}| <= {gappa.dyadic(size)}")
-            definitions.append(f"# {node['input']}, {node['word']} word: {name}")
+            says.comment(f"{node['input']}, {node['word']} word: {name}")
+            says.within(name, WORD if node["word"] == "high" else WORD * UNIT)
+            words_of.setdefault(node["input"], []).append(name)
         elif "rest_of" in node:
             factor = "0 * " if "forgotten" in node else "-"
-            definitions.append(f"{name} = {factor}{rounding[node['rest_of']]};")
+            says.defined(name, f"{factor}{rounding[node['rest_of']]}")
         else:
             left, right = node["of"]
-            definitions.append(f"{name} = {gappa.OPERATORS[node['operation']]}<53>(c{left}, c{right});")
-            rounding[node["node"]] = f"({name} - (c{left} {node['operation']} c{right}))"
-    words_of = {}
-    for node in record["words"]:
-        if "input" in node:
-            words_of.setdefault(node["input"], []).append(f"c{node['node']}")
+            operation = f"c{left} {node['operation']} c{right}"
+            says.operation(name, operation, f"d{node['node']}", UNIT)
+            rounding[node["node"]] = f"({name} - ({operation}))"
     for node in record["exact"]:
         name = f"e{node['node']}"
         if "input" in node:
-            definitions.append(f"{name} = {' + '.join(words_of[node['input']])};")
+            says.defined(name, " + ".join(words_of[node["input"]]))
         else:
             left, right = node["of"]
-            definitions.append(f"{name} = e{left} {node['operation']} e{right};")
-    definitions.append(f"computed = c{record['high']} + c{record['low']};")
-    error = f"computed - e{record['exact'][-1]['node']}"
-    goal = f"|{error}| <= {gappa.dyadic(constant * UNIT * UNIT)}"
-    return ("\n".join(definitions) + "\n{ " + " /\\\n  ".join(hypotheses) + "\n  -> " + goal + " }\n"
-            + f"{error} -> {difference(record, words_of, rounding)};\n")
+            says.defined(name, f"e{left} {node['operation']} e{right}")
+    error = f"c{record['high']} + c{record['low']} - e{record['exact'][-1]['node']}"
+    says.at_most(error, constant * UNIT * UNIT)
+    says.hints.append(statement.Hint(error, difference(record, words_of, rounding)))
+    return says
 
 
 def faulty(record):

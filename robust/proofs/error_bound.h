@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "robust/filtered/detail/vector3.h"
+#include "robust/proofs/calculus_steps.h"
 
-/// The error calculus in rationals: a number type whose operations propagate bounds by the model of bounds.h.
+/// The error calculus in rationals: a number type whose operations propagate bounds by the model of bounds.h. Coq
+/// proves its rules (coq/calculus.v) and checks each step that the tests carry out.
 namespace touchstone::filtered::proofs {
 
 /// The errors of `dot` and `cross` if they round only once, in units of the product of their vectors' maxima.
@@ -39,28 +42,43 @@ inline ErrorBound known_within(const ErrorModel& model, const mpq_class& magnitu
   return {&model, -magnitude, magnitude, error};
 }
 
+/// Returns the result of a step from `a`, which Coq is to check. `besides`: numbers that the rule is given.
+inline ErrorBound step(std::string_view rule, CalculusSteps::Numbers besides, const ErrorBound& a, ErrorBound result) {
+  CalculusSteps::of_process().add(rule, besides, {a.low, a.high, a.error, result.low, result.high, result.error});
+  return result;
+}
+/// Returns the result of a step from `a` and `b`.
+inline ErrorBound step(std::string_view rule, const ErrorBound& a, const ErrorBound& b, ErrorBound result) {
+  CalculusSteps::of_process().add(
+      rule, {}, {a.low, a.high, a.error, b.low, b.high, b.error, result.low, result.high, result.error});
+  return result;
+}
+
 /// Returns the bound of a result that would have the bound `a` if the operation were exact.
 inline ErrorBound rounded(const ErrorBound& a) {
-  const mpq_class below = a.model->unit * abs(a.low) + a.model->underflow;
-  const mpq_class above = a.model->unit * abs(a.high) + a.model->underflow;
-  return {a.model, a.low - below, a.high + above, a.error + std::max(below, above)};
+  const mpq_class& unit = a.model->unit;
+  const mpq_class& underflow = a.model->underflow;
+  const mpq_class below = unit * abs(a.low) + underflow, above = unit * abs(a.high) + underflow;
+  return step("rounded", {unit, underflow}, a,
+              {a.model, a.low - below, a.high + above, a.error + std::max(below, above)});
 }
 
 /// @{
 /// An exact operation.
 inline ErrorBound exact_sum(const ErrorBound& a, const ErrorBound& b) {
-  return {a.model, a.low + b.low, a.high + b.high, a.error + b.error};
+  return step("sum", a, b, {a.model, a.low + b.low, a.high + b.high, a.error + b.error});
 }
 inline ErrorBound exact_difference(const ErrorBound& a, const ErrorBound& b) {
-  return {a.model, a.low - b.high, a.high - b.low, a.error + b.error};
+  return step("difference", a, b, {a.model, a.low - b.high, a.high - b.low, a.error + b.error});
 }
 /// a b - A B = a (b - B) + (a - A) B, and |B| <= |b| + |b - B|.
 inline ErrorBound exact_product(const ErrorBound& a, const ErrorBound& b) {
   const mpq_class corners[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
   const bool is_square = a.model->knows_squares && &a == &b;
-  return {a.model, is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners)),
-          *std::max_element(std::begin(corners), std::end(corners)),
-          a.magnitude() * b.error + a.error * (b.magnitude() + b.error)};
+  return step(is_square ? "square" : "product", a, b,
+              {a.model, is_square ? mpq_class(0) : *std::min_element(std::begin(corners), std::end(corners)),
+               *std::max_element(std::begin(corners), std::end(corners)),
+               a.magnitude() * b.error + a.error * (b.magnitude() + b.error)});
 }
 /// @}
 
@@ -71,7 +89,7 @@ inline ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) { return r
 /// Multiplies by a number that is known exactly.
 inline ErrorBound operator/(const ErrorBound& a, double count) {
   const mpq_class divisor = count;
-  return rounded({a.model, a.low / divisor, a.high / divisor, a.error / divisor});
+  return rounded(step("quotient", {divisor}, a, {a.model, a.low / divisor, a.high / divisor, a.error / divisor}));
 }
 
 inline mpq_class largest_magnitude(const Vector3<ErrorBound>& v) {
@@ -83,7 +101,7 @@ inline ErrorBound off_by(const mpq_class& units, const ErrorBound& exact, const 
                          const Vector3<ErrorBound>& b) {
   const mpq_class off =
       units * exact.model->unit * largest_magnitude(a) * largest_magnitude(b) + exact.model->underflow;
-  return {exact.model, exact.low - off, exact.high + off, exact.error + off};
+  return step("off", {off}, exact, {exact.model, exact.low - off, exact.high + off, exact.error + off});
 }
 
 /// @{
@@ -112,8 +130,10 @@ inline ErrorBound multiply_subtract(const ErrorBound& a, const ErrorBound& b, co
 
 /// The larger of two numbers, and a magnitude: neither is rounded.
 inline ErrorBound maximum(const ErrorBound& a, const ErrorBound& b) {
-  return {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)};
+  return step("maximum", a, b, {a.model, std::max(a.low, b.low), std::max(a.high, b.high), std::max(a.error, b.error)});
 }
-inline ErrorBound magnitude(const ErrorBound& a) { return {a.model, 0, a.magnitude(), a.error}; }
+inline ErrorBound magnitude(const ErrorBound& a) {
+  return step("magnitude", {}, a, {a.model, 0, a.magnitude(), a.error});
+}
 
 }  // namespace touchstone::filtered::proofs

@@ -21,6 +21,7 @@ import adversary
 import double_words
 import gappa
 import quotients
+import signs
 
 
 def read(program):
@@ -46,7 +47,7 @@ def judge_sum_of_products(program, model, record):
     faults = []
 
     def proves(constant, of=record):
-        return gappa.proves(program, double_words.script(of, constant), unit)
+        return gappa.proves(program, double_words.claim(of, constant), unit)
 
     if proved * unit * unit > record["value"] * model["double_double_unit"]:
         faults.append(f"{name}: {float(record['value'])} units are less than {proved} u^2")
@@ -68,9 +69,9 @@ def judge_quotient(program, model, record):
     faults = []
     if proved * unit * unit > record["value"] * model["double_double_unit"]:
         faults.append(f"{name}: {float(record['value'])} units are less than {proved} u^2")
-    if not gappa.proves(program, quotients.script(record, proved), unit**2):
+    if not gappa.proves(program, quotients.claim(record, proved), unit**2):
         faults.append(f"{name}: {proved} u^2 is not proved")
-    if gappa.proves(program, quotients.script(record, proved - 1), unit**2):
+    if gappa.proves(program, quotients.claim(record, proved - 1), unit**2):
         faults.append(f"{name}: {proved - 1} u^2 is proved too")
     return faults, f"{name}: {float(record['value'])}; proved {proved} u^2; too small {proved - 1} u^2"
 
@@ -83,7 +84,7 @@ def judge(program, model, record):
     faults = []
 
     def proves(constant, at):
-        return gappa.proves(program, gappa.script(record, at, constant), at)
+        return gappa.proves(program, signs.claim(record, at, constant), at)
 
     for at in (unit, model["double_double_unit"], model["float_unit"]):
         if not proves(claimed, at):

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gappa scripts for the quotient and the root of double-doubles, from what they are recorded to do.
+"""What is claimed of the quotient and the root of double-doubles, from what they are recorded to do.
 
 Every operation on words is off by at most u = 2^-53 of its result, sums and differences of double-doubles by
 3 u^2 + 13 u^3, products by 7 u^2 [joldes2017]; the high word by 2^-53 of itself from its double-double. The model has no
 scale, so operands are 1. The result's error is an identity in all these errors, which is written by hand; that it is
-one for the recorded operations Gappa checks.
+one for the recorded operations Gappa and Coq check.
 """
 
 import fractions
 
-import gappa
+import statement
 
 UNIT = fractions.Fraction(1, 2**53)
 ERRORS = {"/": UNIT, "+": UNIT, "-": UNIT, "*": UNIT, "sqrt": UNIT, "high": UNIT * (1 + 2 * UNIT),
@@ -25,14 +25,14 @@ def exact(node, values):
     if operation == "doubled":
         return f"(2 * {operands[0]})"
     if operation == "sqrt":
-        return f"sqrt({operands[0]})"
+        return f"(sqrt({operands[0]}))"
     return f"({operands[0]} {operation[-1]} {operands[1]})"
 
 
-def script(record, constant):
+def claim(record, constant):
     """|computed / exact - 1| <= constant u^2."""
     values = {0: "1", 1: "1"}
-    unrounded, definitions, hypotheses, of_kind = {}, [], [], {}
+    says, unrounded, of_kind = statement.Statement(), {}, {}
     operands = {i for node in record["numbers"] for i in node["of"]}
     for node in record["numbers"]:
         number, operation = node["node"], node["operation"]
@@ -45,43 +45,49 @@ def script(record, constant):
         unrounded[number] = exact(node, values)
         of_kind.setdefault(operation, []).append(node)
         if operation in ERRORS:
-            definitions.append(f"c{number} = {unrounded[number]} * (1 + d{number});")
-            hypotheses.append(f"|d{number}| <= {gappa.dyadic(ERRORS[operation])}")
+            says.rounded(f"c{number}", unrounded[number], f"d{number}", ERRORS[operation])
         else:
-            definitions.append(f"c{number} = {unrounded[number]};")
+            says.defined(f"c{number}", unrounded[number])
     error = f"{values[record['result']]} - 1"
-    goals = [f"|{error}| <= {gappa.dyadic(constant * UNIT * UNIT)}"]
+    says.at_most(error, constant * UNIT * UNIT)
     for node in of_kind.get("+", []):  # a quick two-sum is exact where the first number is the larger one
         larger, smaller = node["of"]
-        goals += [f"c{larger} >= 1b-1", f"|c{smaller}| <= 1b-1"]
+        says.at_least(f"c{larger}", fractions.Fraction(1, 2))
+        says.at_most(f"c{smaller}", fractions.Fraction(1, 2))
     identity, *hints = {"/": of_quotient, "sqrt": of_root}[record["instance"]](of_kind)
-    return ("\n".join(definitions) + "\n{ " + " /\\\n  ".join(hypotheses) + "\n  -> " + " /\\ ".join(goals) + " }\n"
-            + "".join(f"{hint};\n" for hint in (f"{error} -> {identity}", *hints)))
+    says.hints += [statement.Hint(error, *identity), *(statement.Hint(*hint) for hint in hints)]
+    return says
 
 
 def of_quotient(of_kind):
-    """What the error is, and further hints. 1 = R + P where R = 1 - P: what is left over is known through the products and differences, not the quotients."""
+    """What the error is, and further hints.
+
+    1 = R + P where R = 1 - P: what is left over is known through the products and differences, not the quotients.
+    """
     first, second, third = (node["node"] for node in of_kind["/"])
     divisor = of_kind["/"][0]["of"][1]
     high, second_high = (node["of"][0] for node in of_kind["/"][1:])
     product, second_product = (node["node"] for node in of_kind["double-double *"])
     rest, second_rest = (node["node"] for node in of_kind["double-double -"])
     total, = (node["node"] for node in of_kind["double-double +"])
-    return [f"d{total} * (c{first} + c{second} + c{third}) - ((c{second_rest} - c{third})"
-            f" + c{second} * d{second_product} - (c{rest} - c{second_product}) * d{second_rest}"
-            f" + c{first} * d{product} - (1 - c{product}) * d{rest})",
-            f"c{rest} - c{second_product} -> -c{rest} * ((1 + d{high}) * (1 + d{second}) * (1 + d{second_product})"
-            f" / c{divisor} - 1) {{ c{divisor} <> 0 }}",
-            f"c{second_rest} - c{third} -> -c{second_rest} * ((1 + d{second_high}) * (1 + d{third}) / c{divisor} - 1)"
-            f" {{ c{divisor} <> 0 }}"]
+    return [(f"d{total} * (c{first} + c{second} + c{third}) - ((c{second_rest} - c{third})"
+             f" + c{second} * d{second_product} - (c{rest} - c{second_product}) * d{second_rest}"
+             f" + c{first} * d{product} - (1 - c{product}) * d{rest})",),
+            (f"c{rest} - c{second_product}", f"-c{rest} * ((1 + d{high}) * (1 + d{second}) * (1 + d{second_product})"
+             f" / c{divisor} - 1)", f"c{divisor}"),
+            (f"c{second_rest} - c{third}", f"-c{second_rest} * ((1 + d{second_high}) * (1 + d{third}) / c{divisor} - 1)",
+             f"c{divisor}")]
 
 
 def of_root(of_kind):
-    """What the error is, and a further hint. The rest 1 - root^2 is a product of two numbers, and half of it over the root is Newton's step."""
+    """What the error is, and a further hint.
+
+    The rest 1 - root^2 is a product of two numbers, and half of it over the root is Newton's step.
+    """
     root, = (node["node"] for node in of_kind["sqrt"])
     rest, = (node["node"] for node in of_kind["double-double -"])
     quotient, = (node["node"] for node in of_kind["/"])
     high = of_kind["/"][0]["of"][0]
-    return [f"(1 - c{root}) * ((1 + c{root}) / (2 * c{root})"
-            f" * ((1 + d{rest}) * (1 + d{high}) * (1 + d{quotient})) - 1) {{ c{root} <> 0 }}",
-            f"c{rest} -> (1 - c{root}) * (1 + c{root}) * (1 + d{rest})"]
+    return [(f"(1 - c{root}) * ((1 + c{root}) / (2 * c{root})"
+             f" * ((1 + d{rest}) * (1 + d{high}) * (1 + d{quotient})) - 1)", f"c{root}"),
+            (f"c{rest}", f"(1 - c{root}) * (1 + c{root}) * (1 + d{rest})")]

@@ -8,6 +8,8 @@ struct BallTriangleView {
   const double (*vertex)[3];  ///< three vertices
   const double* center;       ///< three coordinates, followed by the radius
 
+  static constexpr int kNumbers = 4;  ///< of the ball
+  [[nodiscard]] const double* numbers() const { return center; }
   [[nodiscard]] double radius() const { return center[3]; }
 };
 

@@ -13,11 +13,13 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Returns the largest magnitude of a number of ball and triangle.
-inline double largest_number(const BallTriangleView& view) {
-  double largest = view.radius();
+/// Returns the largest magnitude of a number of ball and triangle, or of motion and triangle.
+template <class View>
+double largest_number(const View& view) {
+  double largest = 0;
+  for (int i = 0; i < View::kNumbers; ++i) largest = std::max(largest, std::abs(view.numbers()[i]));
   for (int i = 0; i < 3; ++i)
-    for (const double x : {view.vertex[i][0], view.vertex[i][1], view.vertex[i][2], view.center[i]})
+    for (const double x : {view.vertex[i][0], view.vertex[i][1], view.vertex[i][2]})
       largest = std::max(largest, std::abs(x));
   return largest;
 }
@@ -27,21 +29,19 @@ inline LengthUnit unit_of(double largest) {
   return LengthUnit(std::ilogb(std::max(largest, std::numeric_limits<double>::denorm_min())) + 1);
 }
 
-/// A triangle and a ball times a power of two.
+/// A triangle and a ball, or a motion, times a power of two.
+template <class View>
 class ScaledTriangle {
  public:
-  /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of ball and triangle.
-  ScaledTriangle(const BallTriangleView& view, double largest) : unit_(unit_of(largest)) {
-    for (int i = 0; i < 3; ++i) {
-      for (int axis = 0; axis < 3; ++axis) vertex_[i][axis] = scaled(view.vertex[i][axis]);
-      center_[i] = scaled(view.center[i]);
-    }
-    center_[3] = scaled(view.radius());
+  /// Scales `largest` to [1/2, 1). Requires that it is the largest magnitude of a number of the view.
+  ScaledTriangle(const View& view, double largest) : unit_(unit_of(largest)) {
+    for (int i = 0; i < 9; ++i) vertex_[i / 3][i % 3] = scaled(view.vertex[i / 3][i % 3]);
+    for (int i = 0; i < View::kNumbers; ++i) numbers_[i] = scaled(view.numbers()[i]);
   }
   /// Returns whether no bit was lost.
   [[nodiscard]] bool exact() const { return exact_; }
   [[nodiscard]] const LengthUnit& unit() const { return unit_; }
-  [[nodiscard]] BallTriangleView view() const { return {vertex_, center_}; }
+  [[nodiscard]] View view() const { return {vertex_, numbers_}; }
 
  private:
   double scaled(double length) {
@@ -51,7 +51,7 @@ class ScaledTriangle {
 
   LengthUnit unit_;
   bool exact_ = true;
-  double vertex_[3][3], center_[4];
+  double vertex_[3][3], numbers_[View::kNumbers];
 };
 
 /// The differences of two points, in a unit in which neither has a coordinate of 1 or more.

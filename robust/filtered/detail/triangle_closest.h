@@ -59,7 +59,7 @@ class ExactTriangle {
   [[nodiscard]] UnsureTriangle<Counts> triangle() const { return {view_, signs_, counts_}; }
 
   BallTriangleView given_, view_;
-  std::optional<ScaledTriangle> scaled_;
+  std::optional<ScaledTriangle<BallTriangleView>> scaled_;
   Counts& counts_;
   TriangleSigns signs_;
   mutable std::optional<typename UnsureTriangle<Counts>::EdgeView> kept_;

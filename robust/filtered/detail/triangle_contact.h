@@ -147,7 +147,7 @@ __attribute__((noinline)) bool scaled_contact(const BallTriangleView& view, doub
     counts.count(Stage::Double);
     return result == FilterResult::Yes;
   }
-  const ScaledTriangle scaled(view, largest);
+  const ScaledTriangle<BallTriangleView> scaled(view, largest);
   if (!scaled.exact()) {
     counts.count(Stage::BigInteger);
     return bigint_contact(view, signs);

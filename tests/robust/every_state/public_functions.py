@@ -67,7 +67,7 @@ def main(source):
         else:
             wanted[name] += 1
     tables = "".join(table.read_text() for table in sorted((source / "tests/robust/every_state").glob("*_functions.cpp")))
-    asked = collections.Counter(re.findall(r'\b(?:gives|hands_on)\("([^"]+)"', tables))
+    asked = collections.Counter(re.findall(r'\b(?:gives|hands_on)\(\s*"([^"]+)"', tables))
 
     faults = [f"{name}: declared {count} times, asked {asked[name]} times"
               for name, count in sorted(wanted.items()) if asked[name] < count]

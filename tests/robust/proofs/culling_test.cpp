@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "robust/proofs/error_bound.h"
-#include "robust/scene/detail/ball_walk.h"
+#include "robust/scene/detail/culling_ball.h"
 #include "tests/robust/proofs/rationals.h"
 
 namespace touchstone::filtered::proofs::culling {
@@ -25,7 +25,7 @@ ErrorBound exactly(const mpq_class& value) { return {&kNearest, value, value, 0}
 mpq_class to_spare(const mpq_class& wide) {
   // Seen from the centre. A gap as computed is negative exactly where it is.
   const ErrorBound corner = known_within(kNearest, 1, 0);
-  const ErrorBound gap = scene::culling::gap(corner, corner, kZero, kZero);
+  const ErrorBound gap = scene::culling::gap(corner, corner, kZero, kZero, kZero);
   const mpq_class touching = 1 + scene::culling::squared_distance(gap, gap, gap).error;
   const ErrorBound reach = exactly(1) + kZero;  // the sum of the radius and kTiny
   return wide - scene::culling::squared_reach(reach, exactly(wide)).error - touching;

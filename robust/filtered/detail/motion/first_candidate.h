@@ -34,6 +34,10 @@ class FirstCandidate {
   /// Returns the time of the first event, and its error.
   [[nodiscard]] const Time& time() const { return time_; }
   [[nodiscard]] double error() const { return error_; }
+  /// Returns a time before which no added event happens.
+  [[nodiscard]] TOUCHSTONE_INLINE double earliest() const {
+    return leading_part(before(earliest_, earliest_of_others_) ? earliest_ : earliest_of_others_);
+  }
   /// Returns a time until which the first event has certainly happened; at least 1 if none was added.
   [[nodiscard]] TOUCHSTONE_INLINE double latest() const { return leading_part(latest_); }
 

@@ -11,10 +11,17 @@ struct MotionTriangleView {
   const double (*vertex)[3];  ///< three vertices
   const double* motion;       ///< the centre, the radius, and the centre at time 1
 
+  static constexpr int kNumbers = 7;  ///< of the motion
+  [[nodiscard]] const double* numbers() const { return motion; }
   [[nodiscard]] double center(int axis) const { return motion[axis]; }
   [[nodiscard]] double radius() const { return motion[3]; }
   [[nodiscard]] double to(int axis) const { return motion[4 + axis]; }
 };
+
+/// Returns whether the ball stays where it is. Requires that the floating-point unit distinguishes subnormal numbers.
+inline bool at_rest(const MotionTriangleView& view) {
+  return view.center(0) == view.to(0) && view.center(1) == view.to(1) && view.center(2) == view.to(2);  // exact
+}
 
 /// Returns a view of a motion and a triangle.
 [[nodiscard]] __attribute__((always_inline)) inline MotionTriangleView view_of(const Motion& motion,

@@ -164,6 +164,7 @@ __attribute__((noinline)) FirstContact later_first_contact(const Motion& motion,
                                                                                                         parts, counts);
     return {FirstContactKind::Start, 0, false, start.nearest, start.point};
   }
+  if (motion.at_rest()) return {};
   std::optional<FirstContact> found;
   if (in_frame != nullptr)
     found = feature ? contact_with(motion, parts, *feature, counts)

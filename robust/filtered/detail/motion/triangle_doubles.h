@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "robust/filtered/detail/closest_point.h"
@@ -11,44 +10,10 @@
 #include "robust/filtered/detail/motion/motion_view.h"
 #include "robust/filtered/detail/motion/touched_point.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
-#include "robust/filtered/detail/scaled_triangle.h"
 
 /// The second stage for a moving ball and a triangle: its events, and the time and point of one, in double-doubles.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
-
-/// Returns the largest magnitude of a number of motion and triangle.
-inline double largest_number(const MotionTriangleView& view) {
-  double largest = 0;
-  for (int i = 0; i < 7; ++i) largest = std::max(largest, std::abs(view.motion[i]));
-  for (int i = 0; i < 3; ++i)
-    for (const double x : view.vertex[i]) largest = std::max(largest, std::abs(x));
-  return largest;
-}
-
-/// A motion and a triangle times a power of two, so that the largest number is in [1/2, 1).
-class ScaledMotion {
- public:
-  /// Requires the largest number of motion and triangle.
-  ScaledMotion(const MotionTriangleView& view, double largest) : unit_(unit_of(largest)) {
-    for (int i = 0; i < 7; ++i) motion_[i] = scaled(view.motion[i]);
-    for (int i = 0; i < 9; ++i) vertex_[i / 3][i % 3] = scaled(view.vertex[i / 3][i % 3]);
-  }
-  /// Returns whether no bit was lost.
-  [[nodiscard]] bool exact() const { return exact_; }
-  [[nodiscard]] const LengthUnit& unit() const { return unit_; }
-  [[nodiscard]] MotionTriangleView view() const { return {vertex_, motion_}; }
-
- private:
-  double scaled(double length) {
-    exact_ = exact_ && unit_.is_exact(length);
-    return unit_.scaled(length);
-  }
-
-  LengthUnit unit_;
-  bool exact_ = true;
-  double vertex_[3][3], motion_[7];
-};
 
 /// A motion and a triangle in double-doubles. Differences are exact. Requires round to nearest, and numbers of at most
 /// bounds::kLongestMotion / 2.

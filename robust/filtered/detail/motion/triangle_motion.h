@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "robust/filtered/detail/motion/exact_triangle.h"
@@ -8,6 +9,7 @@
 #include "robust/filtered/detail/motion/triangle_doubles.h"
 #include "robust/filtered/detail/motion/triangle_events.h"
 #include "robust/filtered/detail/motion/unsure_capsule.h"
+#include "robust/filtered/detail/scaled_triangle.h"
 #include "robust/filtered/detail/triangle_closest.h"
 
 /// All stages for a moving ball and a triangle.
@@ -42,6 +44,10 @@ struct MotionFilterResult {
   FilterResult at_start = FilterResult::Unsure;  ///< the contact at time 0
   std::optional<Feature> feature = {};           ///< the feature touched first on the way, if it is certain
   PossibleEvents possible = {};                  ///< on the way
+  /// @{
+  /// If `latest` is finite, the ball does not touch at its start, but first touches between these times.
+  double earliest = 0, latest = std::numeric_limits<double>::infinity();
+  /// @}
 };
 
 /// Looks for the first contact in doubles.
@@ -71,8 +77,9 @@ TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& vie
   consider(Feature::Kind::Face, events.face, 1);
   consider(Feature::Kind::Edge, events.interior, TriangleEvents::all);
   consider(Feature::Kind::Vertex, events.start, TriangleEvents::all);
-  if (!candidate.certain()) return {FilterResult::Unsure, start, {}, possible};
-  return {FilterResult::Yes, start, candidate.feature(), possible};
+  const double earliest = candidate.earliest(), latest = candidate.latest();
+  if (!candidate.certain()) return {FilterResult::Unsure, start, {}, possible, earliest, latest};
+  return {FilterResult::Yes, start, candidate.feature(), possible, earliest, latest};
 }
 
 // If the largest number is smaller than this, lengths are scaled.
@@ -88,7 +95,11 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
     if (known.at_start == FilterResult::Yes) counts.count(Stage::Double);
     return start_contact(given, counts);
   }
-  std::optional<ScaledMotion> scaled;
+  if (at_rest(given)) {  // all events of a way of length 0 are uncertain
+    if (known.at_start == FilterResult::No) counts.count(Stage::Double);
+    return {};
+  }
+  std::optional<ScaledTriangle<MotionTriangleView>> scaled;
   MotionTriangleView view = given;
   if (!known.feature) {
     const double largest = largest_number(given);
@@ -130,6 +141,8 @@ __attribute__((noinline)) bool later_motion_contact(const MotionTriangleView& vi
                                                     const CapsuleSigns& signs, Counts& counts) {
   if (result == FilterResult::Unsure) {
     const FloatingPointState nearest;
+    // All signs of a way of length 0 are 0.
+    if (at_rest(view)) return contact(BallTriangleView{view.vertex, view.motion}, counts);
     const FilterResult known = unsure_capsule(view, signs, counts);
     if (known < FilterResult::Unsure) return known == FilterResult::Yes;
   }

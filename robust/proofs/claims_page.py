@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Usage: python3 claims_page.py RECORD [--write]
+
+Compares CLAIMS.md, the page of all claims and of what is left to trust, with what expressions.h, the record and the
+sources say; --write writes it. Exit status 1 if the page differs, or if it has nothing to say about a constant.
+"""
+
+import collections
+import os
+import pathlib
+import re
+import sys
+
+import claims
+import coq
+import prove
+
+PROOFS = pathlib.Path(__file__).resolve().parent
+ROOT = PROOFS.parents[1]
+PAGE = PROOFS / "CLAIMS.md"
+BOUNDS = "robust/filtered/detail/bounds.h"
+# Headers with constants that are proved over the calculus or by counting roundings, and where these may be used.
+OF_SCENES = [f"robust/scene/detail/{name}.h"
+             for name in ("rounded_sum", "culling_ball", "culling_motion", "swept", "own_frame", "distance_bound",
+                          "held_vertex", "rounded_plane")]
+
+# What is left to trust of the constants of bounds.h that no claim is about.
+AFTER_STEPS = "Coq checks the steps of the calculus; roots, powers and the comparison are C++ over GMP"
+COUNTED = "roundings are counted by hand, and compared in C++ over GMP"
+BY_DEFINITION = "part of the model or of what callers ensure"
+LEFT = {
+    **dict.fromkeys(("kUnit", "kDoubleDoubleUnit", "kFloatUnit", "kFloatTiny", "kLargest", "kLongestMotion"),
+                    BY_DEFINITION),
+    **dict.fromkeys(("kTiny", "kSmallest", "kFramePoint", "kFrameDirection", "kFrameLength", "kExtent", "kHeight",
+                     "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLift", "kSlope",
+                     "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
+    **dict.fromkeys(("kWide", "kNarrow", "kLaneCentre", "kLaneStep", "kWideError"), COUNTED),
+    "kLanePrepared": "measured, against numbers of 256 bits",
+    "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
+}
+LEFT_OF_SCENES = {
+    "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
+    "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
+    **dict.fromkeys(("culling_motion", "swept"), "an argument about roundings, in its comment; tests against rationals"),
+    "held_vertex": COUNTED, "rounded_plane": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
+}
+
+
+def listed_expressions():
+    """The expression of each claim of expressions.h, by constant and instance."""
+    text = (PROOFS / "expressions.h").read_text()
+    found = re.findall(r'visit\(\w+\{"(\w+)", "([^"]*)",.*?return (.*?);', text, re.DOTALL)
+    return {(constant, instance): re.sub(r"\s+", " ", expression.replace("in.", ""))
+            for constant, instance, expression in found}
+
+
+def sources(folder):
+    return sorted(path for path in (ROOT / folder).rglob("*")
+                  if path.suffix in (".h", ".cpp") and PROOFS not in path.parents)
+
+
+def users(constant, folder):
+    """The files of a folder whose code names the constant of bounds.h."""
+    name = re.compile(rf"\bbounds::{constant}\b")
+    return [path for path in sources(folder) if name.search(re.sub(r"//.*", "", path.read_text()))]
+
+
+def links(paths, otherwise="other constants"):
+    return ", ".join(f"[{path.name}]({os.path.relpath(path, PROOFS)})" for path in paths) or otherwise
+
+
+def constants_of(header):
+    declared = ("inline constexpr double", "static constexpr double")
+    lines = (line for line in (ROOT / header).read_text().splitlines() if line.lstrip().startswith(declared))
+    return re.findall(r"\b(k[A-Z]\w*) = ", "\n".join(lines))
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(row) + " |" for row in [head, *rows]]
+    return "\n".join([lines[0], "|" + "---|" * len(head), *lines[1:]])
+
+
+def rows_of_claims(all_claims, records):
+    expressions = listed_expressions()
+    by_record = collections.defaultdict(list)
+    for claim in all_claims:
+        by_record[claim.constant, claim.instance].append(claim)
+    values = {(record["constant"], record["instance"]): record["value"] for record in records}
+    if set(by_record) != set(expressions):
+        raise ValueError(f"record and expressions.h differ: {set(by_record) ^ set(expressions)}")
+    for (constant, instance), some in by_record.items():
+        yield [f"`{expressions[constant, instance]}`", f"`{constant}`{' ' + instance if instance else ''}",
+               str(float(values[constant, instance])), some[0].proved, ", ".join(claim.arithmetic for claim in some),
+               links(users(constant, "robust"))]
+
+
+def rows_left(records):
+    proved = {record["constant"] for record in records}
+    constants = [constant for constant in constants_of(BOUNDS) if constant not in proved]
+    if set(constants) ^ set(LEFT):
+        raise ValueError(f"nothing is said, or too much, about {sorted(set(constants) ^ set(LEFT))}")
+    for constant in constants:
+        tests = links(users(constant, "tests/robust"), "none names it")
+        yield [f"`{constant}`", links(users(constant, "robust")), tests, LEFT[constant]]
+    for header in OF_SCENES:
+        name = pathlib.Path(header).stem
+        tests = [path for path in sources("tests/robust") if header in path.read_text()]
+        constants = ", ".join(f"`{name}::{constant}`" for constant in constants_of(header))
+        yield [constants, links([ROOT / header]), links(tests), LEFT_OF_SCENES[name]]
+
+
+def page(model, records):
+    all_claims = claims.of_records(model, records)
+    axioms = ",\n  ".join(f"`{axiom}`" for axiom in coq.AXIOMS)
+    return f"""# Claims, and what they rest on
+
+<!-- Written by robust/proofs/claims_page.py --write; a test compares. -->
+
+The filters rest on {len(records)} expressions, for which {len(all_claims)} claims are proved, one for each arithmetic. In
+every run of `./check`, Gappa proves them from the record of the compiled templates. `./check --full` passes only if Coq
+checks all {len(all_claims)} as well, the rules of the error calculus, each of its steps that the tests carry out, and the lemma of
+parity. See [the proofs](README.md) for how.
+
+## Claims that Coq checks
+
+A claim says: for inputs whose magnitudes are at most 1 and whose errors are those that `bounds.h` states, the computed
+value differs from the exact one by at most `proved`, if each operation has a relative error of at most one unit. The
+unit is 2^-52 for doubles, 2^-103 for double-doubles, 2^-23 for floats; u is 2^-53. The constant exceeds what is proved
+by what the rounding of the bound may take. Each file `build/coq/CLAIM.v` that the stage leaves begins with the claim in
+full.
+
+{table(["expression", "constant", "value", "proved", "arithmetic", "used in"], rows_of_claims(all_claims, records))}
+
+Gappa finds the proofs and prints them for Coq, assuming its hints. Here Coq proves the hints (`ring`, `field`), and from
+Gappa's result the claim as [statement.py](statement.py) writes it. So neither Gappa nor the proof that it prints has to
+be trusted.
+
+## What else Coq proves
+
+- [model.v](coq/model.v): the model in which claims are stated.
+- [parity.v](coq/parity.v): a chain of edges crosses a line an odd number of times exactly if one of its ends is above
+  the line; of several chains, modulo 2, as often as they have ends above. Used in
+  [frame_query.h](../filtered/detail/frame_query.h), where boxes that are not met count by the ends of their chains.
+- [calculus.v](coq/calculus.v): each rule of [error_bound.h](error_bound.h). A step that Coq finds justified holds for
+  all numbers within its bounds and all roundings of the model. All steps that the tests carry out are recorded and
+  checked, underflow included.
+
+## Constants that Coq does not prove
+
+{table(["constant", "used in", "tests", "what is left to trust"], rows_left(records))}
+
+The roundings of permanents (`Roundings`) are counted by templates and compared with a calculus of factors in
+[permanent_test.cpp](../../tests/robust/proofs/permanent_test.cpp). The errors that `NewellSums` and `numbers/bounded.h`
+carry along are computed with the numbers, and compared with rationals.
+
+## What is left to trust
+
+Of the claims that Coq checks:
+- Coq's kernel, and what its library assumes of real numbers and of logic. The stage fails if a theorem assumes anything
+  but
+  {axioms}.
+- [recording.h](recording.h) records the operations that the compiler compiles: it runs the same templates over another
+  type. [statement.py](statement.py) and [signs.py](signs.py) state what was recorded.
+- [Scaling](README.md#what-is-proved) from maxima of 1 to all maxima, the 1/32 of a constant and the addition of `kTiny`,
+  which the tests of bounds compare in rationals.
+- In double-doubles, `dot` and `cross` round otherwise than the sums and products that are recorded. That the claims hold
+  with `kDot` and `kCross` in place of these is shown by the calculus, of which the next paragraph holds.
+- The arithmetic: IEEE-754 for doubles and floats; for double-doubles the bounds of [joldes2017], and error-free sums
+  and products [dekker1971]. Inputs are as accurate as `bounds.h` states.
+
+Of the calculus and the constants that Coq does not prove, besides the last column:
+- Each step of the calculus is checked, but not that the next step takes its result, nor the arithmetic that tests do
+  around it: they are C++ over GMP's rationals. The bound `off` of a sum of products is made there, too.
+- The geometry: that a foot, a box or a ball that is off by so much is decided as the comments of the tests argue.
+"""
+
+
+def main(recorder, *options):
+    text = page(*prove.read(recorder))
+    if options == ("--write",):
+        PAGE.write_text(text)
+    elif not PAGE.exists() or PAGE.read_text() != text:
+        print(f"{PAGE} differs from the sources; claims_page.py --write updates it")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,220 @@
+(* SPDX-License-Identifier: Apache-2.0
+   The error calculus of error_bound.h: each of its steps, from the bounds that it is given to those that it gives. *)
+Require Import ZArith QArith Qabs Qreals Reals Lra Psatz Bool List.
+Open Scope R_scope.
+
+(* Bounds of a number: what is computed lies in [low, high] and differs from the exact number by at most `error`. *)
+Record bounds := { low : Q; high : Q; error : Q }.
+
+Definition holds (b : bounds) (computed exact : R) : Prop :=
+  Q2R (low b) <= computed <= Q2R (high b) /\ Rabs (computed - exact) <= Q2R (error b).
+
+(* Arithmetic of rationals in which denominators, almost powers of two, come first in each product: that is fast. *)
+Declare Scope fast_scope.
+Bind Scope fast_scope with Q.
+Delimit Scope fast_scope with fast.
+Definition zero : Q := 0%Q.
+Definition one : Q := 1%Q.
+Definition ratio (numerator : Z) (odd : positive) (zeros : N) : Q := Qmake numerator (Pos.shiftl odd zeros).
+Definition plus (x y : Q) : Q := Qmake (QDen y * Qnum x + QDen x * Qnum y) (Qden x * Qden y).
+Definition minus (x y : Q) : Q := plus x (Qopp y).
+Definition times (x y : Q) : Q := Qmult x y.
+Definition over (x y : Q) : Q := Qdiv x y.
+Definition is_at_most (x y : Q) : bool := (QDen y * Qnum x <=? QDen x * Qnum y)%Z.
+Infix "+" := plus : fast_scope.
+Infix "-" := minus : fast_scope.
+Infix "*" := times : fast_scope.
+Infix "/" := over : fast_scope.
+Infix "<=?" := is_at_most : fast_scope.
+
+Definition larger (x y : Q) : Q := if (x <=? y)%fast then y else x.
+Definition magnitude (b : bounds) : Q := larger (Qabs (low b)) (Qabs (high b)).
+
+(* The steps, with the numbers that they are given besides. *)
+Inductive rule :=
+  | Sum | Difference | Product | Square | Maximum | Magnitude
+  | Quotient (count : Q)                (* by a number that is known exactly *)
+  | Rounded (unit underflow : Q)        (* the result of an operation in the model *)
+  | Off (by_at_most : Q).               (* a result that is known to differ by no more *)
+
+Record step := { by_rule : rule; first : bounds; second : bounds; result : bounds }.
+
+(* What a step claims. *)
+Definition meaning (s : step) : Prop :=
+  forall x X y Y, holds (first s) x X -> holds (second s) y Y ->
+  match by_rule s with
+  | Sum => holds (result s) (x + y) (X + Y)
+  | Difference => holds (result s) (x - y) (X - Y)
+  | Product => holds (result s) (x * y) (X * Y)
+  | Square => holds (result s) (x * x) (X * X)
+  | Maximum => holds (result s) (Rmax x y) (Rmax X Y)
+  | Magnitude => holds (result s) (Rabs x) (Rabs X)
+  | Quotient count => holds (result s) (x / Q2R count) (X / Q2R count)
+  | Rounded unit underflow => forall d t, Rabs d <= Q2R unit -> Rabs t <= Q2R underflow ->
+      holds (result s) (x * (1 + d) + t) X
+  | Off by_at_most => forall t, Rabs t <= Q2R by_at_most -> holds (result s) (x + t) X
+  end.
+
+(* Whether given bounds are at least as wide as the calculus makes them. *)
+Definition covers (b : bounds) (l h e : Q) : bool :=
+  ((low b <=? l)%fast && (h <=? high b)%fast && (e <=? error b)%fast)%bool.
+
+Definition corners (a b : bounds) : list Q :=
+  ((low a * low b)%fast :: (low a * high b)%fast :: (high a * low b)%fast :: (high a * high b)%fast :: nil).
+
+Definition justified (s : step) : bool :=
+  let a := first s in let b := second s in let r := result s in
+  match by_rule s with
+  | Sum => covers r (low a + low b) (high a + high b) (error a + error b)
+  | Difference => covers r (low a - high b) (high a - low b) (error a + error b)
+  | Product =>
+      forallb (fun corner => (low r <=? corner) && (corner <=? high r)) (corners a b) &&
+      (magnitude a * error b + error a * (magnitude b + error b) <=? error r)
+  | Square => covers r zero (magnitude a * magnitude a) (magnitude a * error a + error a * (magnitude a + error a))
+  | Maximum => covers r (larger (low a) (low b)) (larger (high a) (high b)) (larger (error a) (error b))
+  | Magnitude => covers r zero (magnitude a) (error a)
+  | Quotient count => (one <=? count) && covers r (low a / count) (high a / count) (error a / count)
+  | Rounded unit underflow =>
+      (unit <=? one) &&
+      covers r (low a - (unit * Qabs (low a) + underflow)) (high a + (unit * Qabs (high a) + underflow))
+        (error a + (unit * magnitude a + underflow))
+  | Off by_at_most => covers r (low a - by_at_most) (high a + by_at_most) (error a + by_at_most)
+  end%fast.
+
+(* From rationals to reals. *)
+Lemma real_plus (p q : Q) : Q2R (p + q)%fast = Q2R p + Q2R q.
+Proof.
+  rewrite <- Q2R_plus; apply Qeq_eqR; unfold plus, Qeq, Qplus; cbn [Qnum Qden]; ring.
+Qed.
+
+Lemma order (p q : Q) : (p <=? q)%fast = Qle_bool p q.
+Proof. unfold is_at_most, Qle_bool; now rewrite (Z.mul_comm (QDen q)), (Z.mul_comm (QDen p)). Qed.
+
+Lemma at_most (p q : Q) : (p <=? q)%fast = true -> Q2R p <= Q2R q.
+Proof. rewrite order; intro le; apply Qle_Rle, Qle_bool_iff, le. Qed.
+
+Lemma real_abs (q : Q) : Q2R (Qabs q) = Rabs (Q2R q).
+Proof.
+  apply Qabs_case; intro sign; apply Qle_Rle in sign; rewrite RMicromega.Q2R_0 in sign.
+  - now rewrite Rabs_pos_eq.
+  - rewrite Q2R_opp; now rewrite Rabs_left1.
+Qed.
+
+Lemma larger_left (p q : Q) : Q2R p <= Q2R (larger p q).
+Proof. unfold larger; destruct (p <=? q)%fast eqn:le; [now apply at_most | lra]. Qed.
+
+Lemma larger_right (p q : Q) : Q2R q <= Q2R (larger p q).
+Proof.
+  unfold larger; destruct (p <=? q)%fast eqn:le; [lra |]; rewrite order in le.
+  apply Qle_Rle, Qlt_le_weak, Qnot_le_lt; intro no; apply Qle_bool_iff in no; congruence.
+Qed.
+
+Lemma covered (b : bounds) (l h e : Q) (computed exact : R) :
+  covers b l h e = true -> Q2R l <= computed <= Q2R h -> Rabs (computed - exact) <= Q2R e -> holds b computed exact.
+Proof.
+  intros wide between near; apply andb_prop in wide as [wide errors]; apply andb_prop in wide as [lows highs].
+  apply at_most in errors, lows, highs; unfold holds; lra.
+Qed.
+
+Lemma small (b : bounds) (computed exact : R) : holds b computed exact -> Rabs computed <= Q2R (magnitude b).
+Proof.
+  intros [between _]; unfold magnitude.
+  pose proof (larger_left (Qabs (low b)) (Qabs (high b))) as left.
+  pose proof (larger_right (Qabs (low b)) (Qabs (high b))) as right.
+  rewrite real_abs in left, right; revert left right; unfold Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+
+Lemma exact_small (b : bounds) (computed exact : R) :
+  holds b computed exact -> Rabs exact <= Q2R (magnitude b) + Q2R (error b).
+Proof.
+  intro known; pose proof (small _ _ _ known) as in_bounds; destruct known as [_ near].
+  revert in_bounds near; unfold Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+
+(* A product is linear in each factor. *)
+Lemma above_ends (l h m x y : R) : l <= x <= h -> m <= l * y -> m <= h * y -> m <= x * y.
+Proof. intros; destruct (Rle_dec 0 y); nra. Qed.
+Lemma below_ends (l h m x y : R) : l <= x <= h -> l * y <= m -> h * y <= m -> x * y <= m.
+Proof. intros; destruct (Rle_dec 0 y); nra. Qed.
+
+(* x y - X Y = x (y - Y) + (x - X) Y. *)
+Lemma product_near (a b : bounds) (x X y Y : R) : holds a x X -> holds b y Y ->
+  Rabs (x * y - X * Y) <= Q2R (magnitude a) * Q2R (error b) + Q2R (error a) * (Q2R (magnitude b) + Q2R (error b)).
+Proof.
+  intros A B; pose proof (small _ _ _ A); pose proof (exact_small _ _ _ B).
+  destruct A as [_ near_a], B as [_ near_b].
+  replace (x * y - X * Y) with (x * (y - Y) + (x - X) * Y) by ring.
+  eapply Rle_trans; [apply Rabs_triang |]; rewrite !Rabs_mult.
+  apply Rplus_le_compat; apply Rmult_le_compat; auto using Rabs_pos.
+Qed.
+
+Lemma between (x m : R) : Rabs x <= m -> - m <= x <= m.
+Proof. unfold Rabs; destruct Rcase_abs; lra. Qed.
+
+Ltac real := unfold zero, minus, times in *; repeat (rewrite ?real_plus, ?Q2R_mult, ?Q2R_opp, ?real_abs, ?RMicromega.Q2R_0 in *).
+Ltac parts := repeat match goal with H : (_ && _)%bool = true |- _ => apply andb_prop in H as [? ?] end.
+Ltac absolute := unfold Rabs, Rmax in *; repeat (destruct Rcase_abs || destruct Rle_dec); lra.
+
+Theorem sound : forall s, justified s = true -> meaning s.
+Proof.
+  intros [[] a b r]; unfold justified, meaning; cbn [by_rule first second result]; intros just x X y Y A B.
+  - apply (covered _ _ _ _ _ _ just); destruct A as [? near_a], B as [? near_b]; real; [lra |].
+    replace (x + y - (X + Y)) with ((x - X) + (y - Y)) by ring.
+    eapply Rle_trans; [apply Rabs_triang | lra].
+  - apply (covered _ _ _ _ _ _ just); destruct A as [? near_a], B as [? near_b]; real; [lra |].
+    replace (x - y - (X - Y)) with ((x - X) + - (y - Y)) by ring.
+    eapply Rle_trans; [apply Rabs_triang |]; rewrite Rabs_Ropp; lra.
+  - parts. split.
+    + destruct A as [in_a _], B as [in_b _].
+      cbn [corners forallb] in H; parts.
+      repeat match goal with H : (_ <=? _)%fast = true |- _ => apply at_most in H end; real.
+      split; [apply (above_ends _ _ _ _ _ in_a) | apply (below_ends _ _ _ _ _ in_a)]; rewrite Rmult_comm.
+      1, 2: apply (above_ends _ _ _ _ _ in_b); rewrite Rmult_comm; assumption.
+      1, 2: apply (below_ends _ _ _ _ _ in_b); rewrite Rmult_comm; assumption.
+    + apply at_most in H0; real; eapply Rle_trans; [apply (product_near a b); eassumption | assumption].
+  - apply (covered _ _ _ _ _ _ just); real.
+    + pose proof (small _ _ _ A); pose proof (Rabs_pos x).
+      assert (x * x = Rabs x * Rabs x) as -> by (unfold Rabs; destruct Rcase_abs; ring).
+      nra.
+    + apply product_near; assumption.
+  - apply (covered _ _ _ _ _ _ just).
+    + destruct A as [in_a _], B as [in_b _].
+      pose proof (larger_left (low a) (low b)); pose proof (larger_right (low a) (low b)).
+      pose proof (larger_left (high a) (high b)); pose proof (larger_right (high a) (high b)).
+      unfold larger at 1; destruct (low a <=? low b)%fast; absolute.
+    + pose proof (larger_left (error a) (error b)); pose proof (larger_right (error a) (error b)).
+      destruct A as [_ near_a], B as [_ near_b]; absolute.
+  - apply (covered _ _ _ _ _ _ just).
+    + pose proof (small _ _ _ A); pose proof (Rabs_pos x); real; lra.
+    + destruct A as [_ near_a]; absolute.
+  - parts. apply at_most in H.
+    assert (0 < Q2R count) by (revert H; unfold Q2R at 1; cbn; lra).
+    assert (~ (count == 0)%Q) as nonzero by (intro zero; apply Qeq_eqR in zero; rewrite RMicromega.Q2R_0 in zero; lra).
+    assert (0 < / Q2R count) by now apply Rinv_0_lt_compat.
+    apply (covered _ _ _ _ _ _ H0); destruct A as [in_a near_a]; unfold over; rewrite ?Q2R_div by assumption; unfold Rdiv.
+    + split; apply Rmult_le_compat_r; lra.
+    + replace (x * / Q2R count - X * / Q2R count) with ((x - X) * / Q2R count) by ring.
+      rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by lra; apply Rmult_le_compat_r; lra.
+  - intros d t small_d small_t; parts; apply at_most in H; replace (Q2R one) with 1 in H by (unfold Q2R; cbn; lra).
+    apply (covered _ _ _ _ _ _ H0); pose proof (small _ _ _ A) as small_x; destruct A as [in_a near_a]; real.
+    + assert (forall end_, (1 + d) * end_ - end_ = d * end_) by (intros; ring).
+      assert (forall end_, - (Q2R unit * Rabs end_) <= d * end_ <= Q2R unit * Rabs end_) as moved.
+      { intro end_; apply between; rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos | assumption]. }
+      pose proof (moved (Q2R (low a))); pose proof (moved (Q2R (high a))).
+      assert (0 <= 1 + d) as grows by absolute.
+      pose proof (Rmult_le_compat_r _ _ _ grows (proj1 in_a)); pose proof (Rmult_le_compat_r _ _ _ grows (proj2 in_a)).
+      apply between in small_t; lra.
+    + replace (x * (1 + d) + t - X) with ((x - X) + (x * d + t)) by ring.
+      eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat; [assumption |].
+      eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat; [| assumption].
+      rewrite Rabs_mult, Rmult_comm; apply Rmult_le_compat; auto using Rabs_pos.
+  - intros t small_t; apply (covered _ _ _ _ _ _ just); destruct A as [in_a near_a]; real.
+    + apply between in small_t; lra.
+    + replace (x + t - X) with ((x - X) + t) by ring.
+      eapply Rle_trans; [apply Rabs_triang | lra].
+Qed.
+
+Theorem all_sound : forall steps, forallb justified steps = true -> forall s, In s steps -> meaning s.
+Proof. intros steps just s within; apply sound; revert s within; now apply forallb_forall. Qed.
+
+Print Assumptions all_sound.

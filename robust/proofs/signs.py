@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is claimed of a sign or a coordinate, from its record.
+
+Maxima are 1: with relative errors alone, scaling every input of a group scales result and bound alike.
+"""
+
+import statement
+
+
+def claim(record, unit, constant):
+    """|computed - exact| <= constant factor unit, for every relative error of at most unit in every operation."""
+    says = statement.Statement()
+    for node in record["nodes"]:
+        name = node["node"]
+        if "input" in node:
+            # Where squares are products, their right factor is another number under the same hypotheses.
+            for name in (name, f"{name}_right") if record["squares_are_products"] else (name,):
+                says.comment(f"{node['input']}: computed c{name}, exact e{name}")
+                says.known(f"c{name}", f"e{name}", 1, node["error"] * unit)
+        else:
+            (left, right), operation = node["of"], node["operation"]
+            if left == right and record["squares_are_products"]:
+                right = f"{right}_right"
+            says.operation(f"c{name}", f"c{left} {operation} c{right}", f"d{name}", unit)
+            says.defined(f"e{name}", f"e{left} {operation} e{right}")
+    result = record["nodes"][-1]["node"]
+    says.at_most(f"c{result} - e{result}", constant * record["factor"] * unit)
+    return says
