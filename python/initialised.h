@@ -6,7 +6,11 @@
 #include <string>
 
 #include "geometry/contact/answer.h"
-#include "python/polygon.h"
+#include "geometry/contact/first_contact.h"
+#include "geometry/shapes/mesh.h"
+#include "python/shared_scene.h"
+#include "python/valid_polygon.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace touchstone::python {
 
@@ -29,10 +33,27 @@ class InitialisedCaster : public pybind11::detail::type_caster_base<T> {
 
 namespace pybind11::detail {
 
+// Every class that the module defines.
 template <>
 class type_caster<touchstone::Answer> : public touchstone::python::InitialisedCaster<touchstone::Answer> {};
 template <>
+class type_caster<touchstone::FirstContact> : public touchstone::python::InitialisedCaster<touchstone::FirstContact> {};
+template <>
+class type_caster<touchstone::Mesh> : public touchstone::python::InitialisedCaster<touchstone::Mesh> {};
+template <>
+class type_caster<touchstone::filtered::TriangleSet>
+    : public touchstone::python::InitialisedCaster<touchstone::filtered::TriangleSet> {};
+template <>
+class type_caster<touchstone::python::SharedScene>
+    : public touchstone::python::InitialisedCaster<touchstone::python::SharedScene> {};
+template <>
 class type_caster<touchstone::python::ValidPolygon>
     : public touchstone::python::InitialisedCaster<touchstone::python::ValidPolygon> {};
+template <>
+class type_caster<touchstone::scene::FirstFace>
+    : public touchstone::python::InitialisedCaster<touchstone::scene::FirstFace> {};
+template <>
+class type_caster<touchstone::scene::NearestFace>
+    : public touchstone::python::InitialisedCaster<touchstone::scene::NearestFace> {};
 
 }  // namespace pybind11::detail

@@ -1,47 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "python/polygon.h"
+#include <pybind11/stl.h>
 
-#include <algorithm>
 #include <string>
 
-#include "robust/exact/validate.h"
+#include "python/bindings.h"
+#include "python/initialised.h"
+#include "python/pickling.h"
+#include "python/valid_polygon.h"
 
 namespace touchstone::python {
 namespace {
 
-Loop loop_of(const Doubles& rows, std::size_t number) {
-  if (rows.size() == 0) return {};  // has no shape that could be wrong
-  if (rows.ndim() != 2 || rows.shape(1) != 3)
-    throw Rejected({RejectionCode::MalformedCase, loop_name(number) + " must be an array of n x 3 numbers"});
-  const auto points = rows.unchecked<2>();
-  Loop loop;
-  loop.reserve(static_cast<std::size_t>(points.shape(0)));
-  for (pybind11::ssize_t i = 0; i < points.shape(0); ++i) loop.emplace_back(points(i, 0), points(i, 1), points(i, 2));
-  return loop;
-}
+namespace py = pybind11;
 
-Polygon polygon_of(pybind11::handle outer, const std::vector<pybind11::object>& holes) {
-  std::vector<Loop> loops;
-  for (const auto& hole : holes) loops.push_back(loop_of(doubles_of(hole), loops.size() + 1));
-  return Polygon(loop_of(doubles_of(outer), 0), loops);
+py::list holes_of(const ValidPolygon& p) {
+  py::list holes;
+  for (std::size_t i = 1; i < p.polygon().loop_count(); ++i) holes.append(p.loop(i));
+  return holes;
 }
 
 }  // namespace
 
-ValidPolygon::ValidPolygon(pybind11::handle outer, const std::vector<pybind11::object>& holes)
-    : polygon_(polygon_of(outer, holes)) {
-  if (const auto fault = exact::validate(polygon_)) throw Rejected(*fault);
-}
-
-Doubles ValidPolygon::loop(std::size_t number) const {
-  const std::size_t begin = polygon_.loop_begin(number), count = polygon_.loop_end(number) - begin;
-  Doubles rows({static_cast<pybind11::ssize_t>(count), pybind11::ssize_t{3}});
-  auto points = rows.mutable_unchecked<2>();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto from = polygon_.coordinates(axis).subspan(begin, count);
-    for (std::size_t i = 0; i < count; ++i) points(static_cast<pybind11::ssize_t>(i), axis) = from[i];
-  }
-  return rows;
+void add_polygon(py::module_& module) {
+  py::class_<ValidPolygon> type(
+      module, "Polygon",
+      "A polygon in space: an outer loop and holes, each an array of n x 3. Loops may be "
+      "non-convex and have either orientation. Raises Rejected, which names the loop and the "
+      "vertex or edge, if the contract rejects it. Prepared once for each path that queries it. "
+      "Two polygons are equal if their loops are, vertex by vertex.");
+  make_picklable(type, type, [](const ValidPolygon& p) { return py::make_tuple(p.loop(0), holes_of(p)); });
+  type.def(py::init<py::object, std::vector<py::object>>(), py::arg("outer"),
+           py::arg("holes") = std::vector<py::object>())
+      .def_property_readonly(
+          "outer", [](const ValidPolygon& p) { return p.loop(0); }, "A copy of the vertices of the outer loop, n x 3.")
+      .def_property_readonly("holes", holes_of, "Copies of the vertices of each hole, n x 3.")
+      .def(
+          "__eq__", [](const ValidPolygon& a, const ValidPolygon& b) { return a.polygon() == b.polygon(); },
+          py::is_operator())
+      .def("__repr__", [](const ValidPolygon& p) {
+        const std::size_t holes = p.polygon().loop_count() - 1;
+        return "Polygon(" + std::to_string(p.polygon().vertex_count()) + " vertices, " + std::to_string(holes) +
+               (holes == 1 ? " hole)" : " holes)");
+      });
+  type.attr("__hash__") = py::none();
 }
 
 }  // namespace touchstone::python

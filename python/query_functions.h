@@ -9,9 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "python/balls.h"
+#include "geometry/contact/fast_motion.h"
 #include "python/initialised.h"
-#include "python/polygon.h"
+#include "python/rows.h"
+#include "python/valid_polygon.h"
+#include "robust/exact/motion.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::python {
 
@@ -24,7 +27,10 @@ class QueryFunctions {
     py::module_ path = parent.def_submodule(name, summary);
     const py::arg balls("balls"), polygon("polygon");
     path.def("contact", ask_contact, balls, polygon,
-             "Returns whether the ball touches the polygon: a bool, or an array of them.");
+             "Returns whether the ball touches the polygon: a bool, or an array of them. A row of seven numbers is a\n"
+             "moving ball (x, y, z, r and the end of its centre's way): whether it touches at any time.");
+    path.def("first_contact", ask_first_contact, py::arg("motions"), polygon,
+             "Returns when and where a moving ball (7,) first touches the polygon: a FirstContact, or a list of them.");
     path.def("relation", ask_relation, balls, polygon,
              "Returns the distance against the radius, 'separate', 'touching' or 'overlapping': a word, or an array.");
     path.def("plane_side", ask_plane_side, balls, polygon,
@@ -42,18 +48,26 @@ class QueryFunctions {
   using Strings = std::array<const char*, 3>;
 
   static pybind11::object ask_contact(const pybind11::object& rows, const ValidPolygon& polygon) {
-    const Balls balls(rows);
-    if (balls.single()) return pybind11::bool_(contact(balls.all()[0], prepared(polygon)));
-    pybind11::array_t<bool> touches(static_cast<pybind11::ssize_t>(balls.all().size()));
-    const std::span<bool> out(touches.mutable_data(), balls.all().size());
-    unlocked([&] {
-      const Prepared& asked = prepared(polygon);
-      if constexpr (requires { contact(balls.all(), asked, out); })
-        contact(balls.all(), asked, out);
-      else
-        for (std::size_t i = 0; i < out.size(); ++i) out[i] = contact(balls.all()[i], asked);
+    return with_balls_or_motions(rows, [&](const auto& asking) -> pybind11::object {
+      if (asking.single()) return pybind11::bool_(contact(asking.all()[0], prepared(polygon)));
+      pybind11::array_t<bool> touches(static_cast<pybind11::ssize_t>(asking.all().size()));
+      const std::span<bool> out(touches.mutable_data(), asking.all().size());
+      unlocked([&] {
+        const Prepared& asked = prepared(polygon);
+        if constexpr (requires { contact(asking.all(), asked, out); })
+          contact(asking.all(), asked, out);
+        else
+          for (std::size_t i = 0; i < out.size(); ++i) out[i] = contact(asking.all()[i], asked);
+      });
+      return touches;
     });
-    return touches;
+  }
+
+  static pybind11::object ask_first_contact(const pybind11::object& rows, const ValidPolygon& polygon) {
+    return ask_each(
+        Motions(rows), polygon,
+        [](const Motion& motion, const Prepared& asked) { return first_contact(motion, asked); },
+        [](const FirstContact& its) { return pybind11::cast(its); });
   }
 
   static pybind11::object ask_relation(const pybind11::object& rows, const ValidPolygon& polygon) {
@@ -71,13 +85,13 @@ class QueryFunctions {
 
   static pybind11::object ask_edges_hit(const pybind11::object& rows, const ValidPolygon& polygon) {
     return ask_each(
-        rows, polygon, [](const Ball& ball, const Prepared& asked) { return edges_hit(ball, asked); },
+        Balls(rows), polygon, [](const Ball& ball, const Prepared& asked) { return edges_hit(ball, asked); },
         [](const std::vector<std::size_t>& edges) { return array_of(edges); });
   }
 
   static pybind11::object ask_answer(const pybind11::object& rows, const ValidPolygon& polygon) {
     return ask_each(
-        rows, polygon, [](const Ball& ball, const Prepared& asked) { return answer(ball, asked); },
+        Balls(rows), polygon, [](const Ball& ball, const Prepared& asked) { return answer(ball, asked); },
         [](const Answer& its) { return pybind11::cast(its); });
   }
 
@@ -136,17 +150,16 @@ class QueryFunctions {
   }
 
   /// For answers of varying size: returns one, or a list.
-  template <class Ask, class Convert>
-  static pybind11::object ask_each(const pybind11::object& rows, const ValidPolygon& polygon, const Ask& ask,
+  template <class Shape, class Ask, class Convert>
+  static pybind11::object ask_each(const Rows<Shape>& rows, const ValidPolygon& polygon, const Ask& ask,
                                    const Convert& convert) {
-    const Balls balls(rows);
-    std::vector<decltype(ask(balls.all()[0], prepared(polygon)))> answers;
+    std::vector<decltype(ask(rows.all()[0], prepared(polygon)))> answers;
     unlocked([&] {
       const Prepared& asked = prepared(polygon);
-      answers.reserve(balls.all().size());
-      for (const Ball& ball : balls.all()) answers.push_back(ask(ball, asked));
+      answers.reserve(rows.all().size());
+      for (const Shape& shape : rows.all()) answers.push_back(ask(shape, asked));
     });
-    if (balls.single()) return convert(answers[0]);
+    if (rows.single()) return convert(answers[0]);
     pybind11::list list;
     for (const auto& its : answers) list.append(convert(its));
     return list;

@@ -7,14 +7,25 @@
     touchstone.filtered.contact([[0.5, 0.25, 1, 1], [0.5, 0.25, 2, 1]], square)    # array([True, False])
 
 A ball is a row x, y, z, r; many balls are an array of n x 4, which is not copied where it is of doubles and C-contiguous.
+A row of seven numbers, x, y, z, r, x', y', z', is a ball whose centre moves along a segment.
 Coordinates are doubles taken as exact real numbers. The paths ask the same questions: `filtered` is exact at about the
 price of `fast`; `exact` states the truth by an exact kernel; `fast` is plain doubles, and wrong near a boundary. Batches
 let other threads go on. What the contract does not accept raises Rejected: a ValueError with a `code` and a sentence.
+
+Many faces: TriangleSet asks about one ball and all triangles of an array; Mesh reads files and takes what trimesh has;
+Scene holds meshes under poses, and finds the faces that a ball touches and the nearest one.
 """
 
-from ._touchstone import Answer, Polygon, Rejected, __version__, exact, fast, filtered
+try:
+    import numpy as _numpy  # noqa: F401
+except ImportError as _error:
+    raise ImportError("touchstone needs NumPy: install python3-numpy, or numpy by pip") from _error
 
-for _kind in (Answer, Polygon, Rejected):
+from ._touchstone import (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, TriangleSet, __version__, exact,
+                          fast, filtered)
+
+for _kind in (Answer, BrokenMesh, FirstContact, FirstFace, Mesh, NearestFace, Polygon, Rejected, Scene, TriangleSet):
     _kind.__module__ = __name__  # where users find them
 
-__all__ = ["Answer", "Polygon", "Rejected", "__version__", "exact", "fast", "filtered"]
+__all__ = ["Answer", "BrokenMesh", "FirstContact", "FirstFace", "Mesh", "NearestFace", "Polygon", "Rejected", "Scene", "TriangleSet", "__version__", "exact",
+           "fast", "filtered"]

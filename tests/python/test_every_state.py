@@ -19,6 +19,7 @@ LEAST = 5e-324
 LARGEST = sys.float_info.max
 SQUARE = np.array([[0.0, -0.0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
 BALLS = np.array([[2, 2, 1, 1], [-1, -1, 0, -0.0], [-0.0, 0, 0, 0], [5, 2, -1, 1], [2, 2, 0.5, 0.5]])
+MOTIONS = np.column_stack([BALLS, BALLS[::-1, :3] - [0.5, 0, 0.25]])
 UNITS = (1.0, 1 / 3, LEAST, 4 * LEAST, 2.0**-1040, LARGEST / 8)
 
 # Numbers that NumPy converts, each by other means: where the nearest double depends on the rounding mode, or is subnormal.
@@ -40,6 +41,8 @@ def as_bytes(result):
     """Equal where the bits are."""
     if isinstance(result, touchstone.Answer):
         return as_bytes(result.verdict())
+    if isinstance(result, touchstone.FirstContact):
+        return as_bytes([result.kind, result.time, result.momentary, result.feature, result.point])
     if isinstance(result, dict):
         return [(key, as_bytes(value)) for key, value in result.items()]
     if isinstance(result, (list, tuple)):
@@ -80,11 +83,12 @@ class EveryState(unittest.TestCase):
 
     def test_changes_no_answer(self):
         functions = {name for path in (touchstone.filtered, touchstone.exact) for name in dir(path) if name[0] != "_"}
-        self.assertEqual(functions, {"contact", "relation", "plane_side", "foot", "edges_hit", "closest", "answer"})
+        self.assertEqual(functions, {"contact", "first_contact", "relation", "plane_side", "foot", "edges_hit", "closest",
+                                     "answer"})
         for path, name in itertools.product((touchstone.filtered, touchstone.exact), sorted(functions)):
             ask = getattr(path, name)
             for unit, polygon in zip(UNITS, polygons()):
-                balls = BALLS * unit
+                balls = (MOTIONS if name == "first_contact" else BALLS) * unit
                 self.assert_same_in_every_state(lambda: ask(balls, polygon), (path.__name__, name, unit))
                 self.assert_same_in_every_state(lambda: ask(balls[1], polygon), (path.__name__, name, unit, "single"))
 
@@ -95,6 +99,39 @@ class EveryState(unittest.TestCase):
             rows = SQUARE * unit
             self.assert_same_in_every_state(lambda: touchstone.Polygon(rows).outer, (unit,))
             self.assert_same_in_every_state(lambda: touchstone.Polygon(rows[:2]).outer, (unit, "too few"))
+
+    def test_changes_no_answer_about_many_faces(self):
+        attributes = {kind: {name for name in dir(kind) if name[0] != "_"} for kind in (touchstone.TriangleSet, touchstone.Scene)}
+        self.assertEqual(attributes, {touchstone.TriangleSet: {"contact", "any_contact", "triangles_hit", "triangles"},
+                                      touchstone.Scene: {"add", "set_pose", "pose", "names", "face_count", "touches", "touched",
+                                                         "first_contact", "nearest", "closest"}})
+        turn = np.array([[0.6, -0.8, 0, 1], [0.8, 0.6, 0, 0], [0, 0, 1, 0]])
+        for unit in UNITS:
+            triangles, balls = SQUARE[[[0, 1, 2], [0, 2, 3]]] * unit, BALLS * unit
+            square, pose = touchstone.Polygon(SQUARE * unit), turn * [[1, 1, 1, unit]]
+
+            def scene(triangles=triangles, square=square, pose=pose):
+                made = touchstone.Scene()
+                made.add("triangles", triangles)
+                made.add("polygon", square, pose)
+                made.set_pose("triangles", turn)
+                return made
+
+            for name in ("contact", "any_contact", "triangles_hit"):
+                self.assert_same_in_every_state(lambda: getattr(touchstone.TriangleSet(triangles), name)(balls), (name, unit))
+            for name in ("touches", "touched", "closest"):
+                self.assert_same_in_every_state(lambda: getattr(scene(), name)(balls), (name, unit))
+            self.assert_same_in_every_state(lambda: [(n.object, n.face, n.feature, n.point, n.distance)
+                                                     for n in scene().nearest(balls)], ("nearest", unit))
+            motions = MOTIONS * unit
+            self.assert_same_in_every_state(lambda: [f and (f.object, f.face, as_bytes(f.contact))
+                                                     for f in scene().first_contact(motions)], ("first_contact", unit))
+            self.assert_same_in_every_state(lambda: scene().pose("polygon"), ("pose", unit))
+
+    def test_changes_no_mesh(self):
+        for unit in UNITS:
+            rows = SQUARE * unit
+            self.assert_same_in_every_state(lambda: touchstone.Mesh(rows, [[0, 1, 2, 3]]).vertices, (unit,))
 
     def test_changes_no_number_that_is_converted(self):
         for numbers in NUMBERS:

@@ -108,6 +108,52 @@ class Answers(unittest.TestCase):
             self.assertEqual([a.shape for a in path.closest(none, square)], [(0, 3), (0,)])
 
 
+def random_motions(count):
+    return np.column_stack([random_balls(count), np.random.default_rng(7).uniform(-2, 6, (count, 3))])
+
+
+class MovingBalls(unittest.TestCase):
+    def test_have_the_first_contacts_of_the_corpus(self):
+        asked = 0
+        for case in corpus():
+            if "motion" not in case or "error" in case["expected"]:
+                continue
+            ball, outer, holes = parts(case)
+            polygon, expected = touchstone.Polygon(outer, holes), case["expected"]
+            for path in (touchstone.filtered, touchstone.exact):
+                motion = [*ball, *case["motion"]["to"]]
+                first = path.first_contact(motion, polygon)
+                self.assertIs(path.contact(motion, polygon), first.contact)
+                found = {"contact": first.contact, "first": first.kind, "momentary": first.momentary, "time": first.time,
+                         "feature": first.feature, "point": first.point.tolist()}
+                if not first.contact:
+                    found |= dict.fromkeys(("time", "feature", "point"))
+                if first.kind != "way":
+                    found["momentary"] = None
+                known = {key: value for key, value in expected.items() if key in found}
+                self.assertEqual({key: found[key] for key in known}, known, case["id"])
+                asked += len(known)
+        self.assertGreater(asked, 500)
+
+    def test_of_a_batch_are_answered_in_order(self):
+        square, motions = touchstone.Polygon(SQUARE), random_motions(200)
+        for path in PATHS:
+            one = [path.first_contact(motion, square) for motion in motions]
+            self.assertEqual(path.first_contact(motions, square), one)
+            self.assertEqual(path.contact(motions, square).tolist(), [first.contact for first in one])
+            self.assertEqual({first.kind for first in one}, {"start", "way", "none"})
+            self.assertTrue(all(first.time == np.inf for first in one if not first.contact))
+
+    def test_name_the_motion_that_is_refused(self):
+        square, motions = touchstone.Polygon(SQUARE), random_motions(5)
+        motions[3, 6] = np.nan
+        for ask in (touchstone.filtered.contact, touchstone.exact.first_contact):
+            with self.assertRaisesRegex(touchstone.Rejected, "motion 3"):
+                ask(motions, square)
+        with self.assertRaisesRegex(touchstone.Rejected, "n x 7"):
+            touchstone.filtered.first_contact([0, 0, 0, 1], square)
+
+
 class Arrays(unittest.TestCase):
     def test_of_other_layouts_and_types_give_the_same(self):
         square = touchstone.Polygon(SQUARE)
@@ -208,34 +254,77 @@ class Refusals(unittest.TestCase):
             touchstone.filtered.contact(ball, SQUARE)
 
 
+def one_of_each_class():
+    square = touchstone.Polygon(SQUARE, [[[1, 1, 0], [1, 2, 0], [2, 1, 0]]])
+    mesh = touchstone.Mesh(SQUARE, [[0, 1, 2, 3]])
+    scene = touchstone.Scene()
+    scene.add("square", mesh)
+    first = touchstone.exact.first_contact([2.5, 3, 2, 1, 2.5, 3, 0], square)
+    return [square, touchstone.exact.answer([2.5, 3, 1, 1], square), mesh, touchstone.TriangleSet([SQUARE[:3]]), scene,
+            scene.nearest([5, 5, 1, 0]), first, scene.first_contact([2.5, 3, 2, 1, 2.5, 3, 0])]
+
+
 class Uninitialised(unittest.TestCase):
     def test_objects_raise_whatever_is_done_with_them(self):
-        answer = touchstone.exact.answer([2, 2, 1, 1], touchstone.Polygon(SQUARE))
-        classes = [kind for kind in vars(touchstone).values() if isinstance(kind, type) and kind is not touchstone.Rejected]
-        self.assertEqual(set(classes), {touchstone.Answer, touchstone.Polygon})
-        for kind in classes:
+        wholes = one_of_each_class()
+        classes = {kind for kind in vars(touchstone).values() if isinstance(kind, type) and not issubclass(kind, Exception)}
+        self.assertEqual(classes, {type(whole) for whole in wholes})
+        arguments = {"contact": [[0, 0, 1, 1]], "any_contact": [[0, 0, 1, 1]], "triangles_hit": [[0, 0, 1, 1]], "pose": [0],
+                     "touches": [[0, 0, 1, 1]], "touched": [[0, 0, 1, 1]], "first_contact": [[0, 0, 1, 1, 0, 0, 0]], "nearest": [[0, 0, 1, 1]], "closest": [[0, 0, 1, 1]],
+                     "add": ["square", touchstone.Polygon(SQUARE)], "set_pose": [0, None], "face_count": [0], "verdict": []}
+        for whole in wholes:
+            kind = type(whole)
             empty = kind.__new__(kind)
-            uses = [lambda name=name: getattr(empty, name) for name, found in vars(kind).items() if isinstance(found, property)]
-            uses += [lambda: repr(empty), lambda: empty.verdict()] if kind is touchstone.Answer else [lambda: repr(empty)]
-            uses += [lambda ask=ask: ask([0, 0, 1, 1], empty) for path in PATHS
-                     for name, ask in vars(path).items() if name[0] != "_" and kind is touchstone.Polygon]
-            uses += [lambda: empty == answer, lambda: answer == empty] if kind is touchstone.Answer else []
+            uses = [lambda: repr(empty)]
+            for name, found in vars(kind).items():
+                if isinstance(found, property):
+                    uses.append(lambda name=name: getattr(empty, name))
+                elif name[0] != "_" and not isinstance(found, staticmethod):
+                    uses.append(lambda name=name: getattr(empty, name)(*arguments[name]))
+            if "__len__" in vars(kind):
+                uses.append(lambda: len(empty))
+            if kind is touchstone.Polygon:
+                uses += [lambda ask=ask, row=row: ask(row, empty) for path in PATHS for name, ask in vars(path).items()
+                         if name[0] != "_" for row in [[0, 0, 1, 1, 0, 0, 0] if name == "first_contact" else [0, 0, 1, 1]]]
+            if kind is not touchstone.Scene:
+                uses += [lambda: empty == whole, lambda: whole == empty, lambda: pickle.dumps(empty), lambda: copy.copy(empty)]
+                uses.append(lambda: touchstone.Scene().add("empty", empty))
             self.assertGreater(len(uses), 2)
             for use in uses:
-                with self.assertRaisesRegex(TypeError, "__init__ was not called"):
+                with self.assertRaisesRegex(TypeError, "__init__ was not called|expected real numbers"):
                     use()
 
 
 class Pickling(unittest.TestCase):
-    def test_is_refused_in_every_protocol(self):
-        polygon = touchstone.Polygon(SQUARE)
-        for thing in (polygon, touchstone.exact.answer([2, 2, 1, 1], polygon), touchstone.Polygon.__new__(touchstone.Polygon)):
-            for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
-                with self.assertRaisesRegex(TypeError, "cannot pickle"):
-                    pickle.dumps(thing, protocol)
-            for refused in (copy.copy, copy.deepcopy, lambda t: t.__reduce__(), lambda t: t.__reduce_ex__(0)):
-                with self.assertRaisesRegex(TypeError, "cannot pickle"):
-                    refused(thing)
+    def test_makes_equal_objects_in_every_protocol(self):
+        for thing in one_of_each_class():
+            if isinstance(thing, touchstone.Scene):
+                continue
+            copies = [pickle.loads(pickle.dumps(thing, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+            for same in (*copies, copy.copy(thing), copy.deepcopy(thing)):
+                self.assertEqual(same, thing)
+                self.assertEqual((type(same), repr(same)), (type(thing), repr(thing)))
+                self.assertIsNot(same, thing)
+
+    def test_is_refused_for_scenes(self):
+        scene = touchstone.Scene()
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                pickle.dumps(scene, protocol)
+        for refused in (copy.copy, copy.deepcopy, lambda s: s.__reduce__(), lambda s: s.__reduce_ex__(0)):
+            with self.assertRaisesRegex(TypeError, "cannot pickle"):
+                refused(scene)
+
+
+class Equality(unittest.TestCase):
+    def test_of_polygons_is_that_of_their_loops(self):
+        hole = [[1, 1, 0], [1, 2, 0], [2, 1, 0]]
+        square = touchstone.Polygon(SQUARE)
+        self.assertEqual(square, touchstone.Polygon(np.array(SQUARE, dtype=float) * -1.0 * -1.0))
+        for other in (touchstone.Polygon(SQUARE, [hole]), touchstone.Polygon(SQUARE[1:] + SQUARE[:1]), SQUARE, None):
+            self.assertNotEqual(square, other)
+        with self.assertRaises(TypeError):
+            hash(square)
 
 
 class Threads(unittest.TestCase):
@@ -258,11 +347,14 @@ class Threads(unittest.TestCase):
 class Page(unittest.TestCase):
     def test_prints_what_it_says(self):
         page = (pathlib.Path(__file__).parent.parent.parent / "python" / "README.md").read_text()
-        sample, refused = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-        said = [line.split("# ")[1] for line in sample.splitlines() if line.startswith("print")]
+        *samples, refused = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        said = [line.split("# ")[1] for sample in samples for line in sample.splitlines() if line.startswith("print")]
+        names = {}
         with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(sample, {})
+            for sample in samples:
+                exec(sample, names)
         self.assertEqual([line.split() for line in printed.getvalue().splitlines()], [line.split() for line in said])
+        self.assertGreater(len(said), 4)
         with self.assertRaises(touchstone.Rejected) as caught:
             exec("import touchstone\n" + refused, {})
         kind = f"{type(caught.exception).__module__}.{type(caught.exception).__name__}"
@@ -273,7 +365,7 @@ class Stubs(unittest.TestCase):
     def test_name_all_that_there_is(self):
         text = (pathlib.Path(touchstone.__file__).parent / "__init__.pyi").read_text()
         names = [name for path in PATHS for name in vars(path) if not name.startswith("_")]
-        names += [n for kind in (touchstone.Answer, touchstone.Polygon) for n in vars(kind) if not n.startswith("_")]
+        names += [n for kind in map(type, one_of_each_class()) for n in vars(kind) if not n.startswith("_")]
         for name in [*names, *touchstone.__all__]:
             self.assertRegex(text, rf"\b{name}\b")
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace touchstone::python {
+
+/// @{
+/// Add a class to the module, with the functions that unpickling it needs.
+void add_answer(pybind11::module_& module);
+void add_first_contact(pybind11::module_& module);
+void add_mesh(pybind11::module_& module);
+void add_polygon(pybind11::module_& module);
+void add_scene(pybind11::module_& module);
+void add_triangle_set(pybind11::module_& module);
+/// @}
+
+}  // namespace touchstone::python

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sets of triangles, meshes and scenes in Python give the answers about their faces one by one, and name what they refuse."""
+
+import pathlib
+import tempfile
+import threading
+import types
+import unittest
+
+import numpy as np
+import touchstone
+
+CUBE_VERTICES = np.array([[x, y, z] for x in (0.0, 2) for y in (0, 2) for z in (0, 2)])
+CUBE_FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6],
+                       [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+CUBE_TRIANGLES = CUBE_VERTICES[CUBE_FACES]
+TURN = np.array([[0.0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, -3]])  # a quarter about z, then a step
+
+
+def random_balls(count, scale=3.0):
+    random = np.random.default_rng(2026)
+    return np.column_stack([random.uniform(-scale, scale, (count, 3)), random.uniform(0, 2, count)])
+
+
+def touching_balls(triangles):
+    """Balls whose distance from a triangle equals their radius, in doubles."""
+    balls = random_balls(len(triangles))
+    for ball, triangle in zip(balls, triangles):
+        ball[3] = touchstone.exact.closest(ball, touchstone.Polygon(triangle))[1]
+    return balls
+
+
+def one_by_one(balls, triangles):
+    polygons = [touchstone.Polygon(triangle) for triangle in triangles]
+    return np.column_stack([touchstone.exact.contact(balls, polygon) for polygon in polygons])
+
+
+def posed(triangles, pose):
+    return triangles @ pose[:, :3].T + pose[:, 3]
+
+
+class TriangleSets(unittest.TestCase):
+    def test_answer_as_their_triangles_do_one_by_one(self):
+        triangles = np.random.default_rng(7).normal(size=(40, 3, 3))
+        balls = np.concatenate([random_balls(60), touching_balls(triangles)])
+        triangle_set, expected = touchstone.TriangleSet(triangles), one_by_one(balls, triangles)
+        self.assertTrue(0 < expected.sum() < expected.size)
+        self.assertEqual(triangle_set.contact(balls).tolist(), expected.tolist())
+        self.assertEqual(triangle_set.any_contact(balls).tolist(), expected.any(axis=1).tolist())
+        hit = [np.flatnonzero(row).tolist() for row in expected]
+        self.assertEqual([numbers.tolist() for numbers in triangle_set.triangles_hit(balls)], hit)
+        for i in (0, 60):
+            self.assertEqual(triangle_set.contact(balls[i]).tolist(), expected[i].tolist())
+            self.assertIs(triangle_set.any_contact(balls[i]), bool(expected[i].any()))
+            self.assertEqual(triangle_set.triangles_hit(balls[i]).tolist(), hit[i])
+
+    def test_keep_their_triangles(self):
+        triangle_set = touchstone.TriangleSet(CUBE_TRIANGLES.tolist())
+        self.assertEqual((len(triangle_set), triangle_set.triangles.tolist()), (12, CUBE_TRIANGLES.tolist()))
+        self.assertEqual(touchstone.TriangleSet(np.empty((0, 3, 3))).contact(random_balls(2)).shape, (2, 0))
+
+    def test_name_the_triangle_that_they_refuse(self):
+        broken = CUBE_TRIANGLES.copy()
+        broken[5, 2] = (broken[5, 0] + broken[5, 1]) / 2
+        for words, code, triangles in (("triangle 5", "zero-normal", broken), ("n x 3 x 3", "malformed-case", CUBE_VERTICES),
+                                       ("n x 3 x 3", "malformed-case", np.zeros((2, 4, 3)))):
+            with self.assertRaisesRegex(touchstone.Rejected, words) as caught:
+                touchstone.TriangleSet(triangles)
+            self.assertEqual(caught.exception.code, code)
+
+
+class Meshes(unittest.TestCase):
+    def test_are_the_same_from_arrays_lists_files_and_other_objects(self):
+        cube = touchstone.Mesh(CUBE_VERTICES, CUBE_FACES)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "cube.obj"
+            file.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in CUBE_VERTICES.tolist()) +
+                            "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in CUBE_FACES.tolist()))
+            read = [touchstone.Mesh.read(file), touchstone.Mesh.read(str(file))]
+        other = types.SimpleNamespace(vertices=CUBE_VERTICES, faces=CUBE_FACES)
+        for same in (touchstone.Mesh(CUBE_VERTICES.tolist(), CUBE_FACES.tolist()), *read, touchstone.Mesh.of(other),
+                     touchstone.Mesh.of(cube), touchstone.Mesh(CUBE_VERTICES, CUBE_FACES.astype(np.uint8))):
+            self.assertEqual(same, cube)
+        self.assertNotEqual(touchstone.Mesh(CUBE_VERTICES, CUBE_FACES[:-1]), cube)
+        self.assertNotEqual(touchstone.Mesh(CUBE_VERTICES + 1, CUBE_FACES), cube)
+        self.assertEqual((len(cube), cube.vertices.tolist(), cube.faces.tolist()),
+                         (12, CUBE_VERTICES.tolist(), CUBE_FACES.tolist()))
+
+    def test_hold_faces_of_any_number_of_vertices(self):
+        faces = [[0, 1, 3, 2], [4, 6, 7]]
+        self.assertEqual(touchstone.Mesh(CUBE_VERTICES, faces).faces, faces)
+
+    def test_name_what_they_refuse(self):
+        for words, code, faces in (("face 1 has vertex 8, but there are 8", "malformed-case", [[0, 1, 2], [0, 1, 8]]),
+                                   ("face 0 has vertex -1", "malformed-case", np.array([[0, 1, -1]])),
+                                   ("face 2 has 2 vertices", "malformed-case", [[0, 1, 2], [0, 1, 2], [0, 1]]),
+                                   ("n x k", "malformed-case", np.array([0, 1, 2]))):
+            with self.assertRaisesRegex(touchstone.Rejected, words) as caught:
+                touchstone.Mesh(CUBE_VERTICES, faces)
+            self.assertEqual(caught.exception.code, code)
+        with self.assertRaisesRegex(touchstone.Rejected, "vertex 1"):
+            touchstone.Mesh([[0, 0, 0], [0, np.nan, 0], [1, 0, 0]], [[0, 1, 2]])
+        with self.assertRaisesRegex(TypeError, "whole numbers"):
+            touchstone.Mesh(CUBE_VERTICES, CUBE_FACES + 0.5)
+        with self.assertRaisesRegex(TypeError, "vertices"):
+            touchstone.Mesh.of(3)
+        with self.assertRaisesRegex(touchstone.BrokenMesh, "nowhere.obj"):
+            touchstone.Mesh.read("nowhere.obj")
+        self.assertTrue(issubclass(touchstone.BrokenMesh, ValueError))
+
+
+class Scenes(unittest.TestCase):
+    def setUp(self):
+        self.scene = touchstone.Scene()
+        self.scene.add("cube", touchstone.Mesh(CUBE_VERTICES, CUBE_FACES))
+        self.scene.add("turned", CUBE_TRIANGLES, TURN)
+        self.triangles = [CUBE_TRIANGLES, posed(CUBE_TRIANGLES, TURN)]
+        self.balls = np.concatenate([random_balls(200, 6), touching_balls(self.triangles[0]), touching_balls(self.triangles[1])])
+
+    def faces_touched(self):
+        expected = [one_by_one(self.balls, triangles) for triangles in self.triangles]
+        return [[[k, face] for k in range(2) for face in np.flatnonzero(expected[k][i])] for i in range(len(self.balls))]
+
+    def test_answer_as_their_faces_do_one_by_one(self):
+        expected = self.faces_touched()
+        self.assertTrue(any(expected) and not all(expected))
+        self.assertEqual([rows.tolist() for rows in self.scene.touched(self.balls)], expected)
+        self.assertEqual(self.scene.touches(self.balls).tolist(), [bool(faces) for faces in expected])
+        points, distances = self.scene.closest(self.balls)
+        for i, (ball, nearest) in enumerate(zip(self.balls, self.scene.nearest(self.balls))):
+            faces = [touchstone.exact.closest(ball, touchstone.Polygon(t)) for triangles in self.triangles for t in triangles]
+            least = min(distance for _, distance in faces)
+            first = [distance for _, distance in faces].index(least)
+            self.assertEqual((nearest.object, nearest.face, nearest.distance), (first // 12, first % 12, least))
+            self.assertEqual((nearest.point.tolist(), nearest.distance), (points[i].tolist(), distances[i]))
+            self.assertIn(nearest.feature["kind"], ("face", "edge", "vertex"))
+
+    def test_answer_one_ball_as_they_answer_many(self):
+        touches, touched = self.scene.touches(self.balls), self.scene.touched(self.balls)
+        nearest, (points, distances) = self.scene.nearest(self.balls), self.scene.closest(self.balls)
+        for i in (0, 1, 150, 205):
+            self.assertIs(self.scene.touches(self.balls[i]), bool(touches[i]))
+            self.assertEqual(self.scene.touched(self.balls[i]).tolist(), touched[i].tolist())
+            self.assertEqual(self.scene.nearest(self.balls[i]), nearest[i])
+            point, distance = self.scene.closest(self.balls[i])
+            self.assertEqual((point.tolist(), distance), (points[i].tolist(), distances[i]))
+
+    def test_answer_about_moving_balls_as_their_faces_do(self):
+        motions = np.column_stack([self.balls, np.random.default_rng(3).uniform(-6, 6, (len(self.balls), 3))])
+        motions[:, 3] /= 4
+        polygons = [[touchstone.Polygon(triangle) for triangle in triangles] for triangles in self.triangles]
+        touched, firsts = self.scene.touched(motions), self.scene.first_contact(motions)
+        self.assertEqual(self.scene.touches(motions).tolist(), [first is not None for first in firsts])
+        self.assertTrue(any(firsts) and not all(firsts))
+        for i, (motion, faces, found) in enumerate(zip(motions, touched, firsts)):
+            alone = {(k, face): touchstone.exact.first_contact(motion, polygon)
+                     for k in range(2) for face, polygon in enumerate(polygons[k])}
+            hit = {face: first for face, first in alone.items() if first.contact}
+            self.assertEqual([tuple(row) for row in faces.tolist()], sorted(hit))
+            if found is None:
+                self.assertEqual(hit, {})
+                continue
+            self.assertEqual(found.contact, hit[found.object, found.face])
+            self.assertEqual(found.contact.time, min(first.time for first in hit.values()))
+            if i < 3:
+                self.assertEqual(self.scene.first_contact(motion), found)
+
+    def test_ask_some_objects_by_number_or_name(self):
+        only = touchstone.Scene()
+        only.add("turned", CUBE_TRIANGLES, TURN)
+        for objects in ([1], ["turned"], ("turned", 1)):
+            self.assertEqual(self.scene.touches(self.balls, objects).tolist(), only.touches(self.balls).tolist())
+            distances = self.scene.closest(self.balls, objects=objects)[1]
+            self.assertEqual(distances.tolist(), only.closest(self.balls)[1].tolist())
+        self.assertFalse(self.scene.touches(self.balls, []).any())
+
+    def test_move_their_objects(self):
+        before = self.scene.touches(self.balls)
+        self.scene.set_pose("turned", None)
+        self.assertEqual(self.scene.pose(1).tolist(), np.eye(4).tolist())
+        self.assertEqual([len(rows) % 2 for rows in self.scene.touched(self.balls)], [0] * len(self.balls))  # two equal cubes
+        self.scene.set_pose(1, np.vstack([TURN, [0, 0, 0, 1]]))
+        self.assertEqual(self.scene.pose("turned")[:3].tolist(), TURN.tolist())
+        self.assertEqual(self.scene.touches(self.balls).tolist(), before.tolist())
+
+    def test_take_polygons_sets_and_meshes_of_all_kinds(self):
+        scene = touchstone.Scene()
+        square = touchstone.Polygon([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]])
+        kinds = {"one": square, "list": [square, touchstone.Polygon(CUBE_TRIANGLES[0])], "set": touchstone.TriangleSet(CUBE_TRIANGLES),
+                 "quads": touchstone.Mesh(CUBE_VERTICES, [[0, 1, 3, 2], [0, 1, 3], [4, 5, 7, 6]]),
+                 "other": types.SimpleNamespace(vertices=CUBE_VERTICES, faces=CUBE_FACES)}
+        for name, faces in kinds.items():
+            scene.add(name, faces)
+        self.assertEqual((len(scene), scene.names), (5, list(kinds)))
+        self.assertEqual([scene.face_count(name) for name in kinds], [1, 2, 12, 3, 12])
+        # Triangles come before the other faces of a mesh.
+        self.assertEqual(scene.nearest([3, 1, 1, 0], ["quads"]).face, 2)
+        self.assertEqual(scene.nearest([-1, 0.5, 1.75, 0], ["quads"]).face, 0)
+        self.assertEqual(repr(scene), "Scene(5 objects, 30 faces)")
+
+    def test_without_faces_have_no_nearest_face(self):
+        scene = touchstone.Scene()
+        self.assertEqual((scene.nearest([0, 0, 0, 1]), scene.touches([0, 0, 0, 1])), (None, False))
+        with self.assertRaisesRegex(ValueError, "no faces"):
+            scene.closest([0, 0, 0, 1])
+
+    def test_name_what_they_refuse(self):
+        flat = np.array([[[0.0, 0, 0], [1, 1, 1], [2, 2, 2]]])
+        for words, kind, refused in (("cube", ValueError, lambda: self.scene.add("cube", CUBE_TRIANGLES)),
+                                     ("flat.*face 0", touchstone.Rejected, lambda: self.scene.add("flat", flat)),
+                                     ("face 1 of the mesh", touchstone.Rejected, lambda: self.scene.add(
+                                         "m", touchstone.Mesh(CUBE_VERTICES, [[0, 1, 3, 2], [0, 1, 1, 2]]))),
+                                     ("3 x 4", touchstone.Rejected, lambda: self.scene.set_pose(0, np.eye(3))),
+                                     ("fourth row", touchstone.Rejected, lambda: self.scene.set_pose(0, np.ones((4, 4)))),
+                                     ("cube", touchstone.Rejected, lambda: self.scene.set_pose(0, np.zeros((3, 4)))),
+                                     ("ball 1", touchstone.Rejected, lambda: self.scene.touches([[0, 0, 0, 1], [0, 0, 0, -1]])),
+                                     ("nobody", ValueError, lambda: self.scene.touches([0, 0, 0, 1], ["nobody"])),
+                                     ("9", IndexError, lambda: self.scene.pose(9)),
+                                     ("n x 3 x 3", touchstone.Rejected, lambda: self.scene.add("numbers", [1, 2]))):
+            with self.assertRaisesRegex(kind, words):
+                refused()
+        self.assertEqual((self.scene.names, self.scene.pose(0).tolist()), (["cube", "turned"], np.eye(4).tolist()))
+
+    def test_may_be_asked_and_moved_at_once(self):
+        poses = [TURN, np.eye(4)]
+        allowed = []
+        for pose in poses:
+            self.scene.set_pose(1, pose)
+            allowed.append(self.scene.touches(self.balls).tolist())
+        self.assertNotEqual(*allowed)
+        found, done = [], threading.Event()
+
+        def move():
+            while not done.is_set():
+                for pose in poses:
+                    self.scene.set_pose(1, pose)
+
+        def ask():
+            for _ in range(50):
+                found.append(self.scene.touches(self.balls).tolist())
+
+        mover, asking = threading.Thread(target=move), [threading.Thread(target=ask) for _ in range(2)]
+        for thread in (mover, *asking):
+            thread.start()
+        for thread in asking:
+            thread.join()
+        done.set()
+        mover.join()
+        self.assertTrue(found and all(answers in allowed for answers in found))
+
+
+if __name__ == "__main__":
+    unittest.main()

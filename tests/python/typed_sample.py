@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Uses every class of the module as its annotations say; mypy checks it (test_types.py)."""
+
+import pathlib
+import types
+
+import numpy as np
+import touchstone
+from numpy.typing import NDArray
+
+
+def about_one_face() -> touchstone.Answer | list[touchstone.Answer]:
+    square = touchstone.Polygon([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], holes=[])
+    touches: bool | NDArray[np.bool_] = touchstone.filtered.contact([0.5, 0.25, 1, 1], square)
+    assert touches is True
+    return touchstone.exact.answer(np.zeros((3, 4)), square)
+
+
+def about_many_faces(file: pathlib.Path) -> float | None:
+    mesh = touchstone.Mesh.read(file)
+    scene = touchstone.Scene()
+    number: int = scene.add("mesh", mesh, pose=np.eye(4))
+    scene.add("triangles", np.zeros((0, 3, 3)))
+    scene.add("others", types.SimpleNamespace(vertices=mesh.vertices, faces=mesh.faces))
+    scene.set_pose("mesh", None)
+    nearest = scene.nearest([0, 0, 0, 1], objects=[number, "triangles"])
+    if isinstance(nearest, touchstone.NearestFace):
+        kind: str = nearest.feature["kind"]
+        return nearest.distance if kind == "face" else None
+    hit = touchstone.TriangleSet(np.zeros((0, 3, 3))).any_contact([0, 0, 0, 1])
+    return float(np.count_nonzero(hit))
