@@ -13,8 +13,11 @@
 #include <vector>
 
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace {
 
@@ -55,6 +58,13 @@ class Hash {
     for (int axis = 0; axis < 3; ++axis) add(p.point[axis]);
     add(p.distance);
   }
+  void add(const FirstContact& f) {
+    for (const auto word : {static_cast<std::uint64_t>(f.kind), static_cast<std::uint64_t>(f.momentary),
+                            static_cast<std::uint64_t>(f.feature.kind), std::uint64_t{f.feature.index}})
+      add(word);
+    add(f.time);
+    for (int axis = 0; axis < 3; ++axis) add(f.point[axis]);
+  }
   void add(const Answer& a) {
     for (const auto word : {static_cast<std::uint64_t>(a.plane), static_cast<std::uint64_t>(a.plane_tangent),
                             static_cast<std::uint64_t>(a.foot), static_cast<std::uint64_t>(a.relation)})
@@ -93,6 +103,7 @@ struct Question {
   exact::PreparedPolygon truth;
   filtered::PreparedPolygon prepared;
   Ball ball;
+  Motion motion;  ///< of the same radius; half of them pass the point at which the ball touches
   int mode;
 };
 
@@ -110,7 +121,10 @@ std::vector<Question> draw(int count) {
     if (random.below(2) == 0) ball.center = (loop[0] + loop[1]) / 2;
     ball.radius = exact::answer(ball, truth).distance;
     if (random.below(2) == 0) ball.radius = std::nextafter(ball.radius, random.below(2) == 0 ? 0.0 : HUGE_VAL);
-    questions.push_back({loop, std::move(truth), filtered::PreparedPolygon(polygon), ball, kModes[i % 4]});
+    const Eigen::Vector3d way = random.vector() * scale;
+    const Motion motion = random.below(2) == 0 ? Motion{{ball.center - way, ball.radius}, ball.center + way}
+                                               : Motion{{random.vector() * (4 * scale), ball.radius / 4}, way};
+    questions.push_back({loop, std::move(truth), filtered::PreparedPolygon(polygon), ball, motion, kModes[i % 4]});
   }
   return questions;
 }
@@ -122,25 +136,36 @@ struct Hashes {
 /// Questions are shared, not their answers.
 Hashes ask(const std::vector<Question>& questions) {
   Hashes hashes;
-  for (const auto& [loop, truth, prepared, ball, mode] : questions) {
+  for (const auto& [loop, truth, prepared, ball, motion, mode] : questions) {
     std::fesetround(mode);
     const Answer exact = exact::answer(ball, truth), certified = filtered::answer(ball, prepared);
-    bool contact = false;
+    const FirstContact first = exact::first_contact(motion, truth);
+    FirstContact certified_first = filtered::first_contact(motion, prepared);
+    bool contact = false, way_contact = false;
     filtered::ClosestPoint closest{certified.nearest, certified.point, certified.distance};
     if (loop.size() == 3) {
       const Triangle triangle{loop[0], loop[1], loop[2]};
+      const filtered::TriangleSet set({&triangle, 1});
       contact = filtered::contact(ball, triangle);
+      if (filtered::any_contact(ball, set) != contact) contact = !exact.contact();
       closest = filtered::closest(ball.center, triangle);
+      way_contact = filtered::contact(motion, triangle);
+      if (filtered::first_contact(motion, triangle) != certified_first) certified_first = {};
     } else {
       contact = filtered::contact(ball, prepared);
+      way_contact = filtered::contact(motion, prepared);
     }
     std::fesetround(FE_TONEAREST);
     hashes.exact.add(exact);
     hashes.exact.add(std::uint64_t{exact.contact()});
     hashes.exact.add({exact.nearest, exact.point, exact.distance});
+    hashes.exact.add(first);
+    hashes.exact.add(std::uint64_t{first.contact()});
     hashes.filtered.add(certified);
     hashes.filtered.add(std::uint64_t{contact});
     hashes.filtered.add(closest);
+    hashes.filtered.add(certified_first);
+    hashes.filtered.add(std::uint64_t{way_contact});
   }
   return hashes;
 }

@@ -4,8 +4,8 @@
 Usage: matrix.py SOURCE SCRATCH [QUESTIONS]
 
 Builds what answers.cpp needs with g++ and clang++, at -O0, -O2 and -O3 -march=native, each with and without
-contraction to fused multiply-add, and with g++'s ThreadSanitizer, where four threads ask the same prepared polygons. The
-programs must print the same.
+contraction to fused multiply-add, with g++'s ThreadSanitizer, where four threads ask the same prepared polygons, and for
+aarch64, whose program runs under qemu. The programs must print the same.
 """
 
 import concurrent.futures
@@ -25,20 +25,22 @@ FLAGS = [
     ["-O3", "-march=native", "-ffp-contract=fast"],
 ]
 THREADS = ["-O1", "-g", "-fsanitize=thread", "-ffp-contract=off"]
+FOREIGN = "aarch64-linux-gnu-g++"
 BUILDS = [(compiler, flags) for compiler in ("g++", "clang++") for flags in FLAGS] + [("g++", THREADS)]
+BUILDS += [(FOREIGN, ["-O2", "-static", "-Wno-psabi", contraction]) for contraction in ("-ffp-contract=off", "-ffp-contract=fast")]
 FOLDERS = ["geometry/shapes", "geometry/contact", "robust/detail", "robust/exact", "robust/exact/detail", "robust/filtered",
-           "robust/filtered/detail"]
+           "robust/filtered/detail", "robust/filtered/detail/motion"]
 COMMON = ["-std=c++20", "-w", "-DCGAL_USE_GMP", "-DCGAL_USE_MPFR", "-isystem", "/usr/include/eigen3"]
 
 
 def compile_file(compiler, flags, source, file, target):
-    options = COMMON + flags + (["-frounding-math"] if compiler == "g++" else [])
+    options = COMMON + flags + (["-frounding-math"] if compiler.endswith("g++") and "clang" not in compiler else [])
     if os.path.basename(file) == "answers.cpp":
         options.append("-ffp-contract=off")  # the questions are the same
-    if os.path.basename(file) == "kernels_avx2.cpp":
-        options += ["-mavx2", "-mfma"]
-    if os.uname().machine == "x86_64":
-        options += ["-DTOUCHSTONE_HAS_AVX2"]
+    if compiler != FOREIGN and os.uname().machine == "x86_64":
+        options.append("-DTOUCHSTONE_HAS_AVX2")
+        if os.path.basename(file) == "kernels_avx2.cpp":
+            options += ["-mavx2", "-mfma"]
     subprocess.run([compiler, *options, "-I", source, "-c", file, "-o", target], check=True)
     return target
 
@@ -51,16 +53,18 @@ def main():
     answers = {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for number, (compiler, flags) in enumerate(BUILDS):
-            if not shutil.which(compiler):
-                sys.exit(f"matrix: {compiler} is not installed")
+            for needed in (compiler, "qemu-aarch64"):
+                if not shutil.which(needed):
+                    sys.exit(f"matrix: {needed} is not installed")
             folder = f"{scratch}/{number}-{compiler}"
             os.makedirs(folder, exist_ok=True)
             targets = [f"{folder}/{i}.o" for i in range(len(files))]
             objects = list(pool.map(lambda f, t: compile_file(compiler, flags, source, f, t), files, targets))
             program = f"{folder}/answers"
-            sanitizer = [flag for flag in flags if flag.startswith("-fsanitize")]
-            subprocess.run([compiler, *sanitizer, *objects, "-lmpfr", "-lgmp", "-lpthread", "-o", program], check=True)
-            run = subprocess.run([program, questions, "4" if flags == THREADS else "1"], capture_output=True, text=True)
+            linked = [flag for flag in flags if flag.startswith(("-fsanitize", "-static"))]
+            subprocess.run([compiler, *linked, *objects, "-lmpfr", "-lgmp", "-lpthread", "-o", program], check=True)
+            emulator = ["qemu-aarch64"] if compiler == FOREIGN else []
+            run = subprocess.run([*emulator, program, questions, "4" if flags == THREADS else "1"], capture_output=True, text=True)
             print(compiler, *flags, "->", run.stdout.strip(), flush=True)
             if run.returncode != 0:
                 sys.exit(f"matrix: exact and filtered differ, or threads: {run.stdout}{run.stderr}")
