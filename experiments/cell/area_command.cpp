@@ -146,7 +146,8 @@ harness::Command area_command() {
       "others do not. Writes plan.csv (angles and radii at the storage's height), heights.csv (heights and radii at "
       "its\n"
       "angle), stations.csv, and pictures of them.");
-  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
+      .required();
   add_cell_options(command, *options);
   command.real("--angle-step", options->angle_step, "Between angles, in degrees", 0.1, 90.0);
   command.positive("--length-step", options->length_step, "Between radii, and between heights, in the cell's unit");
@@ -155,6 +156,7 @@ harness::Command area_command() {
   command.force(options->force);
   command.no_pictures(options->no_pictures);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
+  command.example("cell area experiments/cell/cells/aristo.json --angle-step 90 --length-step 2000");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

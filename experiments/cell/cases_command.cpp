@@ -13,6 +13,7 @@ harness::Command cases_command() {
   harness::Command command("cases", "Print the gripper's cases of a run, as the corpus holds them");
   auto file = std::make_shared<std::string>();
   command.text("CELL", *file, "A cell file").required();
+  command.example("cell cases experiments/cell/cells/aristo.json");
   command.runs([file] {
     fmt::print("{}", gripper_cases(*file));
     return 0;

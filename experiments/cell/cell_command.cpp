@@ -6,9 +6,9 @@ namespace touchstone::commands {
 harness::Command cell_command() {
   return {"cell",
           "The virtual manufacturing cell: its model, its layout, its contacts",
-          {cell::show_command(), cell::convert_command(), cell::layout_command(), cell::missed_command(),
-           cell::run_command(), cell::area_command(), cell::serve_command(), cell::export_command(),
-           cell::cases_command()}};
+          {cell::new_command(), cell::show_command(), cell::convert_command(), cell::layout_command(),
+           cell::missed_command(), cell::run_command(), cell::area_command(), cell::serve_command(),
+           cell::export_command(), cell::cases_command()}};
 }
 
 }  // namespace touchstone::commands

@@ -6,6 +6,7 @@
 // The subcommands of `touchstone cell`. Each is defined beside what it runs.
 namespace touchstone::cell {
 
+[[nodiscard]] harness::Command new_command();
 [[nodiscard]] harness::Command show_command();
 [[nodiscard]] harness::Command convert_command();
 [[nodiscard]] harness::Command layout_command();

@@ -73,6 +73,7 @@ harness::Command convert_command() {
   command.flag("--merge", options->merge, "Merge coplanar faces into polygons with holes").excludes("--weld");
   command.text("--name", options->name, "The name of the link, one word (default: that of the file or model)");
   command.flag("--force", options->force, "Overwrite an existing file");
+  command.example("cell convert part.stl part.obj --merge");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

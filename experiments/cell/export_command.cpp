@@ -33,7 +33,7 @@ int run(const ExportOptions& options) {
         fmt::format("{}: the extension '{}' must be .html, .gltf or .glb", options.file, extension));
   harness::refuse_overwrite(options.file, options.force);
   const browser::Simulator simulator = simulator_of(options.run);
-  const browser::Recording recording = simulator.run(browser::setting_of(simulator.cell()));
+  const browser::Recording recording = simulator.run(simulator.setting());
   const std::string text = extension == ".html"
                                ? browser::recorded_page(browser::cell_json(simulator), browser::run_json(recording))
                            : extension == ".gltf" ? browser::gltf_text(recording, options.rate)
@@ -51,7 +51,8 @@ int run(const ExportOptions& options) {
 harness::Command export_command() {
   harness::Command command("export", "Run the process and write it to a page or a 3D model");
   auto options = std::make_shared<ExportOptions>();
-  command.text("CELL", options->run.file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys")
+  command
+      .text("CELL", options->run.file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
       .required();
   command
       .text("FILE", options->file,
@@ -61,6 +62,7 @@ harness::Command export_command() {
   command.positive("--rate", options->rate, "Stops per second of the animation (.gltf, .glb)");
   command.flag("--force", options->force, "Overwrite an existing file");
   add_run_options(command, options->run);
+  command.example("cell export experiments/cell/cells/aristo.json cell.html");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

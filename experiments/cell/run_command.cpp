@@ -46,7 +46,7 @@ class Stopwatch {
 
 int run(const RunCommandOptions& options) {
   Stopwatch watch;
-  const auto methods = methods::find_methods(options.methods);
+  const auto methods = options.methods.methods();
   std::optional<harness::OutputFolder> folder;
   if (!options.output.empty()) folder.emplace(options.output, options.line, harness::Existing{.force = options.force});
   const Cell cell = cell_of(options);
@@ -54,17 +54,22 @@ int run(const RunCommandOptions& options) {
   const double before = watch.lap();
   const Process process = simulate(workcell, rule_of(options));
   const double cycle = watch.lap();
+  const Separation separation = separation_of(workcell, process);
+  const double measured = watch.lap();
   const MethodComparison comparison = compare_methods(workcell, process, methods, options.every_face);
   const double held = watch.lap();
-  fmt::print("{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the methods\n",
-             cell.name, summary(workcell, process, comparison), before, cycle, held);
+  fmt::print(
+      "{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} s "
+      "for "
+      "the methods\n",
+      cell.name, summary(workcell, process, separation, comparison), before, cycle, measured, held);
   if (!options.output.empty()) {
-    write_run(options.output, workcell, process, comparison);
+    write_run(options.output, workcell, process, separation, comparison);
     harness::write_run_record(options.output, {.command = options.line,
                                                .samples_asked = process.stops.size(),
                                                .samples_done = process.stops.size(),
-                                               .seconds = before + cycle + held});
-    fmt::print("moves, trajectory, methods and {} disagreements: {}\n", comparison.disagreements.size(),
+                                               .seconds = before + cycle + measured + held});
+    fmt::print("moves, trajectory, distances, methods and {} disagreements: {}\n", comparison.disagreements.size(),
                io::all_legible(options.output));
   }
   return process.failure.empty() ? 0 : 1;
@@ -76,13 +81,15 @@ harness::Command run_command() {
   harness::Command command("run", "Run the cell's whole process, and compare every method with the exact answer");
   auto options = std::make_shared<RunCommandOptions>();
   command.keep_line(options->line);
-  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
+      .required();
   add_run_options(command, *options);
   command.flag("--every-face", options->every_face,
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
-  command.output(options->output, "A folder for moves, trajectory, methods and disagreements");
+  command.output(options->output, "A folder for moves, trajectory, distances, methods and disagreements");
   command.force(options->force);
   command.writes(run_tables());
+  command.example("cell run experiments/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -5,6 +5,7 @@
 
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 
 namespace touchstone::cell {
 
@@ -21,7 +22,7 @@ void add_cell_options(harness::Command& command, RunOptions& options) {
 
 void add_run_options(harness::Command& command, RunOptions& options) {
   add_cell_options(command, options);
-  command.methods(options.methods, "Methods to ask at every stop; `all` for every method");
+  methods::declare_methods(command, options.methods, "Methods to ask at every stop; `all` for every method");
 }
 
 Cell cell_of(const RunOptions& options) {
@@ -38,7 +39,7 @@ Rule rule_of(const RunOptions& options) {
 }
 
 browser::Simulator simulator_of(const RunOptions& options) {
-  auto methods = methods::find_methods(options.methods);
+  auto methods = options.methods.methods();
   return {cell_of(options), {.overhang = options.overhang, .methods = std::move(methods), .rule = rule_of(options)}};
 }
 

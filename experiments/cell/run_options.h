@@ -6,6 +6,7 @@
 
 #include "experiments/cell/browser/recording.h"
 #include "experiments/harness/command.h"
+#include "experiments/methods/selection.h"
 
 namespace touchstone::cell {
 
@@ -14,8 +15,8 @@ struct RunOptions {
   std::string file, meshes, preset, drive;
   std::vector<std::string> changes;
   bool sphere_alone = false;
-  std::vector<std::string> methods{"filtered",      "fast",     "fast-float",    "thesis",        "thesis-float",
-                                   "thesis-0.9999", "thesis-1", "thesis-signed", "thesis-newell", "thesis-closed"};
+  methods::Selection methods{{"filtered", "fast", "fast-float", "thesis", "thesis-float", "thesis-0.9999", "thesis-1",
+                              "thesis-signed", "thesis-newell", "thesis-closed"}};
   double overhang = 8;
 };
 

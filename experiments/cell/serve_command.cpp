@@ -5,11 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "experiments/cell/browser/http_server.h"
 #include "experiments/cell/browser/recording.h"
 #include "experiments/cell/browser/routes.h"
 #include "experiments/cell/cell_commands.h"
+#include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/run_options.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
@@ -30,10 +33,18 @@ int run(const ServeOptions& options) {
   RunOptions chosen = options.run;
   if (chosen.file.empty()) chosen.file = (harness::source_folder() / "experiments/cell/cells/aristo.json").string();
   const browser::Simulator simulator = simulator_of(chosen);
+  std::vector<browser::Variant> presets;
+  if (chosen.preset.empty())
+    for (const auto& [name, changes] : read_presets(chosen.file))
+      presets.push_back({name, [chosen, name = name] {
+                           RunOptions variant = chosen;
+                           variant.preset = name;
+                           return simulator_of(variant);
+                         }});
   std::optional<browser::Routes> routes;
   browser::HttpServer server(options.host, options.port,
                              [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
-  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()));
+  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()), std::move(presets));
   if (!server.loopback())
     fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());
@@ -51,6 +62,7 @@ harness::Command serve_command() {
   command.whole("--port", options->port, "The port to listen at; 0 chooses a free one");
   command.text("--host", options->host, "The address to listen at; only this machine can reach the default");
   add_run_options(command, options->run);
+  command.example("cell serve experiments/cell/cells/aristo.json");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

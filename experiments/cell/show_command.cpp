@@ -64,12 +64,14 @@ harness::Command show_command() {
   harness::Command command("show", "Check a cell file, build its model, and summarize it");
   auto options = std::make_shared<ShowOptions>();
   command.keep_line(options->line);
-  command.text("CELL", options->file, "A cell file (JSON); experiments/cell/model/read_cell.h has its keys").required();
+  command.text("CELL", options->file, "A cell file (JSON): `cell new` writes one, experiments/FORMATS.md has its keys")
+      .required();
   command.text("--meshes", options->meshes, "The folder of mesh files, instead of the cell file's");
   command.output(options->output,
                  "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
   command.force(options->force);
   command.writes(show_tables());
+  command.example("cell show experiments/cell/cells/aristo.json");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

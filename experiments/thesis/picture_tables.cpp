@@ -9,6 +9,7 @@
 
 #include "experiments/cell/kinematics/aristo.h"
 #include "experiments/cell/simulation/arm.h"
+#include "experiments/thesis/convex_cover.h"
 
 namespace touchstone::thesis_figures {
 namespace {
@@ -83,7 +84,11 @@ const harness::Table<stability::FalseArea>& areas_csv() {
        {"missed", "inside, but not called so", &FalseArea::missed},
        {"share", "the outside area that is called inside, relative to the outline's", &FalseArea::share},
        {"lower", "its lower limit", limit(&statistics::Limits::lower)},
-       {"upper", "its upper limit", limit(&statistics::Limits::upper)}});
+       {"upper", "its upper limit", limit(&statistics::Limits::upper)},
+       {"hull", "the outside area in the convex hull, relative to the outline's",
+        [](const FalseArea& area) { return convex_cover(*area.outline).hull; }, "{:.6g}"},
+       {"parts", "convex parts that cover it, with no area outside",
+        [](const FalseArea& area) { return convex_cover(*area.outline).parts; }}});
   return table;
 }
 

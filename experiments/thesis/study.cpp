@@ -105,6 +105,16 @@ std::vector<Task> tasks_of(Study& study) {
     });
   }
 
+  const auto along = static_cast<std::size_t>(2 * kinematics::kHomeReach / settings.home_step) + 1;
+  study.homes.resize(along * along);
+  for (std::size_t row = 0; row < along; ++row)
+    tasks.emplace_back([&study, along, row, step = static_cast<double>(settings.home_step)] {
+      const auto angle = [&](std::size_t i) { return step * static_cast<double>(i) - kinematics::kHomeReach; };
+      for (std::size_t i = 0; i < along; ++i)
+        study.homes[row * along + i] = kinematics::study_home(
+            {kinematics::Coupling::KeepsElevation, kinematics::Hand::Level}, {angle(i), angle(row)});
+    });
+
   const double height = study.cell.storage.height;
   const auto scan = [&](std::vector<cell::Tried>& places, std::size_t count, bool sphere_alone, const auto& place_of) {
     places.resize(count);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiments/cell/first_contact/missed_study.h"
+#include "experiments/cell/kinematics/layout_study.h"
 #include "experiments/cell/model/link_model.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/harness/blocks.h"
@@ -30,6 +31,7 @@ struct Settings {
   int angle_step = 5;                    ///< degrees, of the area of configuration
   int radius_step = 25;                  ///< mm
   int radius_scan = 5, height_scan = 5;  ///< mm, for the radii and heights at one angle
+  int home_step = 10;                    ///< degrees, between home poses
 };
 
 /// The results of the process by the sphere alone, up to the machine, at every whole angle of the storage from -60 to
@@ -67,6 +69,8 @@ struct Study {
   // Chapters 5 and 6
   std::array<CaseStudy, 2> cases;
   cell::Process angle_alone;  ///< held out: the first case's cell with the second one's angle, and nothing else changed
+  /// Home poses, for the chosen linkage, and those that have a layout in which both cases' captions are reproduced.
+  std::vector<kinematics::Member> homes;
   FloorPlan plan;
   std::vector<cell::Tried> area;                    ///< angle by angle, radius by radius, at the chosen height
   std::vector<cell::Tried> area_of_sphere;          ///< the same by the sphere alone

@@ -32,7 +32,9 @@ struct Options {
 
   [[nodiscard]] Settings settings() const {
     Settings settings;
-    if (quick) settings = {.samples = 2'000, .angle_step = 15, .radius_step = 50, .radius_scan = 20, .height_scan = 20};
+    if (quick)
+      settings = {
+          .samples = 2'000, .angle_step = 15, .radius_step = 50, .radius_scan = 20, .height_scan = 20, .home_step = 30};
     if (samples > 0) settings.samples = samples;
     settings.seed = seed;
     return settings;
@@ -96,6 +98,7 @@ harness::Command thesis_command() {
   command.force(options->force);
   command.no_pictures(options->no_pictures);
   command.writes(tables());
+  command.example("thesis --quick");
   command.runs([options] { return harness::run_alone([&] { return run_thesis(*options); }); });
   return command;
 }

@@ -2,8 +2,10 @@
 #include "experiments/cell/browser/cell_json.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "experiments/cell/browser/drawing.h"
 #include "experiments/cell/simulation/arm.h"
+#include "experiments/cell/simulation/cycle_time.h"
 
 namespace touchstone::cell::browser {
 namespace {
@@ -59,11 +62,12 @@ Json station_json(const Station& station) {
   return {{"home", station.home}, {"angle", station.angle}, {"radius", station.radius}, {"height", station.height}};
 }
 
-Json setting_json(const Cell& cell) {
+Json setting_json(const Cell& cell, const std::string& drive) {
   const Setting setting = setting_of(cell);
   return {{"storage", {{"angle", setting.angle}, {"radius", setting.radius}, {"height", setting.height}}},
           {"slot", cell.storage.slots[setting.slot].name},
-          {"step", setting.step}};
+          {"step", setting.step},
+          {"drive", drive}};
 }
 
 Json labels_json(const Cell& cell) {
@@ -85,6 +89,56 @@ Json json_of(const Pose& pose) {
   return rows;
 }
 
+Json links_json(const std::vector<Pose>& links) {
+  Json poses = Json::array();
+  for (const Pose& pose : links) poses.push_back(json_of(pose));
+  return poses;
+}
+
+Json optional(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+/// Millionths suffice for what is shown.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json separation_json(const Recording& recording, const Arm& arm) {
+  const Separation& separation = recording.separation;
+  Json least = Json::array(), nearest;
+  for (const LeastDistance& each : separation.least)
+    least.push_back({{"mover", to_string(each.mover)},
+                     {"element", each.element},
+                     {"part", each.part},
+                     {"low", each.bounds.lower},
+                     {"high", each.bounds.upper},
+                     {"stop", each.stop},
+                     {"seconds", optional(when(recording.times, arm, recording.process, each))}});
+  for (const Mover mover : kMovers) {
+    Json here = Json::array(), low = Json::array(), element = Json::array();
+    for (const auto& at : separation.nearest[static_cast<std::size_t>(mover)]) {
+      here.push_back(at ? Json(rounded(at->here)) : Json());
+      low.push_back(at ? Json(std::floor(at->bounds.lower * 1e6) / 1e6) : Json());
+      element.push_back(at ? Json(at->element) : Json());
+    }
+    nearest[std::string(to_string(mover))] = {
+        {"here", std::move(here)}, {"low", std::move(low)}, {"element", std::move(element)}};
+  }
+  return {{"elements", separation.elements},
+          {"tolerance", separation.tolerance},
+          {"least", std::move(least)},
+          {"nearest", std::move(nearest)}};
+}
+
+Json stuck_json(const Recording& recording, const Arm& arm) {
+  if (!recording.stuck) return {};
+  const Stuck& stuck = *recording.process.stuck;
+  return {{"reason", stuck.reason},
+          {"parts", stuck.parts},
+          {"commanded", stuck.commanded},
+          {"links", links_json(recording.stuck->links)},
+          {"sphere", drawn(arm.sphere_at(stuck.commanded).center)},
+          {"material", json_of(recording.stuck->material)},
+          {"place", recording.stuck->slot ? Json(to_string(*recording.stuck->slot)) : Json()}};
+}
+
 }  // namespace
 
 std::string cell_json(const Simulator& simulator) {
@@ -95,9 +149,8 @@ std::string cell_json(const Simulator& simulator) {
     const kinematics::Joint& joint = arm.chain.joints()[i];
     joints.push_back({{"name", joint.name}, {"lower", joint.lowest}, {"upper", joint.highest}, {"home", arm.home[i]}});
   }
-  Json slots = Json::array(), links = Json::array(), parts = Json::array(), sides = Json::array();
+  Json slots = Json::array(), parts = Json::array(), sides = Json::array();
   for (const Slot& slot : cell.storage.slots) slots.push_back({{"name", slot.name}, {"place", drawn(slot.place)}});
-  for (const Pose& pose : arm.link_poses(arm.home)) links.push_back(json_of(pose));
   for (const ModelPart& part : simulator.parts()) parts.push_back(part_json(part));
   for (const Face& face : material_of(simulator.parts()).faces.faces) sides.push_back(side_of(face.polygon));
   const Json whole = {{"name", cell.name},
@@ -105,7 +158,8 @@ std::string cell_json(const Simulator& simulator) {
                       {"clearance", cell.clearance},
                       {"sphere", cell.gripper.sphere.radius},
                       {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
-                      {"setting", setting_json(cell)},
+                      {"setting", setting_json(cell, simulator.setting().drive)},
+                      {"drives", simulator.drives()},
                       {"labels", labels_json(cell)},
                       {"bounds",
                        {{"longest", longest(cell)},
@@ -115,7 +169,7 @@ std::string cell_json(const Simulator& simulator) {
                       {"slots", std::move(slots)},
                       {"storage", station_json(cell.storage)},
                       {"machine", station_json(cell.machine)},
-                      {"links", std::move(links)},
+                      {"links", links_json(arm.link_poses(arm.home))},
                       {"home_sphere", drawn(arm.sphere_at(arm.home).center)},
                       {"material_faces", std::move(sides)},
                       {"parts", std::move(parts)}};
@@ -138,6 +192,7 @@ std::string run_json(const Recording& recording) {
                      {"degrees", move.degrees},
                      {"exact", move.exact},
                      {"contact", std::move(contact)},
+                     {"seconds", optional(seconds(arm, move.joint, move.degrees))},
                      {"wrong", move.wrong ? Json{{"early", move.wrong->early ? Json(*move.wrong->early) : Json()},
                                                  {"gap", move.wrong->gap}}
                                           : Json()}});
@@ -147,12 +202,10 @@ std::string run_json(const Recording& recording) {
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];
     const Snapshot& snapshot = recording.snapshots[i];
-    Json links = Json::array();
-    for (const Pose& pose : snapshot.links) links.push_back(json_of(pose));
     const auto word = [](const std::optional<StationSlot>& p) { return p ? Json(to_string(*p)) : Json(); };
     stops.push_back({{"move", stop.move},
                      {"commanded", stop.commanded},
-                     {"links", std::move(links)},
+                     {"links", links_json(snapshot.links)},
                      {"sphere", drawn(stop.sphere.center)},
                      {"material", json_of(snapshot.material)},
                      {"place", word(snapshot.slot)},
@@ -178,10 +231,13 @@ std::string run_json(const Recording& recording) {
   for (const ModelPart& part : recording.parts)
     if (part.name == "storage/stand") stand = part_json(part);
   const Json whole = {
-      {"setting", setting_json(recording.cell)},
+      {"setting", setting_json(recording.cell, recording.drive)},
       {"labels", labels_json(recording.cell)},
       {"failure", process.failure},
+      {"stuck", stuck_json(recording, arm)},
       {"queries", process.queries},
+      {"times", recording.times},
+      {"separation", separation_json(recording, arm)},
       {"stations",
        {{"storage", json_of(pose_of(recording.cell.storage))}, {"machine", json_of(pose_of(recording.cell.machine))}}},
       {"materials", {{"storage", json_of(recording.places[0])}, {"machine", json_of(recording.places[1])}}},
@@ -191,6 +247,46 @@ std::string run_json(const Recording& recording) {
       {"methods", std::move(methods)},
       {"disagreements", std::move(disagreements)}};
   return whole.dump();
+}
+
+std::string pose_json(const Posed& posed) {
+  Json nearest = Json::array();
+  for (const Mover mover : kMovers)
+    if (const auto& at = posed.separation.nearest[static_cast<std::size_t>(mover)].front())
+      nearest.push_back(
+          {{"mover", to_string(mover)}, {"element", posed.separation.elements[at->element]}, {"distance", at->here}});
+  const Json whole{
+      {"links", links_json(posed.links)},
+      {"sphere", drawn(posed.sphere.center)},
+      {"hindrance",
+       posed.hindrance ? Json{{"what", posed.hindrance->what}, {"parts", posed.hindrance->parts}} : Json()},
+      {"nearest", std::move(nearest)}};
+  return whole.dump();
+}
+
+std::string area_json(const std::vector<Tried>& tried) {
+  Json places = Json::array();
+  for (const Tried& each : tried)
+    places.push_back({{"radius", each.radius},
+                      {"cause", each.cause ? Json(to_string(*each.cause)) : Json()},
+                      {"reason", each.reason}});
+  return places.dump();
+}
+
+std::string covers_json(const std::vector<Covered>& covered) {
+  Json covers = Json::array();
+  double overhang = 0;
+  for (const Covered& part : covered) {
+    if (part.carrier == Carrier::Material) continue;
+    overhang = std::max(overhang, part.cover.overhang());
+    Json balls = Json::array();
+    for (const Ball& ball : part.cover.smallest()) {
+      for (const double coordinate : ball.center) balls.push_back(drawn(coordinate));
+      balls.push_back(drawn(ball.radius));
+    }
+    covers.push_back({{"link", part.link}, {"balls", std::move(balls)}});
+  }
+  return Json{{"overhang", overhang}, {"covers", std::move(covers)}}.dump();
 }
 
 }  // namespace touchstone::cell::browser

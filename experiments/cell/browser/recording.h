@@ -3,14 +3,17 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "experiments/cases/method.h"
 #include "experiments/cell/browser/setting.h"
+#include "experiments/cell/configuration/area.h"
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/method_comparison.h"
 #include "experiments/cell/simulation/process.h"
+#include "experiments/cell/simulation/separation.h"
 #include "experiments/cell/simulation/workcell.h"
 #include "geometry/shapes/pose.h"
 #include "robust/scene/scene.h"
@@ -31,8 +34,12 @@ struct Recording {
   Cell cell;                     ///< with the setting applied
   std::vector<ModelPart> parts;  ///< of the cell
   std::vector<Pose> places;      ///< of the virtual material in the cell, by StationSlot
+  std::string drive;             ///< the method whose answer stopped the robot
   Process process;
   std::vector<Snapshot> snapshots;  ///< one for each stop
+  std::vector<double> times;        ///< as times_of
+  Separation separation;
+  std::optional<Snapshot> stuck;  ///< the arm where it gets stuck, if it does
   MethodComparison comparison;
 };
 
@@ -44,6 +51,14 @@ struct SimulatorOptions {
   double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
   std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
   Rule rule;
+};
+
+/// The arm at some pose, and what it touches or is near to.
+struct Posed {
+  std::vector<Pose> links;
+  Ball sphere;
+  std::optional<Hindrance> hindrance;
+  Separation separation;  ///< of one stop
 };
 
 /// A cell that can be run with changed settings. Running is thread-safe.
@@ -58,8 +73,25 @@ class Simulator {
   /// Runs the process with a setting. Throws BadCell for an impossible cell, as `changed` and Workcell do. A process
   /// that does not complete is recorded too; its `failure` says why.
   [[nodiscard]] Recording run(const Setting& setting) const;
+  /// Returns the arm at a pose, with the material in storage. Throws as run does, and BadCell for a joint beyond its
+  /// limits.
+  [[nodiscard]] Posed pose(const Setting& setting, const kinematics::Angles& commanded) const;
+  /// Runs the process with the storage at the setting's angle and at a number of radii, in the middles of equal parts
+  /// of the arm's reach; at none if its stand would be below the floor.
+  [[nodiscard]] std::vector<Tried> area(const Setting& setting, std::size_t radii) const;
+
+  /// The cell's own setting.
+  [[nodiscard]] Setting setting() const;
+  /// The names of the methods that may drive: the exact answer and those that are asked.
+  [[nodiscard]] std::vector<std::string> drives() const;
+  /// How many joints turn.
+  [[nodiscard]] std::size_t joints() const { return arm_of(cell_).home.size(); }
+  [[nodiscard]] const std::vector<Covered>& covered() const { return *arm_; }
 
  private:
+  [[nodiscard]] std::vector<ModelPart> parts_for(const Cell& cell) const;
+  [[nodiscard]] Rule rule_for(const Setting& setting) const;
+
   Cell cell_;
   std::vector<ModelPart> parts_;
   SimulatorOptions options_;

@@ -3,7 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <boost/beast/core/string.hpp>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -29,31 +34,80 @@ bool is_json(std::string_view content_type) {
   return boost::beast::iequals({type.data(), type.size()}, kJson);
 }
 
+constexpr std::size_t kRadii = 20;  // of an answer about the area
+
+struct Route {
+  std::string_view name;
+  bool posted;
+};
+constexpr std::array<Route, 5> kRoutes{
+    {{"cell", false}, {"covers", false}, {"run", true}, {"area", true}, {"pose", true}}};
+constexpr const char* kThere = "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose";
+
+/// The name behind /api/ and the number behind that; 0 without one, none for anything else.
+std::optional<std::pair<std::string, std::size_t>> parts_of(std::string_view path) {
+  constexpr std::string_view kApi = "/api/";
+  if (!path.starts_with(kApi)) return std::nullopt;
+  path.remove_prefix(kApi.size());
+  const std::size_t slash = path.find('/');
+  std::size_t number = 0;
+  if (slash != std::string_view::npos) {
+    const std::string_view digits = path.substr(slash + 1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size() || number == 0) return std::nullopt;
+  }
+  return std::pair(std::string(path.substr(0, slash)), number);
+}
+
 }  // namespace
 
-Routes::Routes(const Simulator& simulator, KnownHosts hosts)
-    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()), cell_(cell_json(simulator)) {}
+Routes::Routes(const Simulator& simulator, KnownHosts hosts, std::vector<Variant> presets)
+    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()) {
+  nlohmann::json names = nlohmann::json::array();
+  for (Variant& preset : presets) {
+    names.push_back(preset.name);
+    presets_.push_back(std::make_unique<Preset>());
+    presets_.back()->variant = std::move(preset);
+  }
+  presets_json_ = names.dump();
+}
+
+const Simulator& Routes::simulator_of(std::size_t preset) const {
+  if (preset == 0) return *simulator_;
+  Preset& wanted = *presets_[preset - 1];
+  std::call_once(wanted.once, [&] { wanted.simulator = std::make_unique<const Simulator>(wanted.variant.make()); });
+  return *wanted.simulator;
+}
 
 HttpReply Routes::answer(const HttpRequest& request) const {
   if (!hosts_.names(request.host))
     return refusal(421,
                    "this server answers to localhost or its address, not to \"" + io::legible(request.host) + "\"");
-  const bool page = request.path == "/", cell = request.path == "/api/cell", run = request.path == "/api/run";
-  if (!page && !cell && !run)
-    return refusal(404, "there are /, /api/cell and /api/run, not " + io::legible(request.path));
-  const std::string wanted = run ? "POST" : "GET, HEAD";
-  if (run ? request.method != "POST" : request.method != "GET" && request.method != "HEAD")
+  const bool page = request.path == "/", presets = request.path == "/api/presets";
+  const auto parts = parts_of(request.path);
+  const auto route = parts ? std::ranges::find(kRoutes, parts->first, &Route::name) : kRoutes.end();
+  if (!page && !presets && (route == kRoutes.end() || parts->second > presets_.size()))
+    return refusal(404, std::string(kThere) + ", not " + io::legible(request.path));
+  const bool posted = !page && !presets && route->posted;
+  const std::string wanted = posted ? "POST" : "GET, HEAD";
+  if (posted ? request.method != "POST" : request.method != "GET" && request.method != "HEAD")
     return refusal(405, request.path + " takes " + wanted + ", not " + io::legible(request.method), wanted);
   if (page) return {200, "text/html; charset=utf-8", page_, ""};
-  if (cell) return {200, kJson, cell_, ""};
-  return this->run(request);
+  if (presets) return {200, kJson, presets_json_, ""};
+  if (posted && !is_json(request.content_type)) return refusal(415, fmt::format("the Content-Type must be {}", kJson));
+  return answered(parts->first, parts->second, request.body);
 }
 
-HttpReply Routes::run(const HttpRequest& request) const {
-  if (!is_json(request.content_type)) return refusal(415, fmt::format("the Content-Type must be {}", kJson));
+HttpReply Routes::answered(const std::string& what, std::size_t preset, const std::string& body) const {
   try {
-    const Setting setting = read_setting(request.body, simulator_->cell());
-    return {200, kJson, run_json(simulator_->run(setting)), ""};
+    const Simulator& simulator = simulator_of(preset);
+    const Cell& cell = simulator.cell();
+    if (what == "cell") return {200, kJson, cell_json(simulator), ""};
+    if (what == "covers") return {200, kJson, covers_json(simulator.covered()), ""};
+    if (what == "run") return {200, kJson, run_json(simulator.run(read_setting(body, cell))), ""};
+    if (what == "area") return {200, kJson, area_json(simulator.area(read_setting(body, cell), kRadii)), ""};
+    const PoseRequest pose = read_pose(body, cell, simulator.joints());
+    return {200, kJson, pose_json(simulator.pose(pose.setting, pose.commanded)), ""};
   } catch (const BadSetting& error) {
     return refusal(400, error.what());
   } catch (const BadCell& error) {

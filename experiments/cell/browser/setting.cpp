@@ -3,11 +3,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
 #include "experiments/cell/model/stops.h"
 #include "experiments/harness/json/strict_json.h"
+#include "experiments/methods/registry.h"
 
 namespace touchstone::cell::browser {
 namespace {
@@ -21,7 +24,7 @@ double within(const CellEntry& entry, double least, double most) {
 
 Setting read(const CellEntry& whole, const Cell& cell) {
   Setting setting = setting_of(cell);
-  whole.has_only({"storage", "slot", "step"});
+  whole.has_only({"storage", "slot", "step", "drive"});
   if (const auto storage = whole.find("storage")) {
     storage->has_only({"angle", "radius", "height"});
     const double most = longest(cell);
@@ -34,13 +37,35 @@ Setting read(const CellEntry& whole, const Cell& cell) {
   }
   if (const auto slot = whole.find("slot")) setting.slot = slot_named(cell.storage, *slot);
   if (const auto step = whole.find("step")) setting.step = within(*step, kLeastStep, kMostStep);
+  if (const auto drive = whole.find("drive")) {
+    setting.drive = drive->text();
+    // Programs of the user's own are not run for a page.
+    if (std::ranges::none_of(methods::all_methods(), [&](const auto& each) { return each->name() == setting.drive; }))
+      drive->bad(fmt::format("there is no method \"{}\"", setting.drive));
+  }
   return setting;
+}
+
+/// Reads the checked JSON of a request.
+template <class Read>
+auto read_request(std::string_view text, const Read& read_whole) {
+  try {
+    const harness::StrictJson json = harness::read_strict_json(text);
+    const CellEntry whole("request", "", json.value);
+    if (json.duplicate_key) whole.bad(fmt::format("the key \"{}\" is given twice", *json.duplicate_key));
+    if (json.too_deep) whole.bad("is nested too deep");
+    return read_whole(whole);
+  } catch (const harness::NotJson& error) {
+    throw BadSetting(fmt::format("request: is not JSON: {}", error.what()));
+  } catch (const BadCell& error) {
+    throw BadSetting(error.what());
+  }
 }
 
 }  // namespace
 
 Setting setting_of(const Cell& cell) {
-  return {cell.storage.angle, cell.storage.radius, cell.storage.height, cell.material.slot, cell.step};
+  return {cell.storage.angle, cell.storage.radius, cell.storage.height, cell.material.slot, cell.step, "exact"};
 }
 
 double longest(const Cell& cell) {
@@ -49,17 +74,18 @@ double longest(const Cell& cell) {
 }
 
 Setting read_setting(std::string_view text, const Cell& cell) {
-  try {
-    const harness::StrictJson json = harness::read_strict_json(text);
-    const CellEntry whole("request", "", json.value);
-    if (json.duplicate_key) whole.bad(fmt::format("the key \"{}\" is given twice", *json.duplicate_key));
-    if (json.too_deep) whole.bad("is nested too deep");
-    return read(whole, cell);
-  } catch (const harness::NotJson& error) {
-    throw BadSetting(fmt::format("request: is not JSON: {}", error.what()));
-  } catch (const BadCell& error) {
-    throw BadSetting(error.what());
-  }
+  return read_request(text, [&](const CellEntry& whole) { return read(whole, cell); });
+}
+
+PoseRequest read_pose(std::string_view text, const Cell& cell, std::size_t joints) {
+  return read_request(text, [&](const CellEntry& whole) {
+    whole.has_only({"setting", "commanded"});
+    PoseRequest pose{read(whole.at("setting"), cell), {}};
+    for (const CellEntry& command : whole.at("commanded").items()) pose.commanded.push_back(command.number());
+    if (pose.commanded.size() != joints)
+      whole.at("commanded").bad(fmt::format("must hold {} numbers, one for each joint that turns", joints));
+    return pose;
+  });
 }
 
 Cell changed(const Cell& cell, const Setting& setting) {

@@ -5,17 +5,19 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/cell/model/cell.h"
 
 namespace touchstone::cell::browser {
 
 /// The values of a cell that the page can change: the place of the storage, in degrees and in the cell's unit, the
-/// number of the slot that holds the material, and the step of the joints in degrees.
+/// number of the slot that holds the material, the step of the joints in degrees, and what stops the robot.
 struct Setting {
   double angle, radius, height;
   std::size_t slot;
   double step;
+  std::string drive = "exact";  ///< the method whose answer stops the robot
 
   friend bool operator==(const Setting&, const Setting&) = default;
 };
@@ -32,10 +34,19 @@ class BadSetting : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s}. Missing values are those of the
-/// cell. Throws BadSetting for text that is not JSON, an unknown or duplicate key, another type, a number that is not
-/// finite or out of bounds, and an unknown slot.
+/// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s, "drive": name}. Missing values
+/// are those of the cell. Throws BadSetting for text that is not JSON, an unknown or duplicate key, another type, a
+/// number that is not finite or out of bounds, an unknown slot, and a drive that `touchstone methods` does not list.
 [[nodiscard]] Setting read_setting(std::string_view text, const Cell& cell);
+
+/// A pose that the page asks about: the arm's commands in degrees, in the cell under a setting.
+struct PoseRequest {
+  Setting setting;
+  std::vector<double> commanded;
+};
+/// Reads {"setting": a setting, "commanded": [numbers]}. Throws BadSetting as read_setting does, and for any other
+/// number of commands than `joints`.
+[[nodiscard]] PoseRequest read_pose(std::string_view text, const Cell& cell, std::size_t joints);
 
 /// Returns the cell with the setting applied. Values that differ from the cell are labelled as chosen in the result.
 /// Throws BadCell as check_stops and check_reach do.

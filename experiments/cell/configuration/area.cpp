@@ -9,17 +9,13 @@
 #include "experiments/cell/model/solid_faces.h"
 
 namespace touchstone::cell {
-namespace {
 
-/// The parts with a stand that fits the storage's height.
 std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& storage) {
   for (ModelPart& part : parts)
     if (storage.stand && part.carrier == Carrier::Storage && part.name == "storage/stand")
       part.faces = faces_of(stand_of(storage), part.name);
   return parts;
 }
-
-}  // namespace
 
 Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
                 const std::shared_ptr<const std::vector<Covered>>& covered, const Rule& rule, double angle,

@@ -29,6 +29,9 @@ struct Tried {
   bool from_side = false;             ///< whether the material in storage was touched from the side
 };
 
+/// Returns the parts with a stand that fits the storage's height.
+[[nodiscard]] std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& storage);
+
 /// Tries one place, as try_places does.
 [[nodiscard]] Tried try_place(Cell cell, const std::vector<ModelPart>& parts,
                               const std::shared_ptr<const std::vector<Covered>>& covered, const Rule& rule,

@@ -74,6 +74,7 @@ harness::Command missed_command() {
   command.force(options->force);
   command.no_pictures(options->no_pictures);
   command.writes(kinematics::missed_tables());
+  command.example("cell missed --samples 100");
   command.runs([options] { return harness::run_alone([&] { return run_missed(*options); }); });
   return command;
 }

@@ -64,6 +64,7 @@ harness::Command layout_command() {
   command.force(options->force);
   command.no_pictures(options->no_pictures);
   command.writes(kinematics::layout_tables());
+  command.example("cell layout");
   command.runs([options] { return harness::run_alone([&] { return run_layout(*options); }); });
   return command;
 }

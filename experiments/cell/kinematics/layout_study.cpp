@@ -8,10 +8,10 @@
 namespace touchstone::kinematics {
 namespace {
 
-constexpr int kGridReach = 60, kGridStep = 5;
+constexpr int kGridStep = 5;
 constexpr int kLargestAngle = 60;                         // of the storage
 constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up and down
-constexpr std::uint64_t kGrid = 2 * kGridReach / kGridStep + 1, kLine = 2 * kGridReach + 1;
+constexpr std::uint64_t kGrid = 2 * kHomeReach / kGridStep + 1, kLine = 2 * kHomeReach + 1;
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
 /// Empty where both cases come out as captioned.
@@ -20,12 +20,6 @@ std::string failure_of(const Layout& layout) {
     if (const std::string d = difference(rehearse_case(layout, i), kCases[i]); !d.empty())
       return "case " + std::to_string(i + 1) + ": " + d;
   return "";
-}
-
-Member member(const Linkage& linkage, const LinkAngles& home) {
-  Member member{linkage, home, solve_layout(linkage, home), ""};
-  member.failure = member.layout ? failure_of(*member.layout) : "no layout";
-  return member;
 }
 
 /// The furthest change, of up to 100, in one direction that keeps the captions, to 0.001.
@@ -71,6 +65,14 @@ Choice choice_of(const Layout& layout, const char* name, const char* unit, doubl
 
 }  // namespace
 
+Member study_home(const Linkage& linkage, const LinkAngles& home) {
+  Member member{linkage, home, solve_layout(linkage, home), ""};
+  member.failure = member.layout ? failure_of(*member.layout) : "no layout";
+  return member;
+}
+
+std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
+
 std::uint64_t layout_work() {
   return kCouplings.size() * kHands.size() * (kGrid * kGrid + kLine) + kParameters.size() + 1 +
          2 * (kAngles + kHeights);
@@ -87,14 +89,14 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
   for (const Hand hand : kHands)
     for (const Coupling coupling : kCouplings) linkages.push_back({coupling, hand});
   for (const Linkage& linkage : linkages) {
-    for (int elevation = -kGridReach; elevation <= kGridReach; elevation += kGridStep)
-      for (int lean = -kGridReach; lean <= kGridReach; lean += kGridStep) {
-        study.grid.push_back(member(linkage, {0.0 + lean, 0.0 + elevation}));
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += kGridStep)
+      for (int lean = -kHomeReach; lean <= kHomeReach; lean += kGridStep) {
+        study.grid.push_back(study_home(linkage, {0.0 + lean, 0.0 + elevation}));
         if (stopped()) return std::nullopt;
       }
-    for (int elevation = -kGridReach; elevation <= kGridReach; ++elevation) {
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; ++elevation) {
       for (const double lean : leans_of_one_height(linkage, elevation))
-        study.one_height.push_back(member(linkage, {lean, 0.0 + elevation}));
+        study.one_height.push_back(study_home(linkage, {lean, 0.0 + elevation}));
       if (stopped()) return std::nullopt;
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -22,6 +23,14 @@ struct Member {
   std::optional<Layout> layout;  ///< none if there is no solution
   std::string failure;           ///< why the captions are not reproduced; empty if they are
 };
+
+/// Solves the layout for a home pose, and runs both cases in it. Cost: about 20 ms.
+[[nodiscard]] Member study_home(const Linkage& linkage, const LinkAngles& home);
+
+/// The leans and elevations of home poses go as far from 0, in degrees.
+inline constexpr int kHomeReach = 60;
+/// Returns how many values of a layout are chosen freely: those that LayoutStudy::choices lists.
+[[nodiscard]] std::size_t free_parameters();
 
 /// A chosen value, and the range in which it may vary alone while the captions of both cases are reproduced.
 struct Choice {

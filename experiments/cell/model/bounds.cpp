@@ -15,6 +15,11 @@ struct Bounds {
     return {cylinder.from.cwiseMin(cylinder.to) - across, cylinder.from.cwiseMax(cylinder.to) + across};
   }
 
+  Eigen::AlignedBox3d operator()(const Sphere& sphere) const {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(sphere.radius);
+    return {sphere.at - reach, sphere.at + reach};
+  }
+
   Eigen::AlignedBox3d operator()(const MeshFile& file) const {
     Mesh mesh = read_mesh(file.file).mesh;
     workloads::convert(mesh, file.unit, file.cell_unit);

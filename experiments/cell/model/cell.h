@@ -27,14 +27,15 @@ enum class Label { Text = 'T', Source = 'S', Derived = 'D', Chosen = 'C' };
 
 /// A joint, and the link that it carries, whose frame is the joint's.
 struct Joint {
-  enum class Kind { Revolute, Fixed };
+  enum class Kind { Revolute, Fixed, Prismatic };  ///< Prismatic in a URDF only: in a cell such a joint is fixed
 
   std::string name;
   Kind kind;
   Pose origin;           ///< of its frame in the frame of the previous link, at angle 0
   Eigen::Vector3d axis;  ///< in its own frame, of length 1 up to rounding; turns are right-handed
-  double lower, upper;   ///< of the angle about the axis, in degrees; 0 for a fixed joint
+  double lower, upper;   ///< of the angle about the axis, in degrees, or of a way along it; 0 for a fixed joint
   double home;           ///< the commanded angle at home, in degrees; 0 for a fixed joint
+  double speed = 0;      ///< the greatest, in degrees per second; 0 if unknown
 };
 
 /// A coupling of two joints: the angle of `joint` about its axis is its command plus `factor` times the command of

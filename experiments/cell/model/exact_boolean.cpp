@@ -80,6 +80,36 @@ Nef prism(const std::vector<Point>& bottom, const std::vector<Point>& top) {
   return Nef(polyhedron);
 }
 
+/// A ball of rings, each counter-clockwise seen from above, the lowest first, between two poles.
+class RingsBuilder : public CGAL::Modifier_base<Polyhedron::HalfedgeDS> {
+ public:
+  RingsBuilder(const Point& south, const std::vector<std::vector<Point>>& rings, const Point& north)
+      : south_(south), rings_(rings), north_(north) {}
+
+  void operator()(Polyhedron::HalfedgeDS& structure) override {
+    const std::size_t n = rings_.front().size(), count = rings_.size(), last = n * count + 1;
+    CGAL::Polyhedron_incremental_builder_3<Polyhedron::HalfedgeDS> builder(structure, true);
+    builder.begin_surface(last + 1, n * (count + 1));
+    builder.add_vertex(south_);
+    for (const auto& ring : rings_)
+      for (const Point& p : ring) builder.add_vertex(p);
+    builder.add_vertex(north_);
+    const auto add = [&](const std::vector<std::size_t>& facet) { builder.add_facet(facet.begin(), facet.end()); };
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t next = (i + 1) % n, top = n * (count - 1) + 1;
+      add({0, 1 + next, 1 + i});
+      for (std::size_t r = 1; r < top; r += n) add({r + i, r + next, r + n + next, r + n + i});
+      add({top + i, top + next, last});
+    }
+    builder.end_surface();
+  }
+
+ private:
+  const Point& south_;
+  const std::vector<std::vector<Point>>& rings_;
+  const Point& north_;
+};
+
 Nef evaluate(const Solid& solid, const Transformation& outer);
 
 struct Evaluate {
@@ -112,6 +142,30 @@ struct Evaluate {
       top.push_back(map(Point(at[0], at[1], at[2])));
     }
     return prism(bottom, top);
+  }
+
+  Nef operator()(const Sphere& sphere) const {
+    const auto share = [](std::int64_t part, std::int64_t whole) {
+      return Number(static_cast<double>(part)) / Number(static_cast<double>(whole));
+    };
+    const Number x = sphere.at.x(), y = sphere.at.y(), z = sphere.at.z(), radius = sphere.radius;
+    const auto meridian = circle_points((sphere.sides + 3) / 4 * 4);
+    const std::size_t quarter = meridian.size() / 4;
+    std::vector<std::vector<Point>> rings;
+    for (std::size_t k = 1; k < 2 * quarter; ++k) {  // from the south pole at three quarters of a turn
+      const CirclePoint& latitude = meridian[(3 * quarter + k) % meridian.size()];
+      const Number across = radius * share(latitude.cosine, latitude.denominator);
+      const Number height = z + radius * share(latitude.sine, latitude.denominator);
+      auto& ring = rings.emplace_back();
+      for (const CirclePoint& p : circle_points(sphere.sides))
+        ring.push_back(
+            map(Point(x + across * share(p.cosine, p.denominator), y + across * share(p.sine, p.denominator), height)));
+    }
+    const Point south = map(Point(x, y, z - radius)), north = map(Point(x, y, z + radius));
+    Polyhedron polyhedron;
+    RingsBuilder builder(south, rings, north);
+    polyhedron.delegate(builder);
+    return Nef(polyhedron);
   }
 
   Nef operator()(const MeshFile& mesh) const {

@@ -4,9 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/cell/model/change_cell.h"
 #include "experiments/cell/model/reach.h"
@@ -39,15 +42,54 @@ std::size_t joint_named(const Robot& robot, const CellEntry& entry) {
   entry.bad(fmt::format("the robot has no joint \"{}\" that turns", name));
 }
 
+void read_speeds(Robot& robot, const CellEntry& entry) {
+  for (const auto& [name, speed] : entry.members()) {
+    const auto joint = std::ranges::find(robot.joints, name, &Joint::name);
+    if (joint == robot.joints.end() || joint->kind != Joint::Kind::Revolute)
+      speed.bad("the robot has no joint of this name that turns");
+    joint->speed = speed.positive();
+  }
+}
+
+/// Fixes a joint that slides where `home` says.
+void fix_slide(Joint& joint, const CellEntry& home) {
+  const double way = home.number();
+  if (way < joint.lower || way > joint.upper)
+    home.bad(fmt::format("crosses a limit of the joint: {} is not within {} to {}", way, joint.lower, joint.upper));
+  joint.origin.translation += joint.origin.rotation * (way * joint.axis);
+  joint = {joint.name, Joint::Kind::Fixed, joint.origin, {0, 0, 1}, 0, 0, 0};
+}
+
 void read_home(Robot& robot, const CellEntry& entry) {
-  std::set<std::string> turning;
-  for (Joint& joint : robot.joints)
-    if (joint.kind == Joint::Kind::Revolute) {
-      turning.insert(joint.name);
+  std::set<std::string> moving;
+  for (Joint& joint : robot.joints) {
+    if (joint.kind == Joint::Kind::Fixed) continue;
+    moving.insert(joint.name);
+    if (joint.kind == Joint::Kind::Prismatic)
+      fix_slide(joint, entry.at(joint.name));
+    else
       joint.home = entry.at(joint.name).number();
-    }
+  }
   for (const auto& [name, angle] : entry.members())
-    if (turning.count(name) == 0) angle.bad("the robot has no joint of this name that turns");
+    if (moving.count(name) == 0) angle.bad("the robot has no joint of this name that turns or slides");
+}
+
+/// Returns the folders in which packages are looked for: those of the cell file, of ROS_PACKAGE_PATH, and those above
+/// the URDF.
+std::vector<std::filesystem::path> packages_of(const CellEntry& robot, const std::filesystem::path& folder,
+                                               const std::filesystem::path& urdf) {
+  std::vector<std::filesystem::path> packages;
+  if (const auto given = robot.find("packages"))
+    for (const CellEntry& item : given->items()) packages.push_back(folder / item.text());
+  if (const char* path = std::getenv("ROS_PACKAGE_PATH")) {
+    std::istringstream folders(path);
+    for (std::string one; std::getline(folders, one, ':');)
+      if (!one.empty()) packages.emplace_back(one);
+  }
+  for (std::filesystem::path above = std::filesystem::absolute(urdf).lexically_normal().parent_path();
+       above != above.root_path(); above = above.parent_path())
+    packages.push_back(above);
+  return packages;
 }
 
 void read_couplings(Robot& robot, const CellEntry& entry) {
@@ -73,10 +115,11 @@ void check_home(const Robot& robot, const CellEntry& home) {
   }
 }
 
-Robot read_robot(const CellEntry& entry, const std::filesystem::path& folder, const SolidContext& context) {
-  entry.has_only({"urdf", "height", "home", "sides", "coupling", "links"});
+Robot read_robot(const CellEntry& entry, const std::filesystem::path& folder, SolidContext context) {
+  entry.has_only({"urdf", "height", "home", "speeds", "sides", "coupling", "links", "packages"});
   const std::filesystem::path urdf = folder / entry.at("urdf").text();
   if (!std::filesystem::is_regular_file(urdf)) entry.at("urdf").bad("there is no file " + urdf.string());
+  context.packages = packages_of(entry, folder, urdf);
   Robot robot = read_urdf(urdf, entry.at("sides").whole(3, 1000), context);
   robot.base.translation.z() = entry.at("height").not_negative();
 
@@ -88,6 +131,7 @@ Robot read_robot(const CellEntry& entry, const std::filesystem::path& folder, co
         fmt::format("the first joint, \"{}\", does not turn about the z axis of the first link", first.name));
 
   read_home(robot, entry.at("home"));
+  if (const auto speeds = entry.find("speeds")) read_speeds(robot, *speeds);
   if (const auto coupling = entry.find("coupling")) read_couplings(robot, *coupling);
   check_home(robot, entry.at("home"));
   if (const auto links = entry.find("links"))

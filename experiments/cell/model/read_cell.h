@@ -23,9 +23,12 @@ namespace touchstone::cell {
 ///             to limit (stops.h)
 ///   clearance by which the sphere rises after gripping from above or letting go; > 0
 ///   meshes    the folder of mesh files; optional: that of the cell file by default
-///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns;
-///             sides: of the URDF's cylinders; optional: coupling: [{joint, follows, factor}], links: {link: parts} to
-///             replace the parts that the URDF gives a link
+///   robot     urdf: file; height: of its first link above the floor; home: {joint: degrees}, one for each that turns,
+///             and {joint: length} for each that slides: it stays there; sides: of the URDF's cylinders and spheres;
+///             optional: packages: [folder], where package://NAME is looked for before ROS_PACKAGE_PATH and the folders
+///             above the URDF; speeds: {joint: degrees per second} instead of the velocities of the URDF, where 0 is
+///             unknown; coupling: [{joint, follows, factor}], links: {link: parts} to replace the parts that the URDF
+///             gives a link
 ///   gripper   parts; sphere: {at: [x, y, z], radius}; both in the frame of the last link; optional: hold: {along:
 ///             [x, y, z], play}, when it holds (Gripper::Hold)
 ///   storage, machine   home, angle: degrees; radius > 0; height >= 0; slots: [{name, place: [x, y, z]}], with

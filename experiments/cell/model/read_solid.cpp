@@ -39,6 +39,11 @@ Cylinder read_cylinder(const CellEntry& entry) {
   return cylinder;
 }
 
+Sphere read_sphere(const CellEntry& entry) {
+  entry.has_only({"at", "radius", "sides"});
+  return {entry.at("at").point(), entry.at("radius").positive(), static_cast<int>(entry.at("sides").whole(3, 1000))};
+}
+
 MeshFile read_mesh_file(const CellEntry& entry, const SolidContext& context) {
   entry.has_only({"file", "unit"});
   const CellEntry unit = entry.at("unit");
@@ -72,7 +77,7 @@ Eigen::Matrix3d read_turn(const CellEntry& entry) {
 }
 
 Solid read_shape(const CellEntry& entry, const SolidContext& context) {
-  entry.has_only({"name", "box", "cylinder", "mesh", "union", "difference", "intersection", "turn", "move"});
+  entry.has_only({"name", "box", "cylinder", "sphere", "mesh", "union", "difference", "intersection", "turn", "move"});
   std::optional<Solid> solid;
   const auto take = [&](const char* key, const auto& read) {
     const std::optional<CellEntry> shape = entry.find(key);
@@ -82,11 +87,12 @@ Solid read_shape(const CellEntry& entry, const SolidContext& context) {
   };
   take("box", read_box);
   take("cylinder", read_cylinder);
+  take("sphere", read_sphere);
   take("mesh", [&](const CellEntry& shape) { return read_mesh_file(shape, context); });
   take("union", [&](const CellEntry& shape) { return read_boolean(Operation::Union, shape, context); });
   take("difference", [&](const CellEntry& shape) { return read_boolean(Operation::Difference, shape, context); });
   take("intersection", [&](const CellEntry& shape) { return read_boolean(Operation::Intersection, shape, context); });
-  if (!solid) entry.bad("has no shape: box, cylinder, mesh, union, difference or intersection");
+  if (!solid) entry.bad("has no shape: box, cylinder, sphere, mesh, union, difference or intersection");
   if (const auto turn = entry.find("turn")) solid->pose.rotation = read_turn(*turn);
   if (const auto move = entry.find("move")) solid->pose.translation = move->point();
   return std::move(*solid);

@@ -13,11 +13,14 @@ namespace touchstone::cell {
 struct SolidContext {
   workloads::Unit unit;               ///< of the cell
   std::filesystem::path mesh_folder;  ///< that names of mesh files are relative to
+  std::vector<std::filesystem::path>
+      packages{};  ///< folders in which `package://NAME/...` is looked for, the first first
 };
 
 /// Reads a solid: an object with one of these keys,
 ///   "box":          {"from": [x, y, z], "to": [x, y, z]}, opposite corners, each coordinate of `from` the lesser;
 ///   "cylinder":     {"from": [x, y, z], "to": [x, y, z], "radius": r, "sides": n}, ends that differ in one coordinate;
+///   "sphere":       {"at": [x, y, z], "radius": r, "sides": n}, a polyhedron within the sphere (see Sphere);
 ///   "mesh":         {"file": name, "unit": "mm"}, a file of any format that read_mesh knows;
 ///   "union", "difference", "intersection": [solid, solid, ...], the first without the others for "difference";
 /// and, optionally, "turn": {"axis": "x", "degrees": 90}, a multiple of 90 about a coordinate axis, and then "move":

@@ -102,9 +102,29 @@ class UrdfReader {
     return {rotation, vector(location, given.position)};
   }
 
+  /// Returns the file of the name: in a package, absolute, or relative to the mesh folder.
+  [[nodiscard]] std::filesystem::path mesh_path(const XmlLocation& location, const std::string& name) const {
+    constexpr std::string_view kPackage = "package://", kFile = "file://";
+    if (name.starts_with(kFile)) return name.substr(kFile.size());
+    if (!name.starts_with(kPackage)) return context_.mesh_folder / name;
+    const std::filesystem::path in_package = name.substr(kPackage.size());
+    std::string searched;
+    for (const std::filesystem::path& folder : context_.packages) {
+      // The folder may hold the package, or be it.
+      const bool is_it = folder.filename() == *in_package.begin();
+      for (const auto& path : {folder / in_package, is_it ? folder.parent_path() / in_package : folder / in_package})
+        if (std::filesystem::is_regular_file(path)) return path;
+      searched.append(searched.empty() ? "" : ", ").append(folder.string());
+    }
+    location.bad(
+        fmt::format("mesh: {} is in none of the folders {}; robot.packages of the cell file and the environment "
+                    "variable ROS_PACKAGE_PATH name others",
+                    name, searched));
+  }
+
   [[nodiscard]] MeshFile mesh(const XmlLocation& location, const urdf::Mesh& given) const {
     constexpr std::array<std::string_view, 5> kUnits{"m", "cm", "mm", "inch", "foot"};
-    const std::filesystem::path path = context_.mesh_folder / given.filename;
+    const std::filesystem::path path = mesh_path(location, given.filename);
     if (!std::filesystem::is_regular_file(path)) location.bad("mesh: there is no file " + path.string());
     for (const std::string_view name : kUnits) {
       const workloads::Unit unit = workloads::find_unit(name);
@@ -135,7 +155,7 @@ class UrdfReader {
       case urdf::Geometry::MESH: return mesh(location, static_cast<const urdf::Mesh&>(geometry));
       case urdf::Geometry::SPHERE: break;
     }
-    location.bad("a sphere has no planar faces");
+    return Sphere{{0, 0, 0}, positive(static_cast<const urdf::Sphere&>(geometry).radius), sides_};
   }
 
   [[nodiscard]] Link link(const urdf::Link& given) const {
@@ -163,6 +183,13 @@ class UrdfReader {
     return std::round(radians * (180 / std::numbers::pi) * 1e9) / 1e9;
   }
 
+  /// A velocity of 0 says nothing: the format requires one.
+  static void take_speed(Joint& joint, const urdf::Joint& given, const XmlLocation& location) {
+    if (!given.limits) return;
+    joint.speed = degrees(location.finite(given.limits->velocity));
+    if (joint.speed < 0) location.bad("the velocity is negative");
+  }
+
   [[nodiscard]] Joint joint(const urdf::Joint& given) const {
     const XmlLocation location = this->location("joint", given.name);
     require_legible(location, given.name);
@@ -170,22 +197,25 @@ class UrdfReader {
                 0};
     if (given.mimic) location.bad("mimics another joint; couplings are given in the cell file");
     if (given.type == urdf::Joint::FIXED) return joint;
-    if (given.type != urdf::Joint::REVOLUTE && given.type != urdf::Joint::CONTINUOUS)
-      location.bad("is neither revolute, continuous nor fixed");
-    joint.kind = Joint::Kind::Revolute;
+    const bool slides = given.type == urdf::Joint::PRISMATIC;
+    if (!slides && given.type != urdf::Joint::REVOLUTE && given.type != urdf::Joint::CONTINUOUS)
+      location.bad("is neither revolute, continuous, prismatic nor fixed");
+    joint.kind = slides ? Joint::Kind::Prismatic : Joint::Kind::Revolute;
     joint.axis =
         Eigen::Vector3d(location.finite(given.axis.x), location.finite(given.axis.y), location.finite(given.axis.z));
     if (joint.axis.isZero(0)) location.bad("has no axis");
     joint.axis /= joint.axis.norm();
+    take_speed(joint, given, location);
     if (given.type == urdf::Joint::CONTINUOUS) {
       joint.lower = -360;
       joint.upper = 360;
       return joint;
     }
-    joint.lower = degrees(location.finite(given.limits->lower));
-    joint.upper = degrees(location.finite(given.limits->upper));
+    joint.lower = slides ? length(location, given.limits->lower) : degrees(location.finite(given.limits->lower));
+    joint.upper = slides ? length(location, given.limits->upper) : degrees(location.finite(given.limits->upper));
     if (joint.lower > joint.upper)
-      location.bad(fmt::format("limits are crossed: lower {} and upper {} degrees", joint.lower, joint.upper));
+      location.bad(fmt::format("limits are crossed: lower {} and upper {}{}", joint.lower, joint.upper,
+                               slides ? "" : " degrees"));
     return joint;
   }
 

@@ -37,6 +37,15 @@ struct MeshFile {
   workloads::Unit cell_unit;  ///< of the result
 };
 
+/// A polyhedron whose vertices lie on a sphere: circles of latitude with `sides` vertices each (at least 3), and the
+/// two poles along z. Meridians have the least multiple of four that is not below `sides`, so that poles and equator
+/// are exact.
+struct Sphere {
+  Eigen::Vector3d at;
+  double radius;
+  int sides;
+};
+
 struct Solid;
 
 /// A regularised union, the first part without the others, or an intersection. Meshes cannot be parts.
@@ -48,7 +57,7 @@ struct Boolean {
 
 /// A shape under a pose, which is an exact affine map for any matrix.
 struct Solid {
-  std::variant<Box, Cylinder, MeshFile, Boolean> shape;
+  std::variant<Box, Cylinder, Sphere, MeshFile, Boolean> shape;
   Pose pose = {};
 };
 

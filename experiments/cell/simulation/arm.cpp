@@ -86,6 +86,7 @@ Arm arm_of(const Cell& cell) {
   std::vector<kinematics::Joint> joints;
   std::vector<std::size_t> places;
   kinematics::Angles home;
+  std::vector<double> speeds;
   std::vector<Arm::Carried> links{{std::nullopt, robot.base}};
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
@@ -99,11 +100,13 @@ Arm arm_of(const Cell& cell) {
     joints.push_back({joint.name, origin, joint.axis.normalized(), joint.lower, joint.upper});
     places.push_back(i);
     home.push_back(joint.home);
+    speeds.push_back(joint.speed);
   }
   if (joints.size() <= kElbow) bad(cell, "robot.urdf", "fewer than three joints turn");
   const Pose flange = links.back().pose;
   const auto compensations = compensations_of(cell, {joints, flange}, home, places);
-  return {{std::move(joints), flange, compensations, home}, home, cell.gripper.sphere, std::move(links)};
+  return {
+      {std::move(joints), flange, compensations, home}, home, cell.gripper.sphere, std::move(links), std::move(speeds)};
 }
 
 PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {

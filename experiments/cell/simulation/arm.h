@@ -34,6 +34,7 @@ struct Arm {
     Pose pose;
   };
   std::vector<Carried> links;  ///< as in Robot::links; the last one carries the gripper
+  std::vector<double> speeds;  ///< of the chain's joints, in degrees per second; 0 where unknown
 
   [[nodiscard]] Ball sphere_at(const kinematics::Angles& commanded) const;
   /// Returns the pose of every link in the cell.

@@ -71,11 +71,19 @@ struct MaterialTransfer {
   std::optional<Pose> in_flange;  ///< where the gripper holds it
 };
 
+/// Where a process ends early.
+struct Stuck {
+  std::string reason;              ///< one sentence
+  kinematics::Angles commanded;    ///< of the arm when parts touch, or when it stops
+  std::vector<std::string> parts;  ///< that touch, as in Hindrance; empty for another reason
+};
+
 struct Process {
   std::vector<Move> moves;
   std::vector<Stop> stops;
   std::vector<MaterialTransfer> transfers;  ///< the first is at stop 0, in storage
-  std::string failure;                      ///< why it ended early; the members above hold everything until then
+  std::string failure;         ///< why it ended early, for every approach; the members above hold everything until then
+  std::optional<Stuck> stuck;  ///< if there is a failure: that of the approach that went furthest
   /// Set if there is a failure; if several approaches failed, the last of their causes in the order of FailureCause.
   /// OutOfReach also if no lift clears the material.
   std::optional<FailureCause> cause;

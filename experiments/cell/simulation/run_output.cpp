@@ -12,6 +12,8 @@
 
 #include "experiments/cases/output_lines.h"
 #include "experiments/cases/verdict.h"
+#include "experiments/cell/simulation/cycle_time.h"
+#include "experiments/cell/simulation/separation_output.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "robust/exact/exact.h"
@@ -41,6 +43,7 @@ struct MoveRow {
   std::size_t number;
   std::string_view joint;
   const Move* move;
+  std::optional<double> seconds;
 };
 
 harness::Table<MoveRow> moves_csv() {
@@ -59,6 +62,7 @@ harness::Table<MoveRow> moves_csv() {
        {"until", "what ends the move", path(&MoveRow::move, &Move::until)},
        {"degrees", "a whole number of steps", path(&MoveRow::move, &Move::degrees)},
        {"exact_deg", "the angle before it is rounded to steps", path(&MoveRow::move, &Move::exact), "{:.6f}"},
+       {"seconds", "it takes with every joint at its greatest speed", &MoveRow::seconds, "{:.4f}"},
        {"margin_deg", "the change of exact_deg that changes degrees", path(&MoveRow::move, &Move::margin), "{:.6f}"},
        {"contact_low_deg", "the certified enclosure of the first contact", contact(&FirstContact::low)},
        {"contact_high_deg", "its upper end", contact(&FirstContact::high)},
@@ -166,7 +170,9 @@ harness::Table<ScoreRow> methods_csv() {
 
 std::vector<MoveRow> move_rows(const Workcell& workcell, const Process& process) {
   std::vector<MoveRow> rows;
-  for (const Move& move : process.moves) rows.push_back({rows.size() + 1, joint_name(workcell, move.joint), &move});
+  for (const Move& move : process.moves)
+    rows.push_back(
+        {rows.size() + 1, joint_name(workcell, move.joint), &move, seconds(workcell.arm(), move.joint, move.degrees)});
   return rows;
 }
 
@@ -226,7 +232,8 @@ std::string disagreements_text(const MethodComparison& comparison, std::size_t m
 
 }  // namespace
 
-std::string summary(const Workcell& workcell, const Process& process, const MethodComparison& comparison) {
+std::string summary(const Workcell& workcell, const Process& process, const Separation& separation,
+                    const MethodComparison& comparison) {
   std::string text;
   for (const Move& m : process.moves) {
     text += fmt::format("{:<16} {:<10} {:+8g}  {:<8} at {:+.6f}", to_string(m.phase), joint_name(workcell, m.joint),
@@ -254,6 +261,7 @@ std::string summary(const Workcell& workcell, const Process& process, const Meth
     if (transfer.slot && transfer.stop > 0)
       text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",
                           to_string(*transfer.slot), transfer.shift, unit, transfer.turn);
+  text += "\n" + separation_text(workcell, process, separation) + "\n";
   text += fmt::format("{} pairs of a stop and a face could touch: their boxes meet\n\n", comparison.met);
   text += methods_csv().aligned(score_rows(comparison)) +
           "share_low, share_high: 95 % limits of the share of wrong answers\n";
@@ -262,20 +270,24 @@ std::string summary(const Workcell& workcell, const Process& process, const Meth
 }
 
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,
-               const MethodComparison& comparison, std::size_t most) {
+               const Separation& separation, const MethodComparison& comparison, std::size_t most) {
   std::vector<std::string> joints;
   for (const auto& joint : workcell.arm().chain.joints()) joints.push_back(joint.name);
   moves_csv().write(folder, move_rows(workcell, process));
   trajectory_csv(joints).write(folder, stop_rows(workcell, process));
   poses_csv().write(folder, pose_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
+  write_separation(folder, workcell, process, separation);
   methods_csv().write(folder, score_rows(comparison));
   harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
 std::vector<harness::TableDescription> run_tables() {
-  return {moves_csv().description(), trajectory_csv({"<joint>"}).description(), poses_csv().description(),
-          methods_csv().description()};
+  std::vector<harness::TableDescription> tables{moves_csv().description(), trajectory_csv({"<joint>"}).description(),
+                                                poses_csv().description()};
+  for (harness::TableDescription& table : separation_tables()) tables.push_back(std::move(table));
+  tables.push_back(methods_csv().description());
+  return tables;
 }
 
 }  // namespace touchstone::cell

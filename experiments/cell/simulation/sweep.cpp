@@ -10,15 +10,16 @@
 #include <numbers>
 #include <utility>
 
+#include "experiments/cell/simulation/joint_turn.h"
 #include "experiments/cell/simulation/triangle_gap.h"
 
 namespace touchstone::cell {
 namespace {
 
-constexpr double kGenerous = 1 + 1e-9;  // more than the roundings of a few lengths add up to
-constexpr double kRounding = 1e-12;     // of the arm's reach: more than a posed point is off
-constexpr double kRests = 1e-9;         // of the arm's reach: what lies so little higher than held material is below it
-constexpr double kFinest = 1.0 / 64;    // of a step
+constexpr double kGenerous = JointTurn::kGenerous;
+constexpr double kRounding = 1e-12;   // of the arm's reach: more than a posed point is off
+constexpr double kRests = 1e-9;       // of the arm's reach: what lies so little higher than held material is below it
+constexpr double kFinest = 1.0 / 64;  // of a step
 
 }  // namespace
 
@@ -32,6 +33,7 @@ class SweptMove {
         arm_(cell_.arm()),
         from_(from),
         joint_(joint),
+        turn_(arm_, from, joint),
         degrees_(degrees),
         load_(load),
         queries_(queries),
@@ -39,25 +41,17 @@ class SweptMove {
         fixed_in_the_way_(cell_.in_the_way(load.material, false)),
         reach_(cell_.plane().furthest()),
         finest_(cell_.cell().step * kFinest) {
-    if (joint_) {
-      const std::vector<Pose> frames = arm_.chain.frames(from);
-      on_axis_ = frames[*joint_].translation;
-      axis_ = frames[*joint_].rotation * arm_.chain.joints()[*joint_].axis;
-      if (const auto by = arm_.chain.compensating(*joint_)) {
-        shifted_from_ = *by;
-        shift_ = from_axis(frames[*by].translation) * kGenerous;
-      }
-    }
     const auto& covered = cell_.covered();
     for (std::size_t i = 0; i < covered.size(); ++i)
-      if (covered[i].carrier == Carrier::Link && (!joint_ || motion(covered[i].link) != Motion::None))
+      if (covered[i].carrier == Carrier::Link && (!joint_ || turn_.motion(covered[i].link) != Motion::None))
         concerns_.push_back({Concern::Kind::Part, i, 0});
     concerns_.push_back({Concern::Kind::Gripper, 0, 0});
     if (load_.held) concerns_.push_back({Concern::Kind::Held, 0, 0});
     for (const auto& [i, j] : sweep.pairs_) {
       const bool held = covered[i].carrier == Carrier::Material || covered[j].carrier == Carrier::Material;
       if (held && !load_.held) continue;
-      if (!joint_ || motion(link_of(i)) != motion(link_of(j))) concerns_.push_back({Concern::Kind::Pair, i, j});
+      if (!joint_ || turn_.motion(link_of(i)) != turn_.motion(link_of(j)))
+        concerns_.push_back({Concern::Kind::Pair, i, j});
     }
     if (load_.held) lowest_ = lowest_of_held();
   }
@@ -65,7 +59,7 @@ class SweptMove {
   [[nodiscard]] std::optional<Hindrance> first() { return first(0, std::abs(degrees_), concerns_); }
 
  private:
-  enum class Motion { None, Turned, Shifted };
+  using Motion = JointTurn::Motion;
   struct Concern {
     enum class Kind { Part, Gripper, Held, Pair } kind;
     std::size_t first, second;  // of covered parts
@@ -79,20 +73,6 @@ class SweptMove {
     const Covered& part = cell_.covered()[covered];
     return part.carrier == Carrier::Material ? arm_.links.size() - 1 : part.link;
   }
-  [[nodiscard]] Motion motion(std::size_t link) const {
-    const auto frame = arm_.links[link].frame;
-    if (!joint_ || !frame || *frame < *joint_) return Motion::None;
-    return shifted_from_ && *frame >= *shifted_from_ ? Motion::Shifted : Motion::Turned;
-  }
-  [[nodiscard]] double from_axis(const Eigen::Vector3d& point) const { return axis_.cross(point - on_axis_).norm(); }
-
-  /// By how much half an interval moves a ball of a link at most.
-  [[nodiscard]] double moved(Motion motion, const Eigen::Vector3d& center, double radius, double half) const {
-    if (motion == Motion::None) return 0;
-    const double lever = motion == Motion::Shifted ? shift_ : from_axis(center) + radius;
-    return lever * half * (std::numbers::pi / 180) * kGenerous;
-  }
-
   [[nodiscard]] Poses poses(double degrees) const {
     kinematics::Angles angles = from_;
     if (joint_) angles[*joint_] += std::copysign(degrees, degrees_);
@@ -104,14 +84,13 @@ class SweptMove {
   /// The least height of held material on the whole move.
   [[nodiscard]] double lowest_of_held() const {
     const Poses at = poses(0);
-    const bool turned = motion(arm_.links.size() - 1) == Motion::Turned;
+    const bool turned = turn_.motion(arm_.links.size() - 1) == Motion::Turned;
     double lowest = std::numeric_limits<double>::infinity();
     for (const NamedTriangle& each : cell_.material())
       for (const Eigen::Vector3d& vertex : {each.triangle.a, each.triangle.b, each.triangle.c}) {
         const Eigen::Vector3d point = at.held.rotation * vertex + at.held.translation;
         // What is shifted goes along the arc of the joint that makes up for the turning.
-        const Eigen::Vector3d goes_round =
-            turned || !joint_ ? point : Eigen::Vector3d(arm_.chain.frames(from_)[*shifted_from_].translation);
+        const Eigen::Vector3d goes_round = turned || !joint_ ? point : *turn_.pivot();
         lowest = std::min(lowest, point.z() + lowest_on_arc(goes_round));
       }
     return lowest;
@@ -119,7 +98,7 @@ class SweptMove {
   /// By how much a point that turns about the axis sinks below its height at the start, at most: 0 or less.
   [[nodiscard]] double lowest_on_arc(const Eigen::Vector3d& point) const {
     if (!joint_) return 0;
-    const Eigen::Vector3d axis = axis_ * (degrees_ < 0 ? -1 : 1), arm = point - on_axis_;
+    const Eigen::Vector3d axis = turn_.axis() * (degrees_ < 0 ? -1 : 1), arm = point - turn_.on_axis();
     const double c = (arm - arm.dot(axis) * axis).z(), s = axis.cross(arm).z();
     const double end = std::abs(degrees_) * (std::numbers::pi / 180);
     const auto height = [&](double angle) { return c * std::cos(angle) + s * std::sin(angle) - c; };
@@ -135,26 +114,29 @@ class SweptMove {
     const double half = (end - begin) / 2;
     const Poses at = poses(begin + half);
     std::vector<Concern> open;
-    std::string what;
+    std::optional<Hindrance> found;
     for (const Concern& concern : concerns) {
-      std::string met = meets(concern, at, half);
-      if (met.empty()) continue;
-      if (what.empty()) what = std::move(met);
+      std::optional<Hindrance> met = meets(concern, at, half);
+      if (!met) continue;
+      if (!found) found = std::move(met);
       open.push_back(concern);
     }
     if (open.empty()) return std::nullopt;
-    if (end - begin <= finest_) return Hindrance{begin, what};
+    if (end - begin <= finest_) {
+      found->degrees = begin;
+      return found;
+    }
     if (auto early = first(begin, begin + half, open)) return early;
     return first(begin + half, end, open);
   }
 
-  [[nodiscard]] std::string meets(const Concern& concern, const Poses& at, double half) {
+  [[nodiscard]] std::optional<Hindrance> meets(const Concern& concern, const Poses& at, double half) {
     const auto& covered = cell_.covered();
     switch (concern.kind) {
       case Concern::Kind::Part: return part_meets(covered[concern.first], at.links[covered[concern.first].link], half);
       case Concern::Kind::Gripper: {
-        std::string met = triangles_meet(cell_.gripper(), at.links.back(), half, cell_.standing(), {});
-        if (met.empty() && load_.material)
+        auto met = triangles_meet(cell_.gripper(), at.links.back(), half, cell_.standing(), {});
+        if (!met && load_.material)
           met = triangles_meet(cell_.gripper(), at.links.back(), half, cell_.material_in(*load_.material), {});
         return met;
       }
@@ -167,36 +149,40 @@ class SweptMove {
     };
     const auto by = [&](const Covered& part, std::size_t number) {
       const Ball whole = posed_generously(pose_of(part), part.cover.whole());
-      return moved(motion(link_of(number)), whole.center, whole.radius, half);
+      return turn_.moved(turn_.motion(link_of(number)), whole.center, whole.radius, half);
     };
     ++queries_;
     if (!one.cover.may_be_near(pose_of(one), other.cover, pose_of(other),
                                by(one, concern.first) + by(other, concern.second)))
-      return "";
-    return fmt::format("{} comes within {:.3g} {} of {}", one.name, one.cover.overhang() + other.cover.overhang(),
-                       cell_.cell().unit.name, other.name);
+      return std::nullopt;
+    return comes_near(one.name, one.cover.overhang() + other.cover.overhang(), other.name);
   }
 
-  [[nodiscard]] std::string part_meets(const Covered& part, const Pose& pose, double half) {
-    const Motion its = motion(part.link);
+  [[nodiscard]] Hindrance comes_near(const std::string& part, double within, const std::string& other) const {
+    return {
+        0, fmt::format("{} comes within {:.3g} {} of {}", part, within, cell_.cell().unit.name, other), {part, other}};
+  }
+
+  [[nodiscard]] std::optional<Hindrance> part_meets(const Covered& part, const Pose& pose, double half) {
+    const Motion its = turn_.motion(part.link);
     const auto& objects = arm_.links[part.link].frame ? in_the_way_ : fixed_in_the_way_;
     std::string touched;
     const bool any = part.cover.any(pose, [&](const Ball& ball) {
       ++queries_;
-      const Ball larger{ball.center, ball.radius + moved(its, ball.center, ball.radius, half)};
+      const Ball larger{ball.center, ball.radius + turn_.moved(its, ball.center, ball.radius, half)};
       if (!cell_.scene().touches(larger, objects)) return false;
       touched = cell_.scene().name(cell_.scene().touched(larger, objects).front().object);
       return true;
     });
-    if (!any) return "";
-    return fmt::format("{} comes within {:.3g} {} of {}", part.name, part.cover.overhang(), cell_.cell().unit.name,
-                       touched);
+    if (!any) return std::nullopt;
+    return comes_near(part.name, part.cover.overhang(), touched);
   }
 
   /// `resting`: what lies no higher is out of the question.
-  [[nodiscard]] std::string triangles_meet(const std::vector<NamedTriangle>& moving, const Pose& pose, double half,
-                                           const TriangleTree& still, std::optional<double> resting) {
-    const Motion its = motion(arm_.links.size() - 1);
+  [[nodiscard]] std::optional<Hindrance> triangles_meet(const std::vector<NamedTriangle>& moving, const Pose& pose,
+                                                        double half, const TriangleTree& still,
+                                                        std::optional<double> resting) {
+    const Motion its = turn_.motion(arm_.links.size() - 1);
     for (const NamedTriangle& each : moving) {
       ++queries_;
       const auto posed = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
@@ -205,7 +191,7 @@ class SweptMove {
       const Triangle triangle{posed(each.triangle.a), posed(each.triangle.b), posed(each.triangle.c)};
       double keep = kRounding * reach_;
       for (const Eigen::Vector3d& vertex : {triangle.a, triangle.b, triangle.c})
-        keep = std::max(keep, kRounding * reach_ + moved(its, vertex, 0, half));
+        keep = std::max(keep, kRounding * reach_ + turn_.moved(its, vertex, 0, half));
       touchstone::Box around = box(triangle);
       around.low.array() -= keep * kGenerous;
       around.high.array() += keep * kGenerous;
@@ -213,23 +199,24 @@ class SweptMove {
         if (resting && box(other.triangle).high.z() <= *resting + kRests * reach_) return false;
         return !further_apart(triangle, other.triangle, keep);
       });
-      if (met != nullptr) return fmt::format("{} touches {}", cell_.names()[each.owner], cell_.names()[met->owner]);
+      if (met != nullptr) {
+        const std::string &one = cell_.names()[each.owner], &other = cell_.names()[met->owner];
+        return Hindrance{0, one + " touches " + other, {one, other}};
+      }
     }
-    return "";
+    return std::nullopt;
   }
 
   const Workcell& cell_;
   const Arm& arm_;
   const kinematics::Angles& from_;
   std::optional<Moved> joint_;
+  JointTurn turn_;
   double degrees_;
   const Sweep::Load& load_;
   std::uint64_t& queries_;
   scene::Scene::Objects in_the_way_, fixed_in_the_way_;
   double reach_, finest_;
-  Eigen::Vector3d on_axis_ = Eigen::Vector3d::Zero(), axis_ = Eigen::Vector3d::UnitZ();
-  std::optional<std::size_t> shifted_from_;  // the frames from that of this joint on are shifted, not turned
-  double shift_ = 0;                         // the radius of the arc along which they are
   double lowest_ = 0;
   std::vector<Concern> concerns_;
 };
@@ -257,9 +244,9 @@ std::optional<Hindrance> Sweep::along(const kinematics::Angles& from, Moved join
   return SweptMove(*this, from, joint, degrees, load, queries).first();
 }
 
-std::string Sweep::at_rest(const kinematics::Angles& commanded, const Load& load, std::uint64_t& queries) const {
-  const auto found = SweptMove(*this, commanded, std::nullopt, 0, load, queries).first();
-  return found ? found->what : "";
+std::optional<Hindrance> Sweep::at_rest(const kinematics::Angles& commanded, const Load& load,
+                                        std::uint64_t& queries) const {
+  return SweptMove(*this, commanded, std::nullopt, 0, load, queries).first();
 }
 
 }  // namespace touchstone::cell

@@ -3,18 +3,12 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/cell/simulation/workcell.h"
 
 namespace touchstone::cell {
-
-/// The first contact of a move, besides the sphere: the angle up to which nothing is touched, and what then is.
-struct Hindrance {
-  double degrees;
-  std::string what;
-};
 
 /// Tests whole moves of the arm for contact of all that moves, the sphere apart.
 ///
@@ -45,9 +39,9 @@ class Sweep {
   /// triangles to `queries`. Cost: 1 to 30 ms.
   [[nodiscard]] std::optional<Hindrance> along(const kinematics::Angles& from, Moved joint, double degrees,
                                                const Load& load, std::uint64_t& queries) const;
-  /// Says what the arm at rest touches, its fixed links against all but the floor; empty if nothing.
-  [[nodiscard]] std::string at_rest(const kinematics::Angles& commanded, const Load& load,
-                                    std::uint64_t& queries) const;
+  /// Returns what the arm at rest touches, its fixed links against all but the floor.
+  [[nodiscard]] std::optional<Hindrance> at_rest(const kinematics::Angles& commanded, const Load& load,
+                                                 std::uint64_t& queries) const;
 
  private:
   friend class SweptMove;

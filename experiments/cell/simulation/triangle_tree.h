@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/bvh/box.h"
+#include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
 
 namespace touchstone::cell {
@@ -18,6 +19,8 @@ struct NamedTriangle {
   std::uint32_t owner;  ///< index of its name
 };
 
+struct DistanceBounds;
+
 /// Triangles that stand, to be found by a box around them.
 class TriangleTree {
  public:
@@ -27,8 +30,11 @@ class TriangleTree {
   /// Returns the first triangle found that meets a closed box and satisfies a test; null if no triangle does.
   [[nodiscard]] const NamedTriangle* find(const touchstone::Box& box,
                                           const std::function<bool(const NamedTriangle&)>& test) const;
+  /// Returns the smallest box around all triangles.
+  [[nodiscard]] touchstone::Box whole() const { return nodes_.empty() ? touchstone::Box() : nodes_.front().box; }
 
  private:
+  friend DistanceBounds distance(const TriangleTree&, const Pose&, const TriangleTree&, double);
   struct Node {
     touchstone::Box box;
     std::uint32_t begin, end;   // of its triangles

@@ -85,7 +85,9 @@ std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overh
   for (const ModelPart& part : parts) {
     if (part.carrier == Carrier::Storage || part.carrier == Carrier::Machine) continue;
     try {
-      covered.push_back({part.name, part.carrier, part.link, BallCover(scene_faces(part.faces).faces, overhang)});
+      const scene::Faces faces = scene_faces(part.faces).faces;
+      covered.push_back({part.name, part.carrier, part.link, BallCover(faces, overhang), {}});
+      append(covered.back().triangles, faces, 0);
     } catch (const std::length_error& error) {
       throw std::length_error(
           fmt::format("the part {}: {}; --cover-margin allows larger ones", part.name, error.what()));
@@ -136,13 +138,10 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
   }
   const double reach = 2 * (plane_.furthest() + cell.storage.radius + cell.machine.radius);
   const auto corner = [&](double x, double y) { return Eigen::Vector3d(x * reach, y * reach, 0); };
-  const scene::Faces floor{
-      {{corner(-1, -1), corner(1, -1), corner(1, 1)}, {corner(-1, -1), corner(1, 1), corner(-1, 1)}}, {}};
-  floor_ = scene_.add("the floor", floor);
-  std::vector<NamedTriangle> standing = stations();
-  append(standing, floor, static_cast<std::uint32_t>(names_.size()));
+  floor_faces_ = {{{corner(-1, -1), corner(1, -1), corner(1, 1)}, {corner(-1, -1), corner(1, 1), corner(-1, 1)}}, {}};
+  floor_ = scene_.add("the floor", floor_faces_);
   names_.emplace_back("the floor");
-  standing_triangles_.emplace(std::move(standing));
+  standing_triangles_.emplace(standing_parts());
 }
 
 scene::Scene::Objects Workcell::in_the_way(Material material, bool floor) const {
@@ -158,6 +157,12 @@ std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot,
   return faces.front().face;
 }
 
+std::vector<NamedTriangle> Workcell::standing_parts() const {
+  std::vector<NamedTriangle> all = stations();
+  append(all, floor_faces_, static_cast<std::uint32_t>(names_.size() - 1));
+  return all;
+}
+
 std::vector<NamedTriangle> Workcell::stations() const {
   std::vector<NamedTriangle> both = stations_[0];
   both.insert(both.end(), stations_[1].begin(), stations_[1].end());
@@ -169,14 +174,16 @@ double Workcell::gap(const Ball& ball, StationSlot slot, bool virtual_copy) cons
   return std::max(0.0, nearest.value().distance - ball.radius);
 }
 
-std::string Workcell::overlap_of_stations() const {
+std::optional<Hindrance> Workcell::overlap_of_stations() const {
   const auto& [storage, machine] = stations_;
   const TriangleTree tree(machine);
   std::map<std::uint32_t, touchstone::Box> in_storage, in_machine;
   for (const auto& [triangle, owner] : storage) {
     const NamedTriangle* met = tree.find(
         box(triangle), [&](const NamedTriangle& other) { return !further_apart(triangle, other.triangle, 0); });
-    if (met != nullptr) return fmt::format("{} stands in {}", names_[owner], names_[met->owner]);
+    if (met != nullptr)
+      return Hindrance{
+          0, fmt::format("{} stands in {}", names_[owner], names_[met->owner]), {names_[owner], names_[met->owner]}};
     in_storage[owner] = in_storage[owner].joined(box(triangle));
   }
   for (const auto& [triangle, owner] : machine) in_machine[owner] = in_machine[owner].joined(box(triangle));
@@ -186,8 +193,10 @@ std::string Workcell::overlap_of_stations() const {
   for (const auto& [part, its] : in_storage)
     for (const auto& [other, box] : in_machine)
       if (within(its, box) || within(box, its))
-        return fmt::format("{} and {} stand one in the other", names_[part], names_[other]);
-  return "";
+        return Hindrance{0,
+                         fmt::format("{} and {} stand one in the other", names_[part], names_[other]),
+                         {names_[part], names_[other]}};
+  return std::nullopt;
 }
 
 }  // namespace touchstone::cell

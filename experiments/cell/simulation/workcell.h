@@ -15,6 +15,7 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/arm.h"
 #include "experiments/cell/simulation/ball_cover.h"
+#include "experiments/cell/simulation/hindrance.h"
 #include "experiments/cell/simulation/triangle_tree.h"
 #include "robust/scene/scene.h"
 
@@ -50,6 +51,7 @@ struct Covered {
   Carrier carrier;
   std::size_t link;
   BallCover cover;
+  std::vector<NamedTriangle> triangles;  ///< that cover its faces, in its frame
 };
 /// Covers links, gripper and material. Throws std::length_error, which names the part, as BallCover does. Cost: that of
 /// BallCover.
@@ -93,14 +95,17 @@ class Workcell {
     return slots_triangles_[static_cast<std::size_t>(slot)];
   }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  /// The triangles of storage and machine, in the cell.
+  /// The triangles of storage, machine and floor, in the cell.
+  [[nodiscard]] std::vector<NamedTriangle> standing_parts() const;
+  /// Those of storage and machine.
   [[nodiscard]] std::vector<NamedTriangle> stations() const;
   /// The triangles of the gripper in the flange's frame, and of the material in its own.
   [[nodiscard]] const std::vector<NamedTriangle>& gripper() const { return gripper_; }
   [[nodiscard]] const std::vector<NamedTriangle>& material() const { return material_triangles_; }
 
-  /// Says which parts of storage and machine overlap, or that one lies in the other's bounding box; empty if none do.
-  [[nodiscard]] std::string overlap_of_stations() const;
+  /// Returns parts of storage and machine that overlap, or of which one lies in the other's bounding box; none if none
+  /// do.
+  [[nodiscard]] std::optional<Hindrance> overlap_of_stations() const;
 
  private:
   Cell cell_;
@@ -113,6 +118,7 @@ class Workcell {
   std::vector<std::uint32_t> standing_;           // objects of the scene
   std::vector<std::uint32_t> material_, copies_;  // by place
   std::uint32_t floor_ = 0;
+  scene::Faces floor_faces_;
   std::vector<std::string> names_;
   std::vector<NamedTriangle> gripper_, material_triangles_;
   std::array<std::vector<NamedTriangle>, 2> stations_;  // storage, machine

@@ -25,8 +25,13 @@ using kinematics::kCases;
 
 const std::atomic<bool> kGoOn{false}, kStop{true};
 
-constexpr Settings kSmall{
-    .samples = 100, .seed = 3, .angle_step = 60, .radius_step = 200, .radius_scan = 40, .height_scan = 100};
+constexpr Settings kSmall{.samples = 100,
+                          .seed = 3,
+                          .angle_step = 60,
+                          .radius_step = 200,
+                          .radius_scan = 40,
+                          .height_scan = 100,
+                          .home_step = 40};
 
 /// By name, what a study writes.
 std::map<std::string, std::string> files_of(const Study& study) {

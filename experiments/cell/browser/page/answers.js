@@ -10,6 +10,7 @@ function answersOf(recorded) {
       live: false,
       cell: async () => recorded.cell,
       run: async () => recorded.run,
+      presets: async () => [],
     };
   }
   const ask = async (path, options) => {
@@ -23,10 +24,17 @@ function answersOf(recorded) {
     if (!reply.ok) throw new Refused(answer.error);
     return answer;
   };
+  const preset = +new URLSearchParams(location.search).get("preset") || 0, behind = preset ? `/${preset}` : "";
+  const post = (name) => (body) =>
+    ask(`/api/${name}${behind}`, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
   return {
     live: true,
-    cell: () => ask("/api/cell"),
-    run: (setting) =>
-      ask("/api/run", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(setting)}),
+    preset,
+    presets: () => ask("/api/presets"),
+    cell: () => ask(`/api/cell${behind}`),
+    covers: () => ask(`/api/covers${behind}`),
+    run: post("run"),
+    pose: post("pose"),
+    area: post("area"),
   };
 }

@@ -34,7 +34,7 @@ async function main() {
   const lengthDigits = Math.max(0, 1 - Math.round(Math.log10(length)));
   const says = (x) => `${digits(x, lengthDigits)} ${cell.unit}`;
   const setting = structuredClone(cell.setting);
-  let run = null, shown = null, wanted = 0;
+  let run = null, shown = null, wanted = 0, covers = null;
 
   at("name").textContent = cell.name;
   document.title = `${cell.name} · Touchstone`;
@@ -87,7 +87,7 @@ async function main() {
   function readColours() {
     const style = getComputedStyle(document.documentElement);
     const result = {};
-    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "storage", "machine"]) {
+    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "storage", "machine", "offending"]) {
       const hex = style.getPropertyValue(`--${name}`).trim();
       result[name] = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
     }
@@ -106,7 +106,13 @@ async function main() {
       grips: before !== null && stop.place === null,
       puts: before === null && stop.place !== null,
       errors: run.disagreements.filter((d) => d.stop === number),
+      wrong: number > 0 && run.moves[stop.move] && lastStopOf(stop.move) === number ? run.moves[stop.move].wrong : null,
     };
+  }
+  const lastStopOf = (move) => run.stops.findLastIndex((s, k) => k > 0 && s.move === move);
+  /// The parts that touch at what is shown, as the program names them.
+  function offends(part, look) {
+    return (look.offending || []).some((name) => name === part.name || (part.carrier === "material" && name.startsWith("the material")));
   }
 
   let asked = false;
@@ -122,16 +128,18 @@ async function main() {
     const things = [{mesh: floor, pose: IDENTITY, hollow: true, flat: true, lines: colours.floor}];
     for (const {part, mesh} of meshes) {
       const material = part.carrier === "material";
-      things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: colours.edge,
-                   colour: colours[part.carrier === "link" ? "robot" : part.carrier],
+      const own = covers && (part.carrier === "link" || part.carrier === "gripper");
+      things.push({mesh, pose: material ? look.material : poseOf(part, look.links), shadow: true, lines: own ? null : colours.edge,
+                   hollow: own, colour: offends(part, look) ? colours.offending : colours[part.carrier === "link" ? "robot" : part.carrier],
                    highlight: material && touching && (!look.virtual || look.puts) ? [look.touched, colours.touching] : null});
     }
     if (look.virtual && !look.puts)
       things.push({mesh: materialMesh, pose: run.materials[look.target], hollow: true, lines: signal, dash: cell.bounds.longest / 500,
                    highlight: touching ? [look.touched, colours.touching] : null});
+    for (const {link, balls} of covers || []) things.push({balls, pose: look.links[link], colour: colours.robot, hollow: true});
     const size = cell.sphere;
-    things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
-    if (look.errors && look.errors.length) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, lines: colours.wrong});
+    if (at("with-sphere").checked) things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
+    if (look.wrong || (look.errors && look.errors.length)) things.push({mesh: rings, pose: shiftedTo(look.sphere, 2.2 * size), hollow: true, lines: colours.wrong});
     scene.draw(things, colours, look.sphere);
   }
 
@@ -146,12 +154,14 @@ async function main() {
       : `${PHASES[move.phase]}, ${move.joint} ${signed(look.commanded[joint] - before.commanded[joint])}° of ${signed(move.degrees)}°`;
     const wrong = [...new Set(look.errors.flatMap(({methods}) => methods))];
     const errs = wrong.length ? ` Wrong here: ${wrong.join(", ")}.` : "";
-    return `Stop ${number} of ${run.stops.length - 1}: ${where}. ${verdict(look)} ${holding(look)}${errs}`;
+    return `Stop ${number} of ${run.stops.length - 1}: ${where}. ${verdict(look)} ${holding(look)}${look.wrong ? ` ${wrongly(look.wrong)}.` : ""}${errs}`;
   }
+  const wrongly = ({early, gap}) => "Wrong stop: " + (early === null ? "there is no contact on the way" : early > 0 ? `${digits(early, 3)}° early` : `${digits(-early, 3)}° late`) +
+    `, ${digits(gap, lengthDigits + 1)} ${cell.unit} from the material`;
   function verdict(look) {
     if (!look.target) return "The sphere touches nothing.";
     const what = `${look.virtual ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`;
-    if (look.touched !== null) return `The sphere touches ${face(look.touched)} of the ${what}.`;
+    if (look.touched !== null) return `${look.wrong ? `By ${setting.drive}, the` : "The"} sphere touches ${face(look.touched)} of the ${what}.`;
     return `The sphere touches nothing; nearest is ${face(look.nearest)} of the ${what}.`;
   }
   function holding(look) {
@@ -164,16 +174,47 @@ async function main() {
   function announce(text) {
     if (text !== said) at("live").textContent = said = text;
   }
-  /// One reason a line: the program parts them by semicolons.
+  /// A sentence; what else was tried is folded, one reason a line: the program parts them by semicolons.
   function complain(text, reasons = "") {
     at("failure").hidden = !text;
-    const list = node("ul", "");
-    if (reasons) list.append(...reasons.split("; ").map((reason) => node("li", reason)));
-    at("failure").replaceChildren(text || "", ...(reasons ? [list] : []));
+    const all = reasons.split("; ");
+    at("failure").replaceChildren(text || "");
+    if (all.length < 2) return;
+    const details = node("details", ""), list = node("ul", "");
+    list.append(...all.map((reason) => node("li", reason)));
+    details.append(node("summary", `All that was tried (${all.length})`), list);
+    at("failure").append(details);
+  }
+  /// A reason that begins with the name of a phase, in the page's words.
+  function inWords(reason) {
+    const [phase] = Object.keys(PHASES).filter((name) => reason.startsWith(name));
+    return phase ? `on the way ${PHASES[phase]}, ${reason.slice(phase.length).trim()}` : reason;
+  }
+  function nearestOf(number) {
+    const {nearest, elements} = run.separation;
+    return Object.keys(MOVERS).filter((mover) => nearest[mover].here[number] !== null)
+      .map((mover) => `${MOVERS[mover]} ${digits(nearest[mover].here[number], lengthDigits + 1)} ${cell.unit} from ${elements[nearest[mover].element[number]]}`);
+  }
+  /// Another pose than that of a stop: where the process fails, or where the arm is jogged to.
+  function showPose(look, text) {
+    player.pause();
+    shown = look;
+    at("status").textContent = text;
+    announce(text);
+    at("answer").replaceChildren();
+    at("disagreements").replaceChildren();
+    showJoints(look.commanded);
+    at("unjog").hidden = !run || !run.stops.length;
+    draw();
+  }
+  function showStuck() {
+    showPose({...run.stuck, offending: run.stuck.parts}, `Where it fails: ${inWords(run.stuck.reason)}.`);
   }
 
   function show(number) {
     const look = shown = lookOf(number);
+    at("unjog").hidden = true;
+    curve.show(number);
     const text = sentence(look, number), last = at("stop").shownMove;
     at("status").textContent = text;
     // While it runs, a listener is told of moves, not of every stop.
@@ -190,7 +231,9 @@ async function main() {
     if (look.target)
       answer.push(["nearest", `${face(look.nearest)}, ${digits(look.distance, lengthDigits + 2)} ${cell.unit} from its centre; its radius is ${says(cell.sphere)}`]);
     answer.push(["the material", look.place === null ? "is held by the gripper" : look.place === "machine" ? "is at the machine" : "is in the storage"]);
+    if (run && run.stops[number]) answer.push(["least distance", nearestOf(number).join("; ")]);
     const move = number > 0 && run ? run.moves[look.move] : null;
+    if (look.wrong) answer.push(["the robot", node("span", wrongly(look.wrong), {class: "verdict wrong"})]);
     if (move && move.contact)
       answer.push(["this move", `the sphere begins to touch after ${digits(move.contact.low, 9)}°, certified to ${(move.contact.high - move.contact.low).toExponential(0)}°`]);
     at("answer").replaceChildren(...answer.flatMap(([term, value]) => {
@@ -226,18 +269,44 @@ async function main() {
     at("next-wrong-line").hidden = !run.disagreements.length;
   }
 
-  const bars = cell.robot.joints.map((joint) => {
+  const bars = cell.robot.joints.map((joint, i) => {
     const row = node("tr", ""), bar = node("div", "", {class: "bar", role: "img"}), mark = node("i", "");
     bar.append(mark);
     const cells = [node("th", joint.name, {scope: "row"}), node("td", "", {class: "number"}), node("td", "", {class: "number"}), node("td", "")];
-    cells[3].append(bar);
+    const jog = node("input", "", {type: "range", min: joint.lower, max: joint.upper, step: 0.5, "aria-label": `Jog ${joint.name}`});
+    jog.addEventListener("input", () => jogTo(i, +jog.value));
+    jog.disabled = !answers.live;
+    cells[3].append(bar, jog);
     row.append(...cells);
     at("joints").tBodies[0].append(row);
-    return {joint, cells, bar, mark};
+    return {joint, cells, bar, mark, jog};
   });
+  let jogged = null, posing = false;
+  /// One question at a time; of those that come meanwhile, the last one next.
+  async function jogTo(joint, command) {
+    const from = jogged || (shown && shown.commanded) || cell.robot.joints.map(({home}) => home);
+    jogged = from.map((angle, i) => (i === joint ? command : angle));
+    if (posing) return;
+    posing = true;
+    for (let asked = null; asked !== jogged;) {
+      asked = jogged;
+      try {
+        const pose = await answers.pose({setting, commanded: asked});
+        const near = pose.nearest.map(({mover, element, distance}) => `${MOVERS[mover]} ${digits(distance, lengthDigits + 1)} ${cell.unit} from ${element}`);
+        showPose({...pose, commanded: asked, material: poseOf({carrier: "material"}), place: "storage", touched: null, target: null,
+                  offending: pose.hindrance ? pose.hindrance.parts : []},
+                 `Jogged: ${pose.hindrance ? pose.hindrance.what : "nothing is touched"}. Least distance: ${near.join("; ")}.`);
+      } catch (refused) {
+        if (!(refused instanceof Refused)) throw refused;
+        at("status").textContent = `Jogged: ${refused.message}`;
+      }
+    }
+    posing = false;
+  }
   function showJoints(commanded) {
-    bars.forEach(({joint, cells, bar, mark}, i) => {
+    bars.forEach(({joint, cells, bar, mark, jog}, i) => {
       const angle = commanded ? commanded[i] : joint.home;
+      if (document.activeElement !== jog) jog.value = angle;
       cells[1].textContent = `${digits(angle, 2)}°`;
       cells[2].textContent = `${signed(+(angle - joint.home).toFixed(3))}°`;
       mark.style.left = `${100 * Math.max(0, Math.min(1, (angle - joint.lower) / (joint.upper - joint.lower)))}%`;
@@ -250,11 +319,12 @@ async function main() {
     const rows = run.moves.map((move, i) => {
       const row = node("tr", "", {"data-move": i});
       const go = node("button", PHASES[move.phase], {type: "button", title: "Go to the end of this move"});
-      const end = run.stops.findLastIndex((s, k) => k > 0 && s.move === i);
+      const end = lastStopOf(i);
       go.addEventListener("click", () => (player.pause(), player.go(end)));
       const first = node("td", "");
       first.append(go);
-      row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), node("td", UNTIL[move.until]),
+      row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), move.wrong ? node("td", wrongly(move.wrong), {class: "verdict wrong"}) : node("td", UNTIL[move.until]),
+                 node("td", move.seconds === null ? "?" : digits(move.seconds, 2), {class: "number"}),
                  node("td", `${signed(move.exact, 6)}°`, {class: "number exactly"}));
       return row;
     });
@@ -311,6 +381,44 @@ async function main() {
   });
   at("stop").addEventListener("input", () => (player.pause(), player.go(+at("stop").value)));
   at("speed").addEventListener("input", () => faster(+at("speed").value - player.speed));
+  const curve = new Curve(at("curve"), (stop) => (player.pause(), player.go(stop)));
+  function listDistances() {
+    curve.load(run, cell.unit);
+    const {least, tolerance} = run.separation, cycle = run.times.at(-1);
+    at("curve-says").textContent = run.stops.length < 2 ? "" :
+      `Small distances are drawn larger. ${cycle === undefined ? "A joint's greatest speed is unknown, so there is no cycle time."
+        : `Cycle time ${digits(cycle, 2)} s, one joint after the other at its greatest speed.`} Every distance holds between the stops, too; the bounds differ by at most ${tolerance.toExponential(0)} ${cell.unit}.`;
+    const row = ({mover, element, low, high, stop}) => {
+      const go = node("button", stop, {type: "button", title: "Go to this stop"}), cellOfStop = node("td", "", {class: "number"});
+      go.addEventListener("click", () => (player.pause(), player.go(stop)));
+      cellOfStop.append(go);
+      const line = node("tr", "");
+      line.append(node("td", MOVERS[mover]), node("td", element), node("td", digits(Math.floor(low * 1000) / 1000, 3), {class: "number"}),
+                  node("td", digits(high, 3), {class: "number"}), cellOfStop);
+      return line;
+    };
+    at("least").tBodies[0].replaceChildren(...least.map(row));
+  }
+
+  /// The area of configuration, in the background: one direction after the other, those far apart first.
+  const AREA_STEP = 10;
+  let areaOf = "";
+  async function askArea() {
+    const {storage, ...others} = setting, wanted = JSON.stringify({height: storage.height, ...others});
+    if (!answers.live || areaOf === wanted) return;
+    areaOf = wanted;
+    at("plan").plan.clearArea();
+    const angles = [...Array(360 / AREA_STEP).keys()].sort((a, b) => (a * 7) % 36 - (b * 7) % 36).map((i) => i * AREA_STEP - 180);
+    let done = 0;
+    for (const angle of angles) {
+      const places = await answers.area({...setting, storage: {...setting.storage, angle}}).catch(() => null);
+      if (areaOf !== wanted) return;
+      if (!places) return void (at("area-says").textContent = "");
+      at("plan").plan.addArea(angle, AREA_STEP, places);
+      at("area-says").textContent = `Area of configuration at this height: blue completes, orange something is in the way, grey another reason; ${++done} of ${angles.length} directions.`;
+    }
+  }
+
   const transport = ["first", "back", "run", "forward", "last", "stop"].map(at);
   const usable = (yes) => transport.forEach((control) => (control.disabled = !yes));
 
@@ -341,7 +449,27 @@ async function main() {
     input.step = field.step;
     input.addEventListener("input", () => (setting.storage[name] = +input.value, showSetting()));
     input.addEventListener("change", () => ask());
+    const typed = at(`${name}-number`);
+    typed.addEventListener("change", () => {
+      if (typed.value !== "" && typed.checkValidity()) setting.storage[name] = +typed.value, ask();
+      else showSetting();
+    });
   }
+  for (const span of document.querySelectorAll("[data-unit]")) span.textContent = cell.unit;
+  for (const drive of cell.drives) at("drive").append(node("option", drive === "exact" ? "the exact answer" : drive, {value: drive}));
+  at("drive").addEventListener("change", () => (setting.drive = at("drive").value, ask()));
+  at("preset").append(node("option", "as it is served", {value: 0}), ...(await answers.presets()).map((name, i) => node("option", name, {value: i + 1})));
+  at("preset").value = answers.preset || 0;
+  at("preset").addEventListener("change", () => (location.search = +at("preset").value ? `?preset=${at("preset").value}` : ""));
+  at("with-sphere").addEventListener("change", draw);
+  at("covers-label").hidden = !answers.live || !scene;
+  at("with-covers").addEventListener("change", async () => {
+    const answer = at("with-covers").checked ? await answers.covers() : null;
+    covers = answer && answer.covers.map(({link, balls}) => ({link, balls: scene.balls(balls)}));
+    draw();
+  });
+  at("where").addEventListener("click", showStuck);
+  at("unjog").addEventListener("click", () => (jogged = null, show(player.stop)));
   for (const slot of cell.slots) at("slot").append(node("option", slot.name, {value: slot.name}));
   const steps = [...new Set([0.1, 0.25, 0.5, 1, 2, 5, cell.setting.step])].sort((a, b) => a - b);
   for (const step of steps) at("step").append(node("option", `${digits(step, 3)}°`, {value: step}));
@@ -360,12 +488,12 @@ async function main() {
 
   function showSetting() {
     for (const [name, field] of Object.entries(fields)) {
-      at(name).value = setting.storage[name];
-      at(`${name}-says`).textContent = field.says(setting.storage[name]);
+      at(name).value = at(`${name}-number`).value = setting.storage[name];
       at(name).setAttribute("aria-valuetext", field.says(setting.storage[name]));
     }
     at("slot").value = setting.slot;
     at("step").value = setting.step;
+    at("drive").value = setting.drive;
     const {angle, radius} = setting.storage;
     at("plan").plan.configure(angle, radius, `angle ${digits(angle, 2)}°, radius ${says(radius)}`, !answers.live);
     const labels = {...cell.labels};
@@ -385,8 +513,9 @@ async function main() {
   /// The run of another setting is not shown.
   function forget() {
     player.pause();
-    run = null, shown = null, player.count = 0;
+    run = null, shown = null, jogged = null, player.count = 0;
     usable(false);
+    at("where").hidden = true;
     complain("");
     show(0);
     at("status").textContent = "The storage is being moved; the program is asked when it is let go.";
@@ -406,22 +535,25 @@ async function main() {
     }
     at("asked").textContent = "";
     document.body.removeAttribute("aria-busy");
+    askArea();
   }
   function refuse(refused) {
     if (!(refused instanceof Refused)) throw refused;
-    run = null, shown = null, player.count = 0;
+    run = null, shown = null, jogged = null, player.count = 0;
     usable(false);
+    at("where").hidden = true;
     show(0);
     at("moves").tBodies[0].replaceChildren(), at("phases").replaceChildren();
     at("status").textContent = "There is no run. The arm is shown at home.";
     announce("");
-    complain("This cell cannot be run:", refused.message);
+    complain(`This cell cannot be run: ${refused.message}`);
   }
   function take(answer) {
-    run = answer;
+    run = answer, jogged = null;
     const end = run.stops.length - 1;
-    complain(run.failure && (end < 0 ? "The process does not begin:" : `The process does not come out; it ends after stop ${end}:`),
-             run.failure);
+    complain(run.failure && `${end < 0 ? "The process does not begin" : `The process does not come out; it ends after stop ${end}`}: ` +
+             `${inWords(run.stuck.reason)}.`, run.failure);
+    at("where").hidden = !run.stuck;
     if (scene && run.stand) {
       const stand = meshes.find(({part}) => part.name === run.stand.name);
       scene.forget(stand.mesh);
@@ -431,13 +563,17 @@ async function main() {
     at("stop").max = Math.max(0, end);
     listMoves();
     listMethods();
+    listDistances();
     player.load(run.stops);
     if (end < 0) show(0);
     showSetting();
+    if (run.stuck) showStuck();
   }
 
   if (!answers.live) {
-    for (const control of [...Object.keys(fields), "slot", "step", "reset"].map(at)) control.disabled = true;
+    const typed = Object.keys(fields).map((name) => `${name}-number`);
+    for (const control of [...Object.keys(fields), ...typed, "slot", "step", "drive", "preset", "reset"].map(at)) control.disabled = true;
+    at("jog-help").hidden = true;
     at("plan-help").textContent = "From above, as it was recorded.";
   }
 
@@ -445,6 +581,10 @@ async function main() {
   if (scene) {
     const canvas = at("scene"), pointers = new Map();
     let spread = 0;
+    const closeAt = (event) => {
+      const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = box.bottom - event.clientY;
+      return scene.views(box.width, box.height).some(([near, left, below, width, height]) => near && x >= left && x <= left + width && y >= below && y <= below + height);
+    };
     const apart = () => {
       const [a, b] = [...pointers.values()];
       return Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -459,7 +599,7 @@ async function main() {
       if (!last) return;
       pointers.set(event.pointerId, [event.clientX, event.clientY]);
       if (pointers.size === 1) scene.turn(-0.4 * (event.clientX - last[0]), 0.4 * (event.clientY - last[1]));
-      if (pointers.size === 2) scene.approach(spread / apart()), spread = apart();
+      if (pointers.size === 2) scene.approach(spread / apart(), closeAt(event)), spread = apart();
       draw();
     });
     const end = (event) => pointers.delete(event.pointerId);
@@ -467,7 +607,7 @@ async function main() {
     canvas.addEventListener("pointercancel", end);
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      scene.approach(Math.exp(event.deltaY / 800));
+      scene.approach(Math.exp(event.deltaY / 800), closeAt(event));
       draw();
     }, {passive: false});
     canvas.addEventListener("keydown", (event) => {
@@ -481,7 +621,12 @@ async function main() {
       draw();
     });
     for (const button of document.querySelectorAll("[data-look]"))
-      button.addEventListener("click", () => ((button.dataset.look === "near" ? scene.lookNear() : scene.look(button.dataset.look), draw())));
+      button.addEventListener("click", () => {
+        const look = button.dataset.look;
+        look === "near" ? scene.lookNear() : look === "split" ? scene.lookSplit() : scene.look(look);
+        document.querySelector("[data-look=split]").setAttribute("aria-pressed", scene.split);
+        draw();
+      });
     new ResizeObserver(draw).observe(canvas);
   }
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => (colours = readColours(), draw()));

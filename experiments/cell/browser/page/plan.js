@@ -52,6 +52,7 @@ class Plan {
       drawn("text", {x: 0.02 * far, y: -r + 0.05 * far, "font-size": 0.06 * far}, svg).textContent =
         `${+r.toPrecision(3)} ${cell.unit}`;
     }
+    this.area = drawn("g", {"aria-hidden": "true"}, svg);
     const place = (element, pose) => element.setAttribute("transform",
       `matrix(${pose[0]} ${-pose[4]} ${-pose[1]} ${pose[5]} ${pose[3]} ${-pose[7]})`);
     this.place = place;
@@ -138,6 +139,23 @@ class Plan {
     this.handle.setAttribute("aria-valuetext", words);
     this.handle.setAttribute("aria-disabled", Boolean(fixed));
   }
+
+  /// Outcomes with the storage at an angle, `wide` degrees of it: sectors of rings, as wide as the radii are apart.
+  addArea(angle, wide, places) {
+    const half = places.length > 1 ? (places[1].radius - places[0].radius) / 2 : 0;
+    const point = (degrees, r) => {
+      const a = (this.cell.storage.home + degrees) * Math.PI / 180;
+      return [r * Math.cos(a), r * Math.sin(a)];
+    };
+    for (const {radius, cause} of places) {
+      if (cause === "out-of-reach") continue;
+      const corners = [-1, -0.5, 0, 0.5, 1].map((k) => angle + k * wide / 2);
+      const ring = [...corners.map((a) => point(a, radius - half)), ...corners.reverse().map((a) => point(a, radius + half))];
+      const kind = cause === null ? "completed" : cause === "in-the-way" ? "in-the-way" : "other";
+      drawn("polygon", {class: `area ${kind}`, points: flat(ring)}, this.area);
+    }
+  }
+  clearArea() { this.area.replaceChildren(); }
 
   show(links, sphere, material, touching) {
     const way = [];

@@ -21,6 +21,22 @@ const FACE_COLOUR = `
     float light = 0.55 + 0.40 * max(0.0, dot(n, sun)) + 0.15 * max(0.0, dot(n, normalize(eye - place)));
     gl_FragColor = vec4(colour.rgb * mix(1.0, light, lit), colour.a);
   }`;
+const POINTS = `
+  attribute vec4 at;
+  uniform mat4 pose, view; uniform float scale;
+  void main() {
+    gl_Position = view * (pose * vec4(at.xyz, 1.0));
+    gl_PointSize = max(1.0, at.w * scale / gl_Position.w);
+  }`;
+const POINT_COLOUR = `
+  precision mediump float;
+  uniform vec3 colour;
+  void main() {
+    vec2 off = 2.0 * gl_PointCoord - 1.0;
+    float away = dot(off, off);
+    if (away > 1.0) discard;
+    gl_FragColor = vec4(colour * (0.55 + 0.45 * sqrt(1.0 - away)), 1.0);
+  }`;
 const LINES = `
   attribute vec3 at; attribute float along;
   uniform mat4 pose, view; uniform vec3 eye; uniform float lift; varying float way;
@@ -45,7 +61,8 @@ class Scene {
     this.gl = gl;
     this.faces = this.program(FACES, FACE_COLOUR, ["pose", "view", "shadow", "eye", "sun", "colour", "lit"]);
     this.lines = this.program(LINES, LINE_COLOUR, ["pose", "view", "eye", "lift", "colour", "dash"]);
-    this.target = [0, 0, 0], this.size = 1;
+    this.points = this.program(POINTS, POINT_COLOUR, ["pose", "view", "scale", "colour"]);
+    this.target = [0, 0, 0], this.size = 1, this.split = true, this.closeness = 0.16;
     this.behind = 0;  // degrees: where one sees the stations from, across the robot
     this.look("front");
   }
@@ -93,6 +110,9 @@ class Scene {
   forget(mesh) {
     for (const key of ["at", "facing", "lines", "along"]) this.gl.deleteBuffer(mesh[key]);
   }
+
+  /// Balls, as flat lists of centres and radii, which are drawn as discs.
+  balls(numbers) { return {at: this.buffer(numbers), count: numbers.length / 4}; }
 
   /// A ball of radius 1, and a ring round it.
   ball() {
@@ -142,29 +162,60 @@ class Scene {
   }
   /// From where one looks now, but at the sphere.
   lookNear() {
-    this.near = true, this.distance = 0.16;
+    this.near = true, this.split = false, this.closeness = 0.16;
+  }
+  /// The whole, and the sphere beside or below it.
+  lookSplit() {
+    this.near = false, this.split = true, this.closeness = 0.16;
   }
   turn(azimuth, elevation) {
     this.azimuth += azimuth;
     this.elevation = Math.max(-10, Math.min(89.9, this.elevation + elevation));
   }
-  approach(factor) { this.distance = Math.max(0.05, Math.min(3, this.distance * factor)); }
+  /// `close`: in the close view.
+  approach(factor, close = this.near) {
+    const distance = close ? "closeness" : "distance";
+    this[distance] = Math.max(0.05, Math.min(3, this[distance] * factor));
+  }
 
-  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}]; what goes
+  /// things: [{mesh, pose, colour, shadow, highlight: [face, colour], lines: colour, dash, hollow, flat, through}, or
+  /// {balls, pose, colour, hollow}]; what goes
   /// through is to be seen, paler, behind others, and so are highlights.
   draw(things, colours, sphere) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
     if (canvas.width !== width || canvas.height !== height) canvas.width = width, canvas.height = height;
-    gl.viewport(0, 0, width, height);
     gl.clearColor(...colours.view, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
 
+    gl.enable(gl.SCISSOR_TEST);
+    for (const [near, ...box] of this.views(width, height)) {
+      gl.viewport(...box);
+      gl.scissor(...box);
+      this.drawView(near, box[2], box[3], things, sphere);
+    }
+    gl.disable(gl.SCISSOR_TEST);
+  }
+
+  /// Whether each view is the close one, and its place in the picture, from below left.
+  views(width, height) {
+    if (!this.split) return [[this.near, 0, 0, width, height]];
+    if (width > 1.15 * height) {
+      const close = Math.round(0.36 * width);
+      return [[false, 0, 0, width - close - 4, height], [true, width - close, 0, close, height]];
+    }
+    const close = Math.round(0.42 * height);
+    return [[false, 0, close + 4, width, height - close - 4], [true, 0, 0, width, close]];
+  }
+
+  drawView(near, width, height, things, sphere) {
+    const gl = this.gl;
     const aspect = width / Math.max(1, height), angle = 32;
-    const reach = this.size / Math.sin(angle / 2 * Math.PI / 180) / Math.min(1, aspect) * this.distance * 0.76;
+    const distance = near ? this.closeness : this.distance;
+    const reach = this.size / Math.sin(angle / 2 * Math.PI / 180) / Math.min(1, aspect) * distance * 0.76;
     const a = this.azimuth * Math.PI / 180, e = this.elevation * Math.PI / 180;
-    const target = this.near ? sphere : this.target;
+    const target = near ? sphere : this.target;
     const eye = add(target, times(reach, [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)]));
     const view = product(perspective(angle, aspect, Math.max(reach - 2.5 * this.size, reach / 30), reach + 3 * this.size),
                          lookingAt(eye, target, [0, 0, 1]));
@@ -191,6 +242,20 @@ class Scene {
     for (const thing of things) {
       if (thing.hollow) continue;
       fill(thing, [...thing.colour, 1], 1, 0, thing.mesh.corners);
+    }
+    for (const thing of things) {
+      if (!thing.balls) continue;
+      gl.useProgram(this.points.program);
+      gl.bindBuffer(gl.ARRAY_BUFFER, thing.balls.at);
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 0, 0);
+      gl.disableVertexAttribArray(this.faces.second);
+      gl.uniformMatrix4fv(this.points.pose, false, matrixOf(thing.pose));
+      gl.uniformMatrix4fv(this.points.view, false, view);
+      gl.uniform1f(this.points.scale, height / Math.tan(angle / 2 * Math.PI / 180));
+      gl.uniform3f(this.points.colour, ...thing.colour);
+      gl.drawArrays(gl.POINTS, 0, thing.balls.count);
+      gl.useProgram(this.faces.program);
     }
     // Touched faces over themselves.
     const highlight = (thing, alpha, lit) => {

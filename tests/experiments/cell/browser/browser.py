@@ -122,6 +122,15 @@ class Page:
                     name, value)
         self.settled()
 
+    def back(self):
+        """From where a process fails, or a jogged arm, to the run."""
+        self.script("const b = document.getElementById('unjog'); if (!b.hidden) b.click()")
+
+    def choose(self, name, value):
+        self.script("const e = document.getElementById(arguments[0]); e.value = arguments[1];"
+                    "e.dispatchEvent(new Event('change', {bubbles: true}))", name, value)
+        self.settled()
+
     def keys(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
 
@@ -148,6 +157,10 @@ class Page:
 
     def magenta(self):
         return self.pixels("r > 140 && g < 0.65 * r && b > 0.7 * r && b > 1.2 * g")
+
+    def red(self):
+        """Pixels in the colour of parts that touch."""
+        return self.pixels("r > 140 && g < 0.3 * r && b < 0.45 * r")
 
     def kinds_of_pixels(self):
         return self.seen("bytes => new Set(new Uint32Array(bytes.buffer)).size")
@@ -226,7 +239,7 @@ def check_keys(page):
     # Everything that can be clicked can be reached by the tabulator.
     page.script("document.body.tabIndex = -1; document.body.focus(); document.body.removeAttribute('tabindex')")
     reached = set()
-    for _ in range(60):
+    for _ in range(90):
         page.keys(Keys.TAB)
         reached.add(page.script("const e = document.activeElement; return e.id || e.getAttribute('class') || e.dataset.look"))
     for name in ("scene", "top", "run", "forward", "speed", "stop", "handle", "angle", "radius", "height", "slot", "step", "reset"):
@@ -246,6 +259,7 @@ def check_configuration(page, address):
                            for name in ("angle", "radius", "height")}}
     expect(str(setting["storage"]["angle"]) != before, "dragging does not turn the storage")
     run = ask(address, setting)
+    page.back()
     expect(page.stop() == (0, len(run["stops"]) - 1), f"dragged: {page.text('status')!r}, not {len(run['stops'])} stops")
     expect(page.script("return document.querySelector('[data-label=\"storage.angle\"]').textContent") == "C",
            "a dragged angle is not labelled as chosen")
@@ -257,6 +271,7 @@ def check_configuration(page, address):
     page.settled()
     expect(page.script("return +document.getElementById('angle').value") == angle + 3, "arrow keys do not turn the storage")
     run = ask(address, {"storage": dict(setting["storage"], angle=angle + 3)})
+    page.back()
     expect(page.stop() == (0, len(run["stops"]) - 1), "of several questions, the last is not the one answered")
 
     page.find("#reset").click()
@@ -266,18 +281,26 @@ def check_configuration(page, address):
     expect("−183" in page.text("moves"), "at -33 degrees the base does not turn by 183")
     page.slide("height", 262)
     run = ask(address, {"storage": {"angle": -33, "radius": 609.2, "height": 262}})
+    page.back()
     expect(page.stop() in ((0, len(run["stops"]) - 1), None), page.text("status"))
     page.slide("angle", 67)
-    expect(page.text("failure").startswith("The process does not begin:at home storage/") and "stands in machine/" in page.text("failure"),
+    expect(page.text("failure").startswith("The process does not begin: at home storage/") and "stands in machine/" in page.text("failure"),
            f"in the machine: {page.text('failure')!r}")
     page.slide("angle", -33)
     page.slide("radius", 659.2)
     expect("does not come out" in page.text("failure"), "a process that fails says nothing")
-    expect(page.find("#failure").is_displayed() and page.stop(), "a process that fails is not shown")
+    expect(page.text("status").startswith("Where it fails: "), "the arm is not shown where it fails")
+    expect(page.red() > 100, "what touches is not coloured")
+    expect(page.script("return !document.querySelector('#failure details').open"), "all that was tried is not folded")
     page.picture("failing")
+    page.back()
+    expect(page.find("#failure").is_displayed() and page.stop(), "a process that fails is not shown")
+    expect(page.red() == 0, "something is red at a stop")
+    page.find("#where").click()
+    expect(page.red() > 100, "the button does not show where it fails")
     page.slide("radius", 150)
-    expect(page.text("failure").startswith("The process does not begin:at home "), f"in the robot: {page.text('failure')!r}")
-    expect(page.text("status") == "The arm is at home.", f"without a stop it says {page.text('status')!r}")
+    expect(page.text("failure").startswith("The process does not begin: at home "), f"in the robot: {page.text('failure')!r}")
+    expect(page.text("status").startswith("Where it fails: at home "), f"without a stop it says {page.text('status')!r}")
     expect(page.script("return document.getElementById('run').disabled"), "a run without stops can be run")
     page.picture("no-stop")
     page.find("#reset").click()
@@ -289,15 +312,94 @@ def check_configuration(page, address):
     page.picture("too-far")
     furthest = float(re.search(r"at radii from \S+ to ([\d.]+)", page.text("failure"))[1])
     page.slide("radius", furthest - 1)
+    page.back()
     expect(page.stop() and "out of reach" not in page.text("failure"), f"the advised radius: {page.text('failure')!r}")
     page.find("#reset").click()
     page.settled()
     expect(page.stop() and not page.find("#failure").is_displayed(), "it does not recover from a cell that cannot be")
     page.slide("step", 2)
+    page.back()
     expect(page.stop()[1] < 400, "a step of 2 degrees does not halve the stops")
     page.slide("slot", "C")
     page.find("#reset").click()
     page.settled()
+
+
+def check_typed(page, address):
+    """Numbers can be typed that no slider reaches."""
+    page.choose("radius-number", 487.35)
+    run = ask(address, {"storage": {"radius": 487.35}})
+    page.back()
+    expect(page.stop() == (0, len(run["stops"]) - 1), "a typed radius is not run")
+    expect(run["setting"]["storage"]["radius"] == 487.35, "the program takes another radius")
+    page.find("#reset").click()
+    page.settled()
+    expect(page.script("return document.getElementById('radius-number').value") == "480.2", "reset leaves what was typed")
+
+
+def check_distances(page, run):
+    """The curve, the distances at a stop, and the table say what the program has measured."""
+    nearest = run["separation"]["nearest"]
+    number = next(i for i, d in enumerate(nearest["held material"]["here"]) if d is not None and d > 1)
+    page.go(number)
+    for mover, words in (("arm", "arm and gripper"), ("held material", "held material"), ("sphere", "sphere")):
+        said = re.search(words + r" ([\d.]+) mm from ([^;]+)", page.text("answer"))
+        expect(said and abs(float(said[1]) - nearest[mover]["here"][number]) < 0.06, f"{mover}: {page.text('answer')!r}")
+    rows = page.script("return document.querySelectorAll('#least tbody tr').length")
+    expect(rows == len(run["separation"]["least"]), "the table lacks distances")
+    expect(f"{run['times'][-1]:.2f}".rstrip("0") in page.text("curve-says"), f"no cycle time: {page.text('curve-says')!r}")
+    expect(page.script("return document.querySelectorAll('#curve .line').length") >= 4, "a curve is missing")
+    page.script("document.getElementById('curve').scrollIntoView({block: 'center'})")
+    page.find("#curve").click()
+    expect(abs(page.stop()[0] - len(run["stops"]) / 2) < len(run["stops"]) / 4, "a click into the curve does not go there")
+
+
+def check_views(page):
+    """Both views from the start; the sphere and the balls that cover the arm can be switched."""
+    page.look("near")
+    page.go(0)
+    blue = "b > 120 && r < 0.3 * b && g < 0.75 * b && g > 0.4 * b"
+    expect(page.pixels(blue) > 100, "the sphere is not to be seen")
+    page.find("#with-sphere").click()
+    expect(page.pixels(blue) == 0, "the sphere cannot be switched off")
+    page.find("#with-sphere").click()
+    page.look("split")
+    before = page.kinds_of_pixels()
+    page.find("#with-covers").click()
+    page.wait("the balls", lambda: abs(page.kinds_of_pixels() - before) > 20)
+    page.picture("covers")
+    page.find("#with-covers").click()
+
+
+def check_jog(page):
+    page.go(0)
+    page.script("const e = document.querySelectorAll('#joints input[type=range]')[2]; e.value = -115;"
+                "e.dispatchEvent(new Event('input', {bubbles: true}))")
+    page.wait("an answer about the pose", lambda: page.text("status").startswith("Jogged: "))
+    expect("nothing is touched" not in page.text("status") and page.red() > 50, f"jogged down: {page.text('status')!r}")
+    page.picture("jogged")
+    page.back()
+    expect(page.stop() is not None, "from a jogged arm there is no way back")
+
+
+def check_area(page):
+    page.wait("the area", lambda: page.script("return document.querySelectorAll('#plan .area.completed').length") > 5)
+    expect("directions" in page.text("area-says"), "the area is not explained")
+
+
+def check_wrong_stop(page, address):
+    """The robot that the thesis's method stops, with a U-shaped part: before it touches anything."""
+    names = json.load(urllib.request.urlopen(address + "api/presets", timeout=PATIENCE))
+    page.open(f"{address}?preset={names.index('U-part') + 1}")
+    expect("wrong stop" not in page.text("moves").lower(), "a wrong stop by the exact answer")
+    page.choose("drive", "thesis")
+    page.back()
+    expect("Wrong stop: 3° early, 5.92 mm from the material" in page.text("moves"), f"moves: {page.text('moves')!r}")
+    page.look("near")
+    row = page.script("return [...document.querySelectorAll('#moves tbody tr')].findIndex(r => r.textContent.includes('Wrong stop'))")
+    page.script("document.querySelectorAll('#moves tbody tr')[arguments[0]].querySelector('button').click()", row)
+    expect("Wrong stop: 3° early" in page.text("status") and page.magenta() > 20, f"a wrong stop is not marked: {page.text('status')!r}")
+    page.picture("wrong-stop")
 
 
 CONTRAST = """
@@ -414,6 +516,8 @@ def main(touchstone, pictures=None):
             page.open(address)
             expect(page.kinds_of_pixels() > 50, "the perspective view is empty")
             page.picture("desktop")
+            expect(page.script("return document.querySelector('[data-look=split]').getAttribute('aria-pressed')") == "true",
+                   "there is one view from the start")
             check_words(page, run)
             page.look("near")
             page.go(next(i for i, stop in enumerate(run["stops"]) if stop["touched"] is not None and stop["target"] == "machine"))
@@ -422,7 +526,13 @@ def main(touchstone, pictures=None):
             check_contrast(page)
             check_transport(page)
             check_keys(page)
+            check_distances(page, run)
+            check_views(page)
+            check_jog(page)
+            check_typed(page, address)
+            check_area(page)
             check_configuration(page, address)
+            check_wrong_stop(page, address)
             done.append("desktop")
         with Page(pictures, 390, 844, phone=True) as page:
             page.open(address)

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/cell/model/read_cell.h"
 #include "tests/experiments/cell/browser/aristo.h"
 #include "tests/experiments/cell/browser/http_client.h"
 #include "tests/experiments/cell/browser/serving.h"
@@ -17,6 +18,8 @@ namespace touchstone::cell_browser_tests {
 namespace {
 
 using namespace cell::browser;
+
+const char* const kAristo = TOUCHSTONE_SOURCE_DIR "/experiments/cell/cells/aristo.json";
 
 class Page : public testing::Test {
  protected:
@@ -30,7 +33,11 @@ class Page : public testing::Test {
     EXPECT_EQ(ask(serving.port(), "GET", "/").status, 200U) << "it does not serve after " << begin;
   }
 
-  const Routes routes{simulator(), KnownHosts("127.0.0.1", true)};
+  const Routes routes{simulator(),
+                      KnownHosts("127.0.0.1", true),
+                      {{"case 2", [] {
+                          return Simulator(cell::read_cell(kAristo, std::nullopt, cell::preset(kAristo, "case 2")), {});
+                        }}}};
   const Serving serving{[this](const HttpRequest& request) { return routes.answer(request); }};
 };
 
@@ -61,7 +68,8 @@ TEST_F(Page, AnswersEveryRoute) {
 
 TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   const std::uint16_t port = serving.port();
-  refuses(ask(port, "GET", "/api/runs"), 404, "there are /, /api/cell and /api/run, not /api/runs");
+  refuses(ask(port, "GET", "/api/runs"), 404,
+          "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose, not /api/runs");
   refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
   refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, HEAD, not DELETE");
   refuses(ask(port, "GET", "/api/run"), 405, "/api/run takes POST, not GET");
@@ -74,6 +82,54 @@ TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1e999}})"), 400, "request: storage.radius: ");
   refuses(ask(port, "POST", "/api/run", std::string(65537, ' ')), 413, "a request's body may have 65536 bytes");
   refuses(ask(port, "POST", "/api/run", R"({"storage": {"radius": 1500}})"), 422, "storage.radius: ");
+}
+
+TEST_F(Page, ServesThePresetsOfTheFile) {
+  EXPECT_EQ(json_of(ask(serving.port(), "GET", "/api/presets")), nlohmann::json({"case 2"}));
+  const Received cell = ask(serving.port(), "GET", "/api/cell/1");
+  ASSERT_EQ(cell.status, 200U) << cell.body;
+  EXPECT_EQ(json_of(cell)["setting"]["storage"]["angle"], -33);
+  const Received run = ask(serving.port(), "POST", "/api/run/1", "{}");
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_EQ(json_of(run)["moves"][1]["degrees"], -183);
+  for (const char* path : {"/api/cell/2", "/api/cell/0", "/api/cell/x", "/api/cell/1x", "/api/presets/1"})
+    refuses(ask(serving.port(), "GET", path), 404, "there are");
+}
+
+// The third joint of the default cell lowers the hand into the floor; the arm at home touches nothing.
+TEST_F(Page, AnswersAboutAPose) {
+  const auto pose = [&](const std::string& commanded) {
+    return ask(serving.port(), "POST", "/api/pose", R"({"setting": {}, "commanded": )" + commanded + "}");
+  };
+  const Received home = pose("[0, 29.8, -25, 0, 0, 0]");
+  ASSERT_EQ(home.status, 200U) << home.body;
+  EXPECT_TRUE(json_of(home)["hindrance"].is_null());
+  EXPECT_EQ(json_of(home)["links"].size(), 7U);
+  EXPECT_EQ(json_of(home)["nearest"].size(), 2U);  // nothing is held
+  EXPECT_GT(json_of(home)["nearest"][0]["distance"], 10);
+  const Received low = pose("[0, 85, -55, 0, 0, 0]");
+  ASSERT_EQ(low.status, 200U) << low.body;
+  EXPECT_NE(json_of(low)["hindrance"]["what"].get<std::string>().find("the floor"), std::string::npos) << low.body;
+  refuses(pose("[0, 0]"), 400, "request: commanded: must hold 6 numbers");
+  refuses(pose("[0, 300, 0, 0, 0, 0]"), 422, "joint shoulder: 300 degrees");
+}
+
+TEST_F(Page, AnswersAboutTheArea) {
+  const Received area = ask(serving.port(), "POST", "/api/area", R"({"storage": {"angle": 1}})");
+  ASSERT_EQ(area.status, 200U) << area.body;
+  std::size_t completed = 0;
+  for (const auto& place : json_of(area)) completed += place["cause"].is_null();
+  EXPECT_GT(completed, 0U);
+  EXPECT_LT(completed, json_of(area).size());
+}
+
+// A program of the user's own is not started for whoever asks.
+TEST_F(Page, LetsAMethodDriveButNoProgram) {
+  refuses(ask(serving.port(), "POST", "/api/run", R"({"drive": "exec:true"})"), 400,
+          "request: drive: there is no method");
+  const Received run = ask(serving.port(), "POST", "/api/run", R"({"drive": "thesis"})");
+  ASSERT_EQ(run.status, 200U) << run.body;
+  EXPECT_EQ(json_of(run)["setting"]["drive"], "thesis");
 }
 
 // A page from elsewhere, whose name leads to this machine, sends its own name; of two it may be either.
@@ -105,7 +161,7 @@ TEST_F(Page, AnswersHeadAsGetWithoutABody) {
 TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
   const std::uint16_t port = serving.port();
   refuses(send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
-          "there are /, /api/cell and /api/run, not /\\xff");
+          "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose, not /\\xff");
   refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
           "this server answers to localhost or its address, not to \"\\xff\"");
   refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: column 3: ");

@@ -35,7 +35,7 @@ TEST(Setting, NamesTheKeyThatIsWrong) {
             "request: is not JSON: column 1: syntax error while parsing value - invalid literal; last read: 's'");
   EXPECT_EQ(refusal("[]"), "request: the whole: must be an object");
   EXPECT_EQ(refusal(R"({"storage": 3})"), "request: storage: must be an object");
-  EXPECT_EQ(refusal(R"({"angle": 3})"), "request: angle: is an unknown key; there are storage, slot, step");
+  EXPECT_EQ(refusal(R"({"angle": 3})"), "request: angle: is an unknown key; there are storage, slot, step, drive");
   EXPECT_EQ(refusal(R"({"storage": {"angel": 3}})"),
             "request: storage.angel: is an unknown key; there are angle, radius, height");
   EXPECT_EQ(refusal(R"({"step": 1, "step": 2})"), "request: the whole: the key \"step\" is given twice");

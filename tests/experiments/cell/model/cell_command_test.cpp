@@ -47,6 +47,19 @@ TEST_F(CellCommand, ShowWritesAModelFileForEveryLink) {
   EXPECT_EQ(cell::read_link_model(path("out/models/machine-bottom.txt")).parts[0].polygons.size(), 11U);
 }
 
+// The files are those of the page of formats.
+TEST_F(CellCommand, NewWritesTheLeastCell) {
+  const Ran made = touchstone_cell({"new", path("mine")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const std::string page = run_tests::text_of(std::string(TOUCHSTONE_SOURCE_DIR) + "/experiments/FORMATS.md");
+  for (const char* name : {"mine/cell.json", "mine/arm.urdf"})
+    EXPECT_NE(page.find("\n" + run_tests::text_of(path(name)) + "```"), std::string::npos) << name;
+  const Ran shown = touchstone_cell({"show", path("mine/cell.json")});
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(touchstone_cell({"new", path("mine")}).status, 2);
+  EXPECT_EQ(touchstone_cell({"new", path("mine"), "--force"}).status, 0);
+}
+
 TEST_F(CellCommand, ShowIsTheSameEveryTime) {
   const Ran first = touchstone_cell({"show", aristo}), second = touchstone_cell({"show", aristo});
   EXPECT_EQ(first.out, second.out);

@@ -51,6 +51,29 @@ std::size_t unmatched_edges(const Boundary& boundary) {
       std::count_if(excess.begin(), excess.end(), [](const auto& e) { return e.second != 0; }));
 }
 
+// All vertices are on the sphere, with the poles and, for a multiple of four, the equator's axes among them.
+TEST(BoundaryOf, ASphereIsClosedAndWithinIt) {
+  for (const int sides : {3, 8, 10}) {
+    const Boundary boundary = boundary_of({cell::Sphere{{1, 2, 3}, 2, sides}});
+    EXPECT_EQ(unmatched_edges(boundary), 0U);
+    EXPECT_EQ(holes(boundary), 0U);
+    EXPECT_EQ(boundary.faces.size(), static_cast<std::size_t>(sides * ((sides + 3) / 4 * 2)));
+    double highest = -9, lowest = 9;
+    for (const auto& face : boundary.faces)
+      for (const Eigen::Vector3d& p : face.front()) {
+        EXPECT_NEAR((p - Eigen::Vector3d(1, 2, 3)).norm(), 2, 1e-12);
+        highest = std::max(highest, p.z());
+        lowest = std::min(lowest, p.z());
+      }
+    EXPECT_EQ(highest, 5);
+    EXPECT_EQ(lowest, 1);
+    const double volume = 4.0 / 3 * std::numbers::pi * 8;
+    EXPECT_GT(boundary.volume.get_d(), 0);
+    EXPECT_LT(boundary.volume.get_d(), volume);
+    if (sides == 10) EXPECT_GT(boundary.volume.get_d(), 0.85 * volume);
+  }
+}
+
 TEST(CirclePoints, LieOnTheCircleNextToTheRegularPolygon) {
   for (const int sides : {3, 4, 5, 7, 12, 24, 32, 999, 1000}) {
     const auto points = cell::circle_points(sides);

@@ -153,7 +153,7 @@ TEST_F(BadCells, SolidsAreNamed) {
   EXPECT_EQ(cylinder({{"from", {0, 0, 0}}, {"to", {0, 0, 1}}, {"radius", 1}, {"sides", 2.5}}),
             "material.solid.cylinder.sides: must be a whole number from 3 to 1000, is 2.5");
   EXPECT_EQ(fault("/material/solid", json::object()),
-            "material.solid: has no shape: box, cylinder, mesh, union, difference or intersection");
+            "material.solid: has no shape: box, cylinder, sphere, mesh, union, difference or intersection");
   EXPECT_EQ(fault("/material/solid", {{"union", {{{"box", {{"from", {0, 0, 0}}, {"to", {1, 1, 1}}}}}}}}),
             "material.solid.union: needs at least two solids");
   EXPECT_EQ(fault("/material/solid/turn", {{"axis", "z"}, {"degrees", 45}}),
@@ -176,7 +176,7 @@ TEST_F(BadCells, RobotsAreNamed) {
   EXPECT_EQ(fault("/robot/home/shoulder", 90.5),
             "robot.home.shoulder: crosses a limit of the joint: 90.5 is not within -90 to 90 degrees");
   EXPECT_EQ(fault("/robot/home/elbow", nullptr), "robot.home: the key \"elbow\" is missing");
-  EXPECT_EQ(fault("/robot/home/knee", 0), "robot.home.knee: the robot has no joint of this name that turns");
+  EXPECT_EQ(fault("/robot/home/knee", 0), "robot.home.knee: the robot has no joint of this name that turns or slides");
   EXPECT_EQ(fault("/robot/coupling/0/follows", "knee"),
             "robot.coupling[0].follows: the robot has no joint \"knee\" that turns");
   EXPECT_EQ(fault("/robot/coupling/0/follows", "elbow"), "robot.coupling[0].follows: a joint does not follow itself");
@@ -186,8 +186,8 @@ TEST_F(BadCells, RobotsAreNamed) {
 TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_EQ(urdf_fault("lower=\"-1.570796326794897\" upper=\"1.570796326794897\"", "lower=\"1\" upper=\"-1\""),
             "line 23: joint shoulder: limits are crossed: lower 57.295779513 and upper -57.295779513 degrees");
-  EXPECT_EQ(urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"prismatic\""),
-            "line 44: joint wrist_pitch: is neither revolute, continuous nor fixed");
+  EXPECT_EQ(urdf_fault("name=\"wrist_pitch\" type=\"revolute\"", "name=\"wrist_pitch\" type=\"floating\""),
+            "line 44: joint wrist_pitch: is neither revolute, continuous, prismatic nor fixed");
   EXPECT_EQ(urdf_fault("<axis xyz=\"0 0 -1\"/>", "<axis xyz=\"0 0 0\"/>"), "line 51: joint hand_roll: has no axis");
   EXPECT_EQ(urdf_fault("<parent link=\"Axis5\"/>", "<parent link=\"Axis4\"/>"),
             "line 13: link Axis4: has more than one child; a serial arm is expected");
@@ -197,7 +197,9 @@ TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
     return urdf_fault("<link name=\"Base\"/>",
                       "<link name=\"Base\"><visual><geometry>" + std::string(inside) + "</geometry></visual></link>");
   };
-  EXPECT_EQ(link("<sphere radius=\"1\"/>"), "line 9: link Base: visual0: a sphere has no planar faces");
+  EXPECT_EQ(link("<sphere radius=\"0\"/>"), "line 9: link Base: visual0: a size must be positive, is 0");
+  EXPECT_EQ(link("<mesh filename=\"package://none/a.stl\"/>").substr(0, 74),
+            "line 9: link Base: visual0: mesh: package://none/a.stl is in none of the f");
   EXPECT_EQ(link("<box size=\"1 0 1\"/>"), "line 9: link Base: visual0: a size must be positive, is 0");
   EXPECT_EQ(link("<mesh filename=\"none.stl\"/>"),
             "line 9: link Base: visual0: mesh: there is no file " + (scratch.path / "none.stl").string());
@@ -207,6 +209,35 @@ TEST_F(BadCells, UrdfFilesAreNamedWithLinkOrJoint) {
   EXPECT_NE(urdf_fault("<link name=\"Axis3\"/>", ""), "");
   EXPECT_EQ(urdf_fault("<origin xyz=\"0 0 0.2\"/>", "<origin xyz=\"0.1 0 0.2\"/>"),
             "robot.urdf: the first joint, \"base\", does not turn about the z axis of the first link");
+}
+
+// Spheres become polyhedra, and a mesh is found in its package: above the URDF, or where the cell file says.
+TEST_F(BadCells, UrdfsFromElsewhereAreRead) {
+  const auto link = [&](const std::string& inside) {
+    return urdf_fault("<link name=\"Base\"/>",
+                      "<link name=\"Base\"><visual><geometry>" + inside + "</geometry></visual></link>");
+  };
+  EXPECT_EQ(link("<sphere radius=\"0.1\"/>"), "");
+  harness::make_folder(scratch.path / "arm" / "meshes");
+  harness::write_file(scratch.path / "arm/meshes/a.obj",
+                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_EQ(link("<mesh filename=\"package://arm/meshes/a.obj\"/>"), "");
+  EXPECT_EQ(link("<mesh filename=\"file://" + (scratch.path / "arm/meshes/a.obj").string() + "\"/>"), "");
+}
+
+// A joint that slides stands where `home` says.
+TEST_F(BadCells, JointsThatSlideStandStill) {
+  const std::string revolute = "name=\"wrist_pitch\" type=\"revolute\"";
+  std::string urdf = run_tests::text_of(kCells / "aristo.urdf");
+  urdf.replace(urdf.find(revolute), revolute.size(), "name=\"wrist_pitch\" type=\"prismatic\"");
+  harness::write_file(scratch.path / "aristo.urdf", urdf);
+  whole["robot"].erase("coupling");
+  whole["robot"].erase("speeds");
+  whole["robot"]["home"]["wrist_pitch"] = 1e9;
+  EXPECT_TRUE(fault(whole.dump())
+                  .starts_with("robot.home.wrist_pitch: crosses a limit of the joint: 1000000000 is not within "));
+  whole["robot"]["home"].erase("wrist_pitch");
+  EXPECT_EQ(fault(whole.dump()), "robot.home: the key \"wrist_pitch\" is missing");
 }
 
 // urdfdom's own words have no line; XML is checked before it reads it.

@@ -46,6 +46,7 @@ struct Depth {
     }
     return depth;
   }
+  double operator()(const cell::Sphere&) const { return -1; }
   double operator()(const cell::MeshFile&) const { return -1; }
   double operator()(const Boolean&) const { return -1; }
 };

@@ -33,7 +33,8 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
   const auto lines = [](const std::string& s) { return std::count(s.begin(), s.end(), '\n'); };
   EXPECT_EQ(lines(text("trajectory.csv")), 1 + 603);
   EXPECT_EQ(lines(text("moves.csv")), 1 + 15);
-  EXPECT_NE(text("moves.csv").find("\n2,to-storage,base,contact,-149,-148.498862,0.498862,148.49"), std::string::npos)
+  EXPECT_NE(text("moves.csv").find("\n2,to-storage,base,contact,-149,-148.498862,2.4833,0.498862,148.49"),
+            std::string::npos)
       << text("moves.csv");
   EXPECT_EQ(text("methods.csv").substr(0, 60), "method,asked,wrong_hits,wrong_misses,unsure,stops,share_low,");
   const auto trajectory = nlohmann::json::parse(text("trajectory.json"));

@@ -32,7 +32,7 @@ double sampled(const Sweep& sweep, const kinematics::Angles& from, cell::Moved j
   for (int i = 0; i <= 2000; ++i) {
     kinematics::Angles at = from;
     at[joint] += degrees * i / 2000;
-    if (!sweep.at_rest(at, load, queries).empty()) return std::abs(degrees) * i / 2000;
+    if (sweep.at_rest(at, load, queries)) return std::abs(degrees) * i / 2000;
   }
   return -1;
 }
@@ -61,7 +61,7 @@ TEST(Sweep, FindsNothingWhereNothingIs) {
   const Sweep sweep(workcell);
   std::uint64_t queries = 0;
   const Sweep::Load load{{}, StationSlot::Storage};
-  EXPECT_EQ(sweep.at_rest(workcell.arm().home, load, queries), "");
+  EXPECT_FALSE(sweep.at_rest(workcell.arm().home, load, queries));
   EXPECT_FALSE(sweep.along(workcell.arm().home, cell::kBase, 90, load, queries));
   const auto raised = sweep.along(workcell.arm().home, cell::kElbow, 40, load, queries);
   EXPECT_FALSE(raised) << raised->what;

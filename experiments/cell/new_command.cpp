@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/cell/cell_commands.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
+#include "geometry/io/detail/legible.h"
+
+namespace touchstone::cell {
+namespace {
+
+struct NewOptions {
+  std::string folder, line;
+  bool force = false;
+};
+
+int run(const NewOptions& options) {
+  const std::filesystem::path least = harness::source_folder() / "experiments/cell/cells/least";
+  const harness::OutputFolder held(options.folder, options.line, {.force = options.force});
+  for (const char* name : {"arm.urdf", "cell.json"}) {
+    std::ifstream stream(least / name);
+    if (!stream) throw std::runtime_error((least / name).string() + ": cannot be read");
+    harness::write_file(held.path() / name, {std::istreambuf_iterator<char>(stream), {}});
+  }
+  const std::string folder = io::all_legible(options.folder);
+  fmt::print(
+      "{0}/cell.json and {0}/arm.urdf: the least cell. Change them, then\n  touchstone cell show {0}/cell.json\n"
+      "  touchstone cell run {0}/cell.json\n  touchstone cell serve {0}/cell.json\n",
+      folder);
+  return 0;
+}
+
+}  // namespace
+
+harness::Command new_command() {
+  harness::Command command("new", "Write the least cell and its arm into a folder, to start from");
+  auto options = std::make_shared<NewOptions>();
+  command.text("DIR", options->folder, "The folder").required();
+  command.force(options->force);
+  command.keep_line(options->line);
+  command.example("cell new mine && touchstone cell show mine/cell.json");
+  command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
+  return command;
+}
+
+}  // namespace touchstone::cell
