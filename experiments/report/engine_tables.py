@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cells of tables of engines, in pages of Markdown and in the report."""
+import math
+
 from names import ENGINES
 from readings.regress import Outcomes, families_of, rows_by_engine
 from shares import unless_whole
@@ -21,6 +23,27 @@ def overall(rows, polygons):
         share = (unless_whole(s.wrong / s.cases, f"{100 * s.wrong / s.cases:.2g}") + " %" if s.wrong else
                  f"0 of {s.cases:,} (< {100 * (1 - 0.05 ** (1 / polygons)):.2g} % of polygons)")
         lines.append([engine, ENGINES[engine], share, s.first_offset(power), f"{s.failed_families} of {len(families)}"])
+    return lines
+
+
+MOVING = ["engine", "", "wrong motions", "missed contacts", "invented contacts", "largest offset of a wrong answer", "times rounded correctly",
+          "worst time, of the size"]
+
+
+def moving(data):
+    """The cells of a line for each engine, under the heads MOVING. `data`: readings.motions.Data."""
+    def percent(part, whole):
+        value = 100 * part / whole
+        return unless_whole(part / whole, f"{value:.0f}" if value >= 9.5 else f"{value:.2g}") + " %"
+
+    lines = []
+    for engine in data.methods:
+        row = data.all(engine)
+        samples, timed = row["samples"], row["timed"]
+        wrong = percent(row["failed"], samples) if row["failed"] else f"0 of {samples:,} (< {100 * (1 - 0.05 ** (1 / samples)):.2g} %)"
+        offset = "none" if row["furthest"] is None else power(round(-math.log2(row["furthest"]))) if row["furthest"] else "at offset 0 alone"
+        lines.append([engine, ENGINES[engine], wrong, f"{row['missed']:,}", f"{row['invented']:,}", offset,
+                      percent(row["correctly_rounded"], timed) if timed else "no time", f"{row['worst_size']:.2g}" if timed else ""])
     return lines
 
 

@@ -47,6 +47,13 @@ def of_method(name):
     return f"{NAMED[name]} (<code>{name}</code>)"
 
 
+# motions: how the ball moves, and what one of the threshold radius does.
+WAYS = {"across": "passes across the way to its closest point", "along": "moves along an edge", "through": "falls through the plane",
+        "start": "starts near the polygon", "end": "ends near the polygon", "anywhere": "moves anywhere"}
+EVENTS = {("graze", "face"): "grazes a face", ("graze", "edge"): "grazes an edge", ("graze", "vertex"): "grazes a vertex",
+          ("start", "face"): "starts at a face", ("start", "edge"): "starts at an edge", ("start", "vertex"): "starts at a vertex",
+          ("end", "face"): "ends at a face", ("end", "edge"): "ends at an edge", ("end", "vertex"): "ends at a vertex"}
+
 # bench-scenes
 QUESTIONS = {"any": "touches any?", "all": "touches which?", "nearest": "nearest?"}
 BALLS = {"near": "near the surface", "anywhere": "anywhere", "touching": "just touching"}

@@ -17,13 +17,17 @@ import sys
 import tempfile
 
 import markers
-from engine_tables import OVERALL, by_family, overall
+from engine_tables import MOVING, OVERALL, by_family, moving, overall
 from names import ENGINES
+from readings.motions import Data
 from readings.regress import families_of
+from results import Study
 from shares import unless_whole
 
 NEAR_EDGE_METHODS = ["fast", "fast-float", "thesis", "thesis-signed"]
 SAMPLES = 60
+MOTION_SAMPLES = 6
+NO_SWEEP = ["thesis", "ode", "embree", "cgal-epeck-intersect", "cgal-epick-intersect", "cgal-double-intersect"]
 ROWS = {  # threshold: what is asked about there, in words; the test of rates.csv
     "face": ("radius at the distance of a face", "contact"),
     "edge": ("radius at the distance of an edge", "contact"),
@@ -105,10 +109,19 @@ def columns_page(touchstone):
     return "\n" + subprocess.run([touchstone, "columns", "--markdown"], check=True, capture_output=True, text=True).stdout
 
 
+def moving_engines_table(touchstone):
+    present = [engine for engine in ENGINES if engine not in absent_engines(touchstone) and engine not in NO_SWEEP]
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([touchstone, "motions", "--methods", ",".join(present), "--samples", str(MOTION_SAMPLES), "--no-pictures", "--output", folder],
+                       check=True, stdout=subprocess.DEVNULL)
+        return markdown(MOVING, moving(Data(Study(pathlib.Path(folder))))).replace("|  |", "| |")
+
+
 TABLES = [  # page, name in its markers, what makes it
     ("docs/methods.md", "near-edge", near_edge_table),
     ("docs/tables.md", "columns", columns_page),
     ("docs/judging.md", "engines", engines_table),
+    ("docs/judging.md", "moving engines", moving_engines_table),
     ("tests/experiments/judge/regress/README.md", "engines by family", engines_by_family_table),
 ]
 

@@ -89,6 +89,18 @@ def bases(stated):
             for text, rows in groups + [("known errors of the thesis's method, derived here", own)] if rows]
 
 
+def fit(own):
+    """How easily the layout fits: beside how many captions it does."""
+    values = {row["what"]: row["ours"] for row in own.get("table 6.1", [])}
+    try:
+        free, captions = values["values of the layout that are chosen freely"], values["captioned moves of both cases that it must reproduce"]
+        homes, share = values["home poses that were tried"], values["of these with a layout in which all captions come out"]
+    except KeyError:
+        return ""
+    return (f"<p>The layout was solved for {number(captions)} captioned moves, with {number(free)} values that could be chosen. Of "
+            f"{number(homes)} home poses tried, {number(share, 3)} % have a layout in which all captions come out.</p>")
+
+
 def chapter_of(entry):
     return entry["id"].removeprefix("table ").split(".")[0]
 
@@ -121,6 +133,7 @@ cited from its lists of figures and tables; pictures and numbers are computed by
 <div class="summary"><p>{len(entries)} figures and tables, {len(entries) - sum(chapter_of(e) == "E" for e in entries)} of the thesis
 and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:</p><ul>{counts}</ul>
 <ul>{"".join(f"<li>{line}</li>" for line in bases(stated))}</ul>
+{fit(own)}
 <p>{"These differ:" if differing else "None differs."}</p>
 {"<ul>" + differ + "</ul>" if differ else ""}
 <p>Where a number comes from:</p><ul>{labels}</ul>

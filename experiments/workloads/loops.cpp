@@ -11,6 +11,15 @@ std::vector<Loop> loops_of(const Polygon& polygon) {
   return loops;
 }
 
+double extent_of(const Polygon& polygon) {
+  Eigen::Vector3d low = polygon.vertex(0), high = low;
+  for (std::size_t i = 1; i < polygon.vertex_count(); ++i) {
+    low = low.cwiseMin(polygon.vertex(i));
+    high = high.cwiseMax(polygon.vertex(i));
+  }
+  return (high - low).maxCoeff();
+}
+
 Polygon polygon_of(const std::vector<Loop>& loops) { return Polygon(loops[0], {loops.begin() + 1, loops.end()}); }
 
 }  // namespace touchstone::workloads

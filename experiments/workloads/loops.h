@@ -9,6 +9,8 @@ namespace touchstone::workloads {
 
 /// Returns the loops of a polygon, the outer one first.
 [[nodiscard]] std::vector<Loop> loops_of(const Polygon& polygon);
+/// Returns the largest difference of a coordinate of two vertices.
+[[nodiscard]] double extent_of(const Polygon& polygon);
 /// Returns the polygon of these loops. Throws Rejected if neighbouring vertices are equal or a number is not finite.
 [[nodiscard]] Polygon polygon_of(const std::vector<Loop>& loops);
 

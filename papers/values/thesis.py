@@ -22,15 +22,21 @@ def values(study):
              if row["joint"] == "base" and row["phase"] in ("to-storage", "to-machine")]
     captioned = [abs(turn) for turn in turns]
     yield "base-turns", ", ".join(rf"{turn:g}\textdegree{{}}" for turn in captioned[:-1]) + rf" and {captioned[-1]:g}\textdegree{{}}"
-    areas = study.rows("areas.csv", outline=str, points=natural, share=finite)
+    areas = study.rows("areas.csv", outline=str, points=natural, share=finite, hull=finite)
     yield "points", count(min(row["points"] for row in areas))
     yield "worst-area-share", percent(max(row["share"] for row in areas))
+    notched = [row for row in areas if row["hull"] > 0]
+    if any(row["share"] <= row["hull"] for row in notched):
+        raise ValueError("the hull takes no less for inside than the thesis's method somewhere, which the text does not say")
+    yield "least-hull-share", percent(min(row["hull"] for row in notched))
+    yield "worst-hull-share", percent(max(row["hull"] for row in notched))
     touching = study.rows("touching.csv", balls=natural, missed=natural)
     yield "touching-balls", count(sum(row["balls"] for row in touching))
     yield "touching-missed", count(sum(row["missed"] for row in touching))
 
 
 def tables(study):
-    rows = [[row["outline"], percent(row["share"]), f"{percent(row['lower'])} to {percent(row['upper'])}"]
-            for row in study.rows("areas.csv", outline=str, share=finite, lower=finite, upper=finite)]
-    yield "areas", table("lrr", ["outline", "wrongly inside", "limits"], rows)
+    rows = [[row["outline"], percent(row["share"]), f"{percent(row['lower'])} to {percent(row['upper'])}",
+             percent(row["hull"]), str(row["parts"])]
+            for row in study.rows("areas.csv", outline=str, share=finite, lower=finite, upper=finite, hull=finite, parts=natural)]
+    yield "areas", table("lrrrr", ["outline", "wrongly inside", "limits", "in the hull", "convex parts"], rows)

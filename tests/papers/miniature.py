@@ -70,6 +70,18 @@ FILES = {
                               ("fcl", ["star", "u"], 2, 0, 8, 8))},
     "soak": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",
                                (["general", "all"], ["triangle", "answer"], 4, 3, 2, 1, 1, 1, 0))},
+    "soak-moving": {"soak.csv": table("family way cases double permanent double-double fixed-integer unlimited differences",
+                                      (["general", "all"], ["moving-triangle", "moving-prepared"], 4, 3, 2, 1, 1, 1, 0))},
+    "motions": {
+        "ways.csv": table("way method samples failed answers missed invented unsure furthest timed correctly_rounded median_ulps worst_ulps "
+                          "median_size worst_size",
+                          (["across", "all"], ["exact", "filtered"], 8, 0, 80, 0, 0, 0, "", 40, 40, 0, 0, 0, 0),
+                          (["across", "all"], ["fast", "bullet", "fcl"], 8, 2, 80, 2, 1, 0, 0.0625, 40, 20, 0, 4, 0, 0.25),
+                          (["across", "all"], "libccd", 8, 1, 80, 1, 0, 0, 0, 0, 0, "", "", "", "")),
+        "thresholds.csv": table("event feature method offset trials missed invented rate",
+                                ("graze", "edge", ["filtered", "fast"], [-0.0625, 0.0625], 8, 0, 0, 0))},
+    "tunnelling": {
+        "misses.csv": table("radius steps contacts missed rate lower upper", ([0, 0.00390625, 0.0625], [1, 4, 64], 8, 2, 0.25, 0, 0.9))},
     "meshes": {
         "meshes.csv": table("mesh faces rejected method place test trials wrong",
                             ("arm", 4, 1, ["filtered", "exact"], ["face", "edge", "vertex"], "contact", 8, 0),
@@ -83,7 +95,7 @@ FILES = {
     "thesis": {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
         "moves.csv": table("phase joint degrees", ("to-storage", "elbow", -3), ("to-storage", "base", -149), ("to-machine", "base", 66), ("to-home", "base", 149)),
-        "areas.csv": table("outline points share lower upper", (["U3x3", "square"], 100, 0.86, 0.8, 0.9)),
+        "areas.csv": table("outline points share lower upper hull parts", (["U3x3", "square"], 100, 0.86, 0.8, 0.9, 0.29, 3)),
         "touching.csv": table("balls missed", (8, 7))},
 }
 
@@ -100,7 +112,7 @@ def contest(family, name):
 
 
 BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
-                      contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines")]}
+                      contest("motions", "contact, random triangles"), contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines")]}
 
 
 def write(results):

@@ -36,7 +36,7 @@ def is_quoted(contestants, name):
     return "ratio" in contestants.get(name, {}) and not is_noisy(contestants[name]["ratio"])
 
 
-def line(about, contestants):
+def line(about, contestants, others=OTHERS):
     ours, fast = contestants["filtered"], contestants["fast"]
     ratio, goal, wrong = ours["ratio"], ours.get("goal"), fast.get("wrong")
     if is_noisy(ratio):
@@ -46,8 +46,16 @@ def line(about, contestants):
                   f"{rounded(ratio['upper_quartile'], 3)}</small>")
         aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
     return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
-            quoted, aim, *(multiple(ratio_of(contestants, other)) if is_quoted(contestants, other) else "" for other in OTHERS),
+            quoted, aim, *(multiple(ratio_of(contestants, other)) if is_quoted(contestants, other) else "" for other in others),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
+
+
+def motions_table(every):
+    """Empty where moving balls were not asked about."""
+    rows = [line(escaped(name), contestants, ("exact",)) for (family, name), contestants in every.items() if family == "motions"]
+    head = ["moving balls", "fast, ns", "filtered, ns", "filtered / fast", "goal", "exact / filtered", "fast is wrong"]
+    return table("The same of moving balls: contact, and first contact with time, feature and point. Motions past triangles lead from "
+                 "anywhere to anywhere; those of polygons pass near the plane.", head, rows, range(1, len(head))) if rows else ""
 
 
 def chapter(study):
@@ -60,4 +68,5 @@ def chapter(study):
 core: {count(queries['asked'])} distinct questions of each kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
 are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
 asked about triangles where their questions are the same.</p>""" + table(
-        "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows, range(1, len(head)))
+        "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
+        range(1, len(head))) + motions_table(every)

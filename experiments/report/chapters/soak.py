@@ -18,7 +18,7 @@ def finding(study):
             f"cases: in contact at most {percent(upper_limit(a.trials))} of such cases do{rest} (95 %).")
 
 
-def chapter(study):
+def stages_table(study):
     rows = rows_of(study)
     families = list(dict.fromkeys(row["family"] for row in rows))
     body = []
@@ -28,9 +28,13 @@ def chapter(study):
         body.append([escaped(family), count(asked_here), *(bar(sum(row[stage] for row in own) / asked_here,
                                                                percent(sum(row[stage] for row in own) / asked_here)) if asked_here else "0"
                                                            for stage in STAGES), str(sum(row["differences"] for row in own))])
+    return table(
+        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which "
+        "doubles could not have told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))
+
+
+def chapter(study):
     return f"""<p>{code('filtered')} answers by stages: plain doubles with a proved bound on their error; where that cannot
 tell, double-doubles (two doubles for one number); where those cannot, integers as long as it takes. The soak asks it about
 cases made to hurt (exact tangency, needles, points, extreme exponents, far from the origin) in three ways (a triangle, a
-prepared polygon, the whole answer) and holds every answer against {code('exact')}.</p>""" + table(
-        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which "
-        "doubles could not have told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))
+prepared polygon, the whole answer) and holds every answer against {code('exact')}.</p>""" + stages_table(study)

@@ -13,7 +13,8 @@ class Data:
     def __init__(self, study):
         self.entries = study.rows("entries.csv", id=str, caption=str, page=str, status=str, text=str, picture=str, shows=str)
         self.numbers = study.rows("numbers.csv", id=str, what=str, unit=str, ours=any_or_none, stated=str, label=str, basis=str, agrees=str)
-        self.areas = study.rows("areas.csv", outline=str, share=maybe(any_number), right=natural, wrong=natural)
+        self.areas = study.rows("areas.csv", outline=str, share=maybe(any_number), right=natural, wrong=natural,
+                                hull=any_number, parts=natural)
         self.stated = [row for row in self.numbers if row["stated"]]
         self.differing = [row for row in self.stated if row["agrees"] == "no"]
 
@@ -66,7 +67,21 @@ the angles at which the polygon's edges are seen from the foot and calls the foo
 Without signs, that is wrong for non-convex outlines"""
     if worst:
         text += f": for the outline “{escaped(worst['outline'])}” the area wrongly called inside is {percent(worst['share'], 3)} of the outline's own"
-    text += ". Every figure and table of the thesis that has a number gets that number; "
+    text += ". The thesis wants to avoid convex hulls, which fill notches, and decompositions into convex parts, which it finds costly."
+    if data.areas:
+        text += "</p>"
+        text += table("Area outside an outline that is taken for inside, relative to the outline's own",
+                      ["outline", "thesis's angle sum", "convex hull", "convex parts", "number of these"],
+                      [[escaped(row["outline"]), "" if row["share"] is None else percent(row["share"], 3), percent(row["hull"], 3),
+                        "0", count(row["parts"])] for row in data.areas], (1, 2, 3, 4))
+        beaten = [row for row in data.areas if row["hull"] > 0 and row["share"] is not None]
+        if beaten and all(row["share"] > row["hull"] for row in beaten):
+            text += "<p>On every outline that is not convex, its test is wrong over more area than the hull that it is to avoid. "
+        else:
+            text += "<p>"
+    else:
+        text += " "
+    text += "Every figure and table of the thesis that has a number gets that number; "
     text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}

@@ -60,8 +60,10 @@ class Rates:
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
 
     def legend(self, figure):
-        handles, labels = figure.axes[0].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="upper right", ncol=min(4, len(labels)), frameon=False)
+        """The methods of the panel with most of them: an engine may lack a test."""
+        handles, labels = max((axes.get_legend_handles_labels() for axes in figure.axes), key=lambda pair: len(pair[1]))
+        if labels:
+            figure.legend(handles, labels, loc="upper right", ncol=min(4, len(labels)), frameon=False)
 
 
 def axis_label(threshold):

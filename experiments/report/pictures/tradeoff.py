@@ -61,6 +61,7 @@ class Spot:
 
     def __init__(self, row):
         self.method, self.front = row["method"], row["front"]
+        self.through = " (through a pipe)" if row.get("through") == "pipe" else ""
         self.x = float(row["nanoseconds"])
         self.quartiles = float(row["lower_quartile_ns"]), float(row["upper_quartile_ns"])
         error, lower, upper = float(row["finite_error"]), float(row["lower"]), float(row["upper"])
@@ -77,7 +78,7 @@ class Spot:
     @property
     def name(self):
         overflow = f" ({unless_whole(self.not_finite, f'{100 * self.not_finite:.2g}')} % overflow)" if self.not_finite > 0 else ""
-        return self.method + overflow
+        return self.method + self.through + overflow
 
 
 def staircase(spots, time):

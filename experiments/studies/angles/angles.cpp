@@ -14,6 +14,7 @@
 #include "experiments/cases/method.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/workloads/random.h"
 #include "experiments/workloads/ulp.h"
 #include "experiments/workloads/workload.h"
@@ -22,7 +23,7 @@ namespace touchstone::angles {
 namespace {
 
 struct Options : harness::StudyOptions {
-  std::vector<std::string> methods{"fast", "fast-float", "thesis", "thesis-signed", "filtered"};
+  methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed", "filtered"}};
   std::vector<std::string> families{"all"};
   std::size_t vertices = 24;
 };
@@ -84,9 +85,7 @@ Eigen::Vector3d normal_of(const Polygon& polygon) {
 class Study {
  public:
   explicit Study(const Options& options)
-      : options_(options),
-        methods_(methods::find_methods(options.methods)),
-        families_(workloads::find_families(options.families)) {}
+      : options_(options), methods_(options.methods.methods()), families_(workloads::find_families(options.families)) {}
 
   [[nodiscard]] Sum zero() const { return {.count = std::vector<std::array<Count, kAngles>>(methods_.size())}; }
 
@@ -197,7 +196,7 @@ harness::Command angles_command() {
   options->samples = 100;
   options->output = "results/angles";
   options->has_pictures = false;
-  command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
+  methods::declare_compared_methods(command, options->methods);
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
@@ -205,6 +204,7 @@ harness::Command angles_command() {
       .changes_results();
   harness::declare_study(command, *options, "--samples", "Polygons of each family");
   command.writes({angles::table().description()});
+  command.example("angles --samples 10");
   command.runs(harness::study_runner("angles", kVersion, *options,
                                      [options](harness::StudyRun& run) { return angles::run_angles(run, *options); }));
   return command;

@@ -199,6 +199,7 @@ harness::Command bench_command() {
   command.text("--count", options->count,
                "Do not time: run this candidate of one family on all queries, for a profiler");
   command.force(options->force);
+  command.example("bench --family near --samples 100");
   command.runs([options] {
     return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });
   });

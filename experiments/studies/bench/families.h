@@ -30,5 +30,6 @@ struct Family {
 [[nodiscard]] std::vector<Family> triangle_families();
 [[nodiscard]] std::vector<Family> polygon_families();  ///< `polygons-N`, `off-plane` and `questions`
 [[nodiscard]] Family batch_family();
+[[nodiscard]] Family motion_family();
 
 }  // namespace touchstone::bench

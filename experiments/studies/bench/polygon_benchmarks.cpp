@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "experiments/studies/bench/asked_polygons.h"
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/fast_tree.h"
 #include "experiments/studies/bench/polygon_queries.h"
@@ -14,9 +15,10 @@ namespace touchstone::bench {
 namespace {
 
 using Outline = workloads::Family;
-using Queries = std::shared_ptr<const std::vector<PolygonQuery>>;
-template <class Prepared>
-using Polygons = std::shared_ptr<const std::vector<Prepared>>;
+
+Queries<PolygonQuery> ball_queries(const std::vector<Polygon>& polygons, const Settings& settings) {
+  return std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
+}
 
 struct Size {
   std::size_t vertices;
@@ -33,90 +35,20 @@ const std::vector<Size>& sizes() {
   return list;
 }
 
-template <class Prepared>
-Polygons<Prepared> prepare(const std::vector<Polygon>& polygons) {
-  std::vector<Prepared> list;
-  for (const Polygon& polygon : polygons) list.emplace_back(polygon);
-  return std::make_shared<const std::vector<Prepared>>(std::move(list));
-}
-
-/// Several where they are small, so that no single one decides.
-std::vector<Polygon> draw_polygons(Outline outline, std::size_t vertices, std::uint64_t seed) {
-  const std::uint64_t count = std::clamp<std::uint64_t>(1024 / vertices, 1, 16);
-  std::vector<Polygon> polygons;
-  for (std::uint64_t i = 0; i < count; ++i) polygons.push_back(draw_polygon(outline, vertices, seed, i));
-  return polygons;
-}
-
-std::vector<Polygon> draw_polygons_of_all_outlines(std::size_t vertices, std::uint64_t seed) {
-  std::vector<Polygon> polygons;
-  for (const Outline outline : outlines_of(vertices))
-    for (Polygon& polygon : draw_polygons(outline, vertices, seed)) polygons.push_back(std::move(polygon));
-  return polygons;
-}
-
 std::vector<Polygon> move_off_plane(const std::vector<Polygon>& planar, const OffPlane& off_plane, std::uint64_t seed) {
   std::vector<Polygon> moved;
   for (const Polygon& polygon : planar) moved.push_back(move_off_plane(polygon, off_plane, seed, moved.size()));
   return moved;
 }
 
-/// Returns the number of queries for which exact takes about a second.
-std::size_t checked(const Settings& settings, std::size_t vertices) {
-  if (!settings.checks) return 0;
-  return std::min<std::size_t>(settings.samples, std::clamp<std::size_t>(200'000 / vertices, 8, 5000));
-}
-
-/// Returns the answers of `exact` to the first `count` queries.
-template <class Question>
-auto truths(const Question& question, const std::vector<Polygon>& polygons, const Queries& queries, std::size_t count) {
-  using Truth = decltype(question(queries->front().ball, exact::PreparedPolygon(polygons.front())));
-  std::vector<Truth> list;
-  if (count > 0) {
-    const auto prepared = prepare<exact::PreparedPolygon>(polygons);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& [ball, polygon] = (*queries)[i];
-      list.push_back(question(ball, (*prepared)[polygon]));
-    }
-  }
-  return std::make_shared<const std::vector<Truth>>(std::move(list));
-}
-
-template <class Prepared, class Question, class Truths>
-timing::Candidate asks(std::string name, const Polygons<Prepared>& polygons, const Queries& queries,
-                       const Truths& truths, const Question& question,
-                       std::optional<timing::Comparison> comparison = std::nullopt) {
-  return candidate(
-      std::move(name), queries, truths,
-      [polygons, question](const PolygonQuery& query) { return question(query.ball, (*polygons)[query.polygon]); },
-      std::move(comparison));
-}
-
-/// One question about the same polygons, to fast and to filtered.
-template <class Question>
-timing::Benchmark compare(std::string name, const std::vector<Polygon>& polygons, std::size_t vertices,
-                          const Settings& settings, const Question& question, std::optional<timing::Goal> goal) {
-  const auto queries =
-      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
-  timing::Benchmark benchmark;
-  benchmark.name = std::move(name);
-  benchmark.checked = checked(settings, vertices);
-  const auto truth = truths(question, polygons, queries, benchmark.checked);
-  benchmark.candidates = {asks("fast", prepare<fast::PreparedPolygon<>>(polygons), queries, truth, question),
-                          asks("filtered", prepare<filtered::PreparedPolygon>(polygons), queries, truth, question,
-                               timing::Comparison{"fast", goal})};
-  return benchmark;
-}
-
 constexpr auto kContact = [](const Ball& ball, const auto& polygon) { return contact(ball, polygon); };
 
 timing::Benchmark contacts(Outline outline, const Size& size, const Settings& settings) {
   const auto polygons = draw_polygons(outline, size.vertices, settings.seed);
+  const auto queries = ball_queries(polygons, settings);
   timing::Benchmark benchmark =
-      compare(std::string(to_string(outline)), polygons, size.vertices, settings, kContact, size.goal);
+      compare(std::string(to_string(outline)), polygons, size.vertices, queries, settings, kContact, size.goal);
   // The least share of the time of filtered that the same walk takes without bounds.
-  const auto queries =
-      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
   benchmark.candidates.push_back(asks("fast, same tree", prepare<FastTree>(polygons), queries,
                                       truths(kContact, polygons, queries, benchmark.checked), kContact,
                                       timing::Comparison{"filtered", timing::Goal{1 / 1.3, false}}));
@@ -159,8 +91,7 @@ timing::Benchmark preparations(std::size_t vertices, const Settings& settings) {
 timing::Benchmark asked_once(std::size_t vertices, const Settings& settings) {
   const auto polygons =
       std::make_shared<const std::vector<Polygon>>(draw_polygons_of_all_outlines(vertices, settings.seed));
-  const auto queries =
-      std::make_shared<const std::vector<PolygonQuery>>(draw_balls(*polygons, settings.seed, settings.samples));
+  const auto queries = ball_queries(*polygons, settings);
   timing::Benchmark benchmark;
   benchmark.name = "asked once";
   benchmark.note = "all outlines, preparation included";
@@ -248,8 +179,7 @@ timing::Benchmark off_plane(std::size_t vertices, const Settings& settings) {
   const auto planar = draw_polygons_of_all_outlines(vertices, settings.seed);
   for (const OffPlane& moved : all_off_plane()) {
     const auto polygons = move_off_plane(planar, moved, settings.seed);
-    const Queries queries =
-        std::make_shared<const std::vector<PolygonQuery>>(draw_balls(polygons, settings.seed, settings.samples));
+    const auto queries = ball_queries(polygons, settings);
     const auto truth = truths(kContact, polygons, queries, benchmark.checked);
     const bool base = moved.share == 0;
     benchmark.candidates.push_back(asks(moved.name, prepare<filtered::PreparedPolygon>(polygons), queries, truth,
@@ -289,7 +219,8 @@ Family question_family() {
                                                           std::optional<timing::Goal> goal = std::nullopt) {
       family.benchmarks.emplace_back([=](const Settings& settings) {
         const auto polygons = draw_polygons_of_all_outlines(vertices, settings.seed);
-        return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices, settings, question, goal);
+        return compare(fmt::format("{}, {} vertices", name, vertices), polygons, vertices,
+                       ball_queries(polygons, settings), settings, question, goal);
       });
     };
     add("relation", [](const Ball& ball, const auto& polygon) { return relation(ball, polygon); });

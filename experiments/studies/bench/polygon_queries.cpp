@@ -17,7 +17,8 @@ namespace {
 using workloads::Random;
 
 // Beyond those that the workloads draw from.
-constexpr std::uint64_t kOffPlaneStream = std::uint64_t{1} << 40, kBallStream = kOffPlaneStream + 1;
+constexpr std::uint64_t kOffPlaneStream = std::uint64_t{1} << 40, kBallStream = kOffPlaneStream + 1,
+                        kMotionStream = kOffPlaneStream + 2;
 
 /// The vertices' box in the two axes that are not dropped, and the plane above it.
 class Region {
@@ -76,6 +77,20 @@ Polygon draw_polygon(workloads::Family outline, std::size_t vertices, std::uint6
   return workloads::draw_placed_outline(workload, seed, index).polygon;
 }
 
+std::vector<Polygon> draw_polygons(workloads::Family outline, std::size_t vertices, std::uint64_t seed) {
+  const std::uint64_t count = std::clamp<std::uint64_t>(1024 / vertices, 1, 16);
+  std::vector<Polygon> polygons;
+  for (std::uint64_t i = 0; i < count; ++i) polygons.push_back(draw_polygon(outline, vertices, seed, i));
+  return polygons;
+}
+
+std::vector<Polygon> draw_polygons_of_all_outlines(std::size_t vertices, std::uint64_t seed) {
+  std::vector<Polygon> polygons;
+  for (const auto outline : outlines_of(vertices))
+    for (Polygon& polygon : draw_polygons(outline, vertices, seed)) polygons.push_back(std::move(polygon));
+  return polygons;
+}
+
 Polygon move_off_plane(const Polygon& polygon, const OffPlane& off_plane, std::uint64_t seed, std::uint64_t index) {
   if (off_plane.share == 0) return polygon;
   const Region region(polygon);
@@ -111,6 +126,21 @@ std::vector<PolygonQuery> draw_balls(const std::vector<Polygon>& polygons, std::
     queries.push_back({{foot + height * region.normal(), radius}, polygon});
   }
   return queries;
+}
+
+std::vector<PolygonMotion> draw_motions(const std::vector<Polygon>& polygons, std::uint64_t seed, std::uint64_t count) {
+  std::vector<double> sizes;
+  for (const Polygon& polygon : polygons) sizes.push_back(Region(polygon).size());
+  std::vector<PolygonMotion> motions;
+  motions.reserve(count);
+  for (const auto& [ball, polygon] : draw_balls(polygons, seed, count)) {
+    Random random(seed, motions.size(), kMotionStream);
+    const auto part = [&random, size = sizes[polygon]] { return size * (2 * random.unit() - 1); };
+    const Eigen::Vector3d way(part(), part(), part());
+    const double share = random.unit();
+    motions.push_back({{{ball.center - share * way, ball.radius}, ball.center + (1 - share) * way}, polygon});
+  }
+  return motions;
 }
 
 }  // namespace touchstone::bench

@@ -7,6 +7,7 @@
 
 #include "experiments/workloads/workload.h"
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/polygon.h"
 
 namespace touchstone::bench {
@@ -29,6 +30,9 @@ struct OffPlane {
 /// found.
 [[nodiscard]] Polygon draw_polygon(workloads::Family outline, std::size_t vertices, std::uint64_t seed,
                                    std::uint64_t index);
+/// Draws several where they are small, so that no single one decides.
+[[nodiscard]] std::vector<Polygon> draw_polygons(workloads::Family outline, std::size_t vertices, std::uint64_t seed);
+[[nodiscard]] std::vector<Polygon> draw_polygons_of_all_outlines(std::size_t vertices, std::uint64_t seed);
 /// Returns the same polygon with its vertices off the plane; also accepted by `exact::validate`. Requires a polygon
 /// without holes.
 [[nodiscard]] Polygon move_off_plane(const Polygon& polygon, const OffPlane& off_plane, std::uint64_t seed,
@@ -44,5 +48,14 @@ struct PolygonQuery {
 /// at most the radius, so that it always meets the plane.
 [[nodiscard]] std::vector<PolygonQuery> draw_balls(const std::vector<Polygon>& polygons, std::uint64_t seed,
                                                    std::uint64_t count);
+
+struct PolygonMotion {
+  Motion motion;
+  std::uint32_t polygon;
+};
+
+/// Draws motions that pass through the places of these balls in any direction, on ways of up to the polygon's size.
+[[nodiscard]] std::vector<PolygonMotion> draw_motions(const std::vector<Polygon>& polygons, std::uint64_t seed,
+                                                      std::uint64_t count);
 
 }  // namespace touchstone::bench

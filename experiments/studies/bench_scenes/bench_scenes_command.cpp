@@ -105,6 +105,7 @@ int measure_scenes(const SceneOptions& options) {
     results.push_back(measure_scene(
         make(), libraries, options.settings, stop, [&](const SceneResult& result) { print(builds_table(result)); },
         [&](const SceneBenchmark& benchmark) { print(table(benchmark.result)); }));
+    for (const MotionBenchmark& benchmark : results.back().motions) print(table(benchmark.result));
     print(poses_table(results.back()));
     ::malloc_trim(0);  // the next, larger scene needs it
   }
@@ -141,6 +142,7 @@ harness::Command bench_scenes_command() {
   command.no_pictures(options->no_pictures);
   command.force(options->force);
   command.writes(tables());
+  command.example("bench-scenes --max-faces 10000");
   command.runs([options] { return harness::run_alone([&] { return measure_scenes(*options); }); });
   return command;
 }

@@ -7,6 +7,7 @@
 #include "experiments/methods/ericson.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -30,6 +31,19 @@ std::vector<std::uint32_t> touched_by_brute_force(std::span<const Triangle> tria
     if (exact::contact(ball, polygon(t))) touched.push_back(i);
   }
   return touched;
+}
+
+std::optional<double> first_contact_by_brute_force(std::span<const Triangle> triangles, const Motion& motion) {
+  const Eigen::Array3d low = motion.ball.center.cwiseMin(motion.to).array() - 1.5 * motion.ball.radius,
+                       high = motion.ball.center.cwiseMax(motion.to).array() + 1.5 * motion.ball.radius;
+  std::optional<double> first;
+  for (const Triangle& t : triangles) {
+    const Box around = box(t);
+    if ((around.low.array() > high).any() || (around.high.array() < low).any()) continue;
+    const FirstContact contact = exact::first_contact(motion, polygon(t));
+    if (contact.contact() && (!first || contact.time < *first)) first = contact.time;
+  }
+  return first;
 }
 
 double least_distance_by_brute_force(std::span<const Triangle> triangles, const Eigen::Vector3d& center) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BulletCollision/CollisionDispatch/SphereTriangleDetector.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
@@ -64,6 +65,17 @@ class BulletScene : public BuiltScene {
     shape_->processAllTriangles(&meeting, center - radius, center + radius);
   }
 
+  std::optional<double> first_contact(const Motion& motion) override {
+    btSphereShape sphere(motion.ball.radius);
+    const btTransform here = btTransform::getIdentity(), from(here.getBasis(), vector(motion.ball.center)),
+                      to(here.getBasis(), vector(motion.to));
+    btCollisionObject mesh;
+    mesh.setCollisionShape(&*shape_);
+    btCollisionWorld::ClosestConvexResultCallback first(from.getOrigin(), to.getOrigin());
+    btCollisionWorld::objectQuerySingle(&sphere, from, to, &mesh, &*shape_, here, first, 0);
+    return first.hasHit() ? std::optional<double>(first.m_closestHitFraction) : std::nullopt;
+  }
+
  private:
   std::vector<int> indices_;
   std::optional<btTriangleIndexVertexArray> mesh_;
@@ -76,7 +88,8 @@ class BulletScene : public BuiltScene {
 Library bullet_library() {
   return {.name = "Bullet",
           .build = [](std::span<const Triangle> triangles) { return std::make_unique<BulletScene>(triangles); },
-          .knows_nearest = false};
+          .knows_nearest = false,
+          .knows_motions = true};
 }
 
 }  // namespace touchstone::bench_scenes

@@ -7,6 +7,10 @@ namespace touchstone::bench_scenes {
 
 std::uint32_t BuiltScene::nearest(const Eigen::Vector3d&) { throw std::logic_error("a library without `nearest`"); }
 
+std::optional<double> BuiltScene::first_contact(const Motion&) {
+  throw std::logic_error("a library without `first_contact`");
+}
+
 std::vector<Library> all_libraries() {
   std::vector<Library> libraries{touchstone_library()};
 #ifdef TOUCHSTONE_EMBREE

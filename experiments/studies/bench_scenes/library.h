@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/shapes/ball.h"
+#include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 
 namespace touchstone::bench_scenes {
@@ -30,6 +31,9 @@ class BuiltScene {
   /// Returns the triangle that is nearest to the centre, or one of several. Throws std::logic_error if the library does
   /// not support this query.
   virtual std::uint32_t nearest(const Eigen::Vector3d& center);
+  /// Returns the time at which the moving ball first touches any triangle; nothing if it never does. Throws
+  /// std::logic_error if the library does not support this query.
+  virtual std::optional<double> first_contact(const Motion& motion);
   /// Returns the memory that it holds, in bytes, if the library knows that better than `malloc`.
   [[nodiscard]] virtual std::optional<std::size_t> bytes() const { return std::nullopt; }
 };
@@ -41,6 +45,7 @@ struct Library {
   std::function<std::unique_ptr<BuiltScene>(std::span<const Triangle>)> build;
   bool exact = false;  ///< whether its answers are the truth, which brute force checks
   bool knows_nearest = true;
+  bool knows_motions = false;
 };
 
 // One a file. Where a library answers by boxes alone, the triangles are asked by `fast::contact`, plain doubles.

@@ -33,7 +33,15 @@ class Goals {
     if (goal.met_by(value))
       ++met_;
     else
-      missed_ += fmt::format("  {}: {:.3g}, not <= {:.3g}\n", what, value, goal.ratio);
+      missed_ += fmt::format("  {}: {:.3g}, not {} {:.3g}\n", what, value, goal.at_most ? "<=" : ">=", goal.ratio);
+  }
+  /// Adds the goals of the candidates that have one.
+  void add(const timing::Result& result) {
+    for (const timing::Measured& m : result.candidates)
+      if (!m.ratios.empty() && m.comparison->goal)
+        add(fmt::format("{}, {}, {}in times of {}", result.family, result.name,
+                        m.comparison->goal->at_most ? "" : m.name + " ", m.comparison->base),
+            *m.comparison->goal, timing::quartiles(m.ratios).median);
   }
   [[nodiscard]] std::string text() const {
     return fmt::format("{} of {} goals met{}\n", met_, all_, missed_.empty() ? "" : "; missed:\n" + missed_);
@@ -125,6 +133,34 @@ const harness::Table<QueryRow>& queries_table() {
   return table;
 }
 
+struct MotionRow {
+  const SceneResult* scene;
+  const MotionBenchmark* benchmark;
+  const timing::Measured* measured;
+  timing::Quartiles nanoseconds;
+};
+
+const harness::Table<MotionRow>& motions_table() {
+  using Row = MotionRow;
+  using harness::path;
+  constexpr const char* kFormat = "{:.6g}";
+  static const harness::Table<Row> table(
+      "motions.csv", "a scene, length of motions and library",
+      {{"scene", "the kind of scene", path(&Row::scene, &SceneResult::kind)},
+       {"triangles", "its triangles", path(&Row::scene, &SceneResult::triangles)},
+       {"motions", "short, a radius, or long, thirty", path(&Row::benchmark, &MotionBenchmark::length)},
+       {"library", "the library; the scene about the ball at its start, too",
+        path(&Row::measured, &timing::Measured::name)},
+       {"nanoseconds", "a first contact, median", path(&Row::nanoseconds, &timing::Quartiles::median), kFormat},
+       {"lower_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::lower), kFormat},
+       {"upper_quartile", "in nanoseconds", path(&Row::nanoseconds, &timing::Quartiles::upper), kFormat},
+       {"wrong", "wrong answers",
+        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->count) : std::nullopt; }},
+       {"checked", "checked answers",
+        [](const Row& row) { return row.measured->wrong ? std::optional(row.measured->wrong->of) : std::nullopt; }}});
+  return table;
+}
+
 struct BuildRow {
   const SceneResult* scene;
   const Build* build;
@@ -203,12 +239,8 @@ std::string scene_goals(const std::vector<SceneResult>& results, const std::stri
         goals.add(title(result) + ", bytes a triangle", kMemoryGoal, build.bytes);
       }
     }
-    for (const SceneBenchmark& benchmark : result.benchmarks)
-      for (const timing::Measured& m : benchmark.result.candidates)
-        if (!m.ratios.empty() && m.comparison->goal)
-          goals.add(
-              fmt::format("{}, {}, in times of {}", benchmark.result.family, benchmark.result.name, m.comparison->base),
-              *m.comparison->goal, timing::quartiles(m.ratios).median);
+    for (const SceneBenchmark& benchmark : result.benchmarks) goals.add(benchmark.result);
+    for (const MotionBenchmark& benchmark : result.motions) goals.add(benchmark.result);
   }
   for (const SceneResult& result : results)
     for (const PoseRow& row : pose_rows(result.poses))
@@ -232,6 +264,9 @@ Wrong: answers that differ from those of Scene; for Scene, from exact, asked tri
 right if its distance, correctly rounded, is the least. These checks are not timed.
 Memory: as allocated by malloc or, for Embree, as it reports itself, with its copy of the triangles in floats; the given
 triangles are not counted.
+Motions: of balls near the surface that do not touch at their start, in random directions; short ones are as long as a
+radius, long ones as thirty. FCL asks at 100 places of the way, Bullet casts a convex shape. Wrong: contact found or
+missed, or a time that differs by more than a millionth of the way.
 Poses: the time of set_pose for an object of all triangles, and that of queries near it afterwards, relative to a scene
 that was built of the posed triangles.
 )";
@@ -240,14 +275,20 @@ that was built of the posed triangles.
 Json json(const std::vector<SceneResult>& results) {
   Json scenes = Json::array(), growth = Json::array();
   for (const SceneResult& result : results) {
-    Json scene = {{"scene", result.kind},      {"triangles", result.triangles},     {"builds", Json::array()},
-                  {"contests", Json::array()}, {"poses", poses_json(result.poses)}, {"disputes", result.disputes}};
+    Json scene = {{"scene", result.kind},       {"triangles", result.triangles}, {"builds", Json::array()},
+                  {"contests", Json::array()},  {"motions", Json::array()},      {"poses", poses_json(result.poses)},
+                  {"disputes", result.disputes}};
     for (const Build& build : result.builds) scene["builds"].push_back(build_json(result, build));
     for (const SceneBenchmark& benchmark : result.benchmarks) {
       Json one = json(std::vector<timing::Result>{benchmark.result}).front();
       one["balls"] = to_string(benchmark.place);
       one["question"] = to_string(benchmark.question);
       scene["contests"].push_back(std::move(one));
+    }
+    for (const MotionBenchmark& benchmark : result.motions) {
+      Json one = json(std::vector<timing::Result>{benchmark.result}).front();
+      one["motions"] = to_string(benchmark.length);
+      scene["motions"].push_back(std::move(one));
     }
     scenes.push_back(std::move(scene));
   }
@@ -257,20 +298,26 @@ Json json(const std::vector<SceneResult>& results) {
 
 void write_scene_tables(const std::filesystem::path& folder, const std::vector<SceneResult>& results) {
   std::vector<QueryRow> queries;
+  std::vector<MotionRow> motions;
   std::vector<BuildRow> builds;
   for (const SceneResult& result : results) {
     for (const Build& build : result.builds) builds.push_back({&result, &build});
     for (const SceneBenchmark& benchmark : result.benchmarks)
       for (const timing::Measured& m : benchmark.result.candidates)
         if (!m.nanoseconds.empty()) queries.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
+    for (const MotionBenchmark& benchmark : result.motions)
+      for (const timing::Measured& m : benchmark.result.candidates)
+        if (!m.nanoseconds.empty()) motions.push_back({&result, &benchmark, &m, timing::quartiles(m.nanoseconds)});
   }
   queries_table().write(folder, queries);
+  motions_table().write(folder, motions);
   builds_csv().write(folder, builds);
   growths_csv().write(folder, growths(results));
 }
 
 std::vector<harness::TableDescription> tables() {
-  return {queries_table().description(), builds_csv().description(), growths_csv().description()};
+  return {queries_table().description(), motions_table().description(), builds_csv().description(),
+          growths_csv().description()};
 }
 
 }  // namespace touchstone::bench_scenes

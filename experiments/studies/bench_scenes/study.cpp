@@ -12,6 +12,7 @@
 #include "experiments/harness/progress_line.h"
 #include "experiments/statistics/percent.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/studies/bench_scenes/motions.h"
 
 namespace touchstone::bench_scenes {
 namespace {
@@ -258,6 +259,18 @@ SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& l
                                        [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
       keep(result.benchmarks.back());
     }
+  }
+  std::vector<Sweeping> sweeping;
+  for (const Built& one : all) sweeping.push_back({one.library, one.scene});
+  for (const MotionLength length : {MotionLength::Short, MotionLength::Long}) {
+    if (stop || !exact->library->knows_motions) break;
+    const timing::Benchmark benchmark = motion_benchmark(
+        scene.triangles, sweeping, length,
+        draw_motions(length, scene.triangles, *exact->scene, settings.samples, settings.seed), result.disputes);
+    harness::ProgressLine line(fmt::format("bench: {}, {}", title, benchmark.name), settings.repetitions);
+    result.motions.push_back({length, measure(
+                                          title, benchmark, settings.repetitions, stop,
+                                          [&](std::uint64_t done) { line(done); }, settings.seconds_of_repetition)});
   }
   if (!stop) {
     const Balls balls = draw(BallPlace::Near, scene, settings, *exact->scene);

@@ -33,6 +33,17 @@ struct Build {
   double bytes = 0;             ///< of memory per triangle, besides the given triangles
 };
 
+/// The length of a motion: one radius of its ball, or thirty.
+enum class MotionLength { Short, Long };
+
+[[nodiscard]] std::string_view to_string(MotionLength length);
+
+/// One benchmark of moving balls.
+struct MotionBenchmark {
+  MotionLength length;
+  timing::Result result;
+};
+
 /// One benchmark of a scene.
 struct SceneBenchmark {
   BallPlace place;
@@ -47,6 +58,7 @@ struct SceneResult {
   std::vector<SceneBenchmark> benchmarks;
   std::vector<std::string> disputes;  ///< where the exact scene and brute force differ: must be empty
   PoseCosts poses = {};
+  std::vector<MotionBenchmark> motions = {};
 };
 
 struct SceneSettings {
@@ -63,7 +75,8 @@ inline constexpr timing::Goal kQueryGoal{0.7};
 
 /// Builds the scene with every library, keeps all of them, and queries them in turn, contest by contest; passes each
 /// contest to `keep`. An answer is wrong if it differs from the exact library's; an answer of the exact library, for
-/// the first balls, if it differs from brute force. Then measures poses, with the balls near the surface. Throws
+/// the first balls, if it differs from brute force. Then measures moving balls, and poses, with the balls near the
+/// surface. Throws
 /// std::invalid_argument unless one of the libraries is exact.
 [[nodiscard]] SceneResult measure_scene(const NamedScene& scene, const std::vector<Library>& libraries,
                                         const SceneSettings& settings, const std::atomic<bool>& stop,

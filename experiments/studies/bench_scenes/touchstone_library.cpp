@@ -20,6 +20,11 @@ class ExactScene : public BuiltScene {
 
   std::uint32_t nearest(const Eigen::Vector3d& center) override { return scene_.nearest({center, 0})->face.face; }
 
+  std::optional<double> first_contact(const Motion& motion) override {
+    const auto first = scene_.first_contact(motion);
+    return first ? std::optional(first->contact.time) : std::nullopt;
+  }
+
  private:
   scene::Scene scene_;
 };
@@ -27,7 +32,10 @@ class ExactScene : public BuiltScene {
 }  // namespace
 
 Library touchstone_library() {
-  return {"Scene", [](std::span<const Triangle> triangles) { return std::make_unique<ExactScene>(triangles); }, true};
+  return {.name = "Scene",
+          .build = [](std::span<const Triangle> triangles) { return std::make_unique<ExactScene>(triangles); },
+          .exact = true,
+          .knows_motions = true};
 }
 
 }  // namespace touchstone::bench_scenes

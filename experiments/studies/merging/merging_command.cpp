@@ -134,6 +134,7 @@ harness::Command merging_command() {
   command.output(options->output, "The folder for the tables");
   command.force(options->force);
   command.writes(tables());
+  command.example("merging part.obj");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -13,8 +13,10 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
+#include "experiments/harness/table_json.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/studies/meshes/output.h"
 #include "experiments/workloads/meshes/named_meshes.h"
 #include "geometry/io/detail/legible.h"
@@ -27,9 +29,9 @@ using namespace workloads;
 
 struct Options {
   std::vector<std::string> files;
-  std::vector<std::string> methods{"all"};
+  methods::Selection methods{{"all"}};
   Settings settings{.threads = harness::all_threads()};
-  bool skip_bad = false, force = false;
+  bool skip_bad = false, force = false, json = false, quiet = false;
   std::string output = "results/meshes";
   std::string line;  ///< that repeats the run
 };
@@ -50,7 +52,7 @@ Meshes read(const Options& options) {
 
 int run(Options& options) {
   Settings& settings = options.settings;
-  settings.methods = methods::find_methods(options.methods);
+  settings.methods = options.methods.methods();
   const std::filesystem::path folder = options.output;
   const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const auto begin = std::chrono::steady_clock::now();
@@ -60,7 +62,7 @@ int run(Options& options) {
 
   const harness::StopSignal stop_signal;
   const Result result = [&] {
-    harness::ProgressLine line("meshes", block_count(settings, meshes.read));
+    harness::ProgressLine line("meshes", block_count(settings, meshes.read), 0, !options.quiet);
     return run_study(settings, meshes.read, stop_signal.requested(), [&](std::uint64_t done) { line(done); });
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -74,10 +76,13 @@ int run(Options& options) {
   harness::write_run_record(
       folder, {options.line, settings.seed, result.faces, faces, result.rejected.size(), settings.threads, seconds});
 
-  fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
-             table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
-             meshes.parts_left_out, seconds, settings.seed);
-  fmt::print("Results: {}\n", io::all_legible(folder.string()));
+  if (options.json) fmt::print("{}", harness::tables_json(folder, tables()));
+  if (!options.json && !options.quiet) {
+    fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
+               table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
+               meshes.parts_left_out, seconds, settings.seed);
+    fmt::print("Results: {}\n", io::all_legible(folder.string()));
+  }
   harness::flush_standard_output();
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
@@ -100,7 +105,7 @@ harness::Command meshes_command() {
   auto options = std::make_shared<Options>();
   command.keep_line(options->line);
   command.meshes(options->files, "Mesh files");
-  command.methods(options->methods);
+  methods::declare_methods(command, options->methods);
   command.seed(options->settings.seed);
   command.whole("--faces", options->settings.faces,
                 "The number of faces of each mesh to test, from the first on (default: all)", 1);
@@ -109,7 +114,10 @@ harness::Command meshes_command() {
                "Leave out faulty parts of a file, and report them; rejected faces are then not an error");
   command.output(options->output, "The folder for the tables and the failing cases");
   command.force(options->force);
+  command.quiet(options->quiet);
+  command.json(options->json).excludes("--quiet");
   command.writes(tables());
+  command.example("meshes part.obj --methods fast,filtered");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -5,6 +5,7 @@
 
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/studies/near_edge/output.h"
 
 namespace touchstone::commands {
@@ -13,11 +14,12 @@ namespace {
 using namespace near_edge;
 
 struct Options : harness::StudyOptions {
-  std::vector<std::string> methods{"fast", "fast-float", "thesis", "thesis-signed"};
+  methods::Selection methods{{"fast", "fast-float", "thesis", "thesis-signed"}};
   std::vector<std::string> families{"all"};
   cases::Shape shape;
   std::string oracle = "exact";
   std::uint64_t search = 100;  // about 20 s
+  bool no_maps = false;
 };
 
 // Raised when sample n of a seed changes, or the form of what is kept.
@@ -31,7 +33,7 @@ class Run {
   Run(harness::StudyRun& run, const Options& options)
       : run_(run),
         options_(options),
-        settings_{methods::find_methods(options.methods),
+        settings_{options.methods.methods(),
                   workloads::find_families(options.families),
                   options.samples,
                   options.seed,
@@ -42,7 +44,7 @@ class Run {
   int operator()() {
     if (options_.search > 0) run_.require_resumable(kSearchCheckpoint, options_.search, no_onsets(settings_));
     const std::string pace = sample();
-    draw();
+    if (!options_.no_maps) draw();
     if (options_.search > 0) search();
     if (!run_.first()) return 0;
 
@@ -132,7 +134,7 @@ harness::Command near_edge_command() {
   auto options = std::make_shared<Options>();
   options->samples = 1000;  // about 35 s on two cores
   options->output = "results/near-edge";
-  command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
+  methods::declare_compared_methods(command, options->methods);
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
@@ -155,10 +157,12 @@ harness::Command near_edge_command() {
                 "Search for the furthest wrong answers, starting from this number of samples of each family, threshold "
                 "and distance from the origin",
                 0, kMostSamples);
+  command.flag("--no-maps", options->no_maps, "Draw no maps: they ask each method some hundred thousand times");
   harness::declare_study(command, *options, "--samples", "Samples of each family, placement and threshold",
                          kMostSamples);
   command.writes(tables());
   command.writes(search_tables());
+  command.example("near-edge --methods fast,filtered --samples 20 --search 0");
   command.runs(harness::study_runner("near-edge", kVersion, *options,
                                      [options](harness::StudyRun& run) { return Run(run, *options)(); }));
   return command;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/methods/registry.h"
+#include "experiments/workloads/loops.h"
 
 namespace touchstone::near_edge {
 namespace {
@@ -22,14 +23,7 @@ int differing_axis(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-double AtThreshold::size() const {
-  Eigen::Vector3d low = polygon.vertex(0), high = low;
-  for (std::size_t i = 1; i < polygon.vertex_count(); ++i) {
-    low = low.cwiseMin(polygon.vertex(i));
-    high = high.cwiseMax(polygon.vertex(i));
-  }
-  return (high - low).maxCoeff();
-}
+double AtThreshold::size() const { return workloads::extent_of(polygon); }
 
 std::optional<Ball> AtThreshold::moved(double share) const {
   Ball result = ball;

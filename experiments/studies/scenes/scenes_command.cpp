@@ -25,6 +25,7 @@
 #include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/studies/scenes/ask.h"
 #include "experiments/studies/scenes/output.h"
 #include "experiments/workloads/meshes/named_meshes.h"
@@ -44,14 +45,14 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 }
 
 struct SceneOptions {
-  std::vector<std::string> files, objects, units;
+  std::vector<std::string> files, objects, units, engines;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
   unsigned threads = harness::all_threads();
   bool any = false, all = false, nearest = false, counts = false, skip_bad = false, force = false;
 
   [[nodiscard]] Question question() const { return any ? Question::Any : nearest ? Question::Nearest : Question::All; }
-  [[nodiscard]] bool filtered() const { return method == "filtered"; }
+  [[nodiscard]] bool filtered() const { return method == "filtered" && engines.empty(); }
   std::string line;  ///< that repeats the run
 };
 
@@ -74,6 +75,13 @@ Units units_of(const SceneOptions& options) {
                                             units.meshes.size(), options.files.size()));
   units.scene = options.scene_unit.empty() ? units.meshes.front() : workloads::find_unit(options.scene_unit);
   return units;
+}
+
+/// Returns the method that is asked: the engine, if there is one.
+const cases::Method& method_of(const SceneOptions& options) {
+  const auto methods = methods::Selection{{options.method}, options.engines}.methods();
+  if (options.method == "all" || methods.size() > 2) throw std::invalid_argument("--method takes one method");
+  return *methods.back();
 }
 
 struct Loaded {
@@ -182,8 +190,8 @@ std::string summary(const SceneOptions& options, const Units& units, const Loade
                       units.scene ? fmt::format("; lengths in {}", units.scene->name) : "");
   if (!options.filtered()) {
     const Differences& differences = sums.differences;
-    text += fmt::format("{} answers otherwise than filtered to {} of {} balls", options.method, differences.answers,
-                        differences.balls);
+    text += fmt::format("{} answers otherwise than filtered to {} of {} balls", method_of(options).name(),
+                        differences.answers, differences.balls);
     if (options.nearest) text += fmt::format(", gives another distance for {}", differences.distances);
     text += fmt::format(", and is unsure of some face for {}. The counts are those of filtered.\n", differences.unsure);
   }
@@ -233,7 +241,7 @@ class Lines {
 /// Asks about the balls a leg at a time and writes the answers as they come.
 Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const scene::Scene& scene, const Order& order,
          const Source& source, const std::atomic<bool>& stop, Lines& lines) {
-  const cases::Method* const method = options.filtered() ? nullptr : methods::find_methods({options.method}).front();
+  const cases::Method* const method = options.filtered() ? nullptr : &method_of(options);
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
@@ -267,8 +275,7 @@ int run(const SceneOptions& options) {
   if (!options.output.empty()) held.emplace(options.output, options.line, harness::Existing{.force = options.force});
   Lines lines(options.output);
   const Units units = units_of(options);
-  (void)methods::find_methods({options.method});
-  if (options.method == "all") throw std::invalid_argument("--method takes one method");
+  (void)method_of(options);
   const std::optional<Loaded> loaded = load(options, units);
   if (!loaded) return kBadInput;
   const std::vector<Object>& objects = loaded->objects;
@@ -322,6 +329,9 @@ harness::Command scenes_command() {
   command.text(
       "--method", options->method,
       "filtered uses the scene's hierarchy; any other method is asked about every face, and compared with filtered");
+  methods::declare_engines(command, options->engines,
+                           "Instead of --method: an engine of yours, COMMAND or COMMAND=NAME")
+      .excludes("--method");
   command.texts("--objects", options->objects,
                 "Ask about these objects only: a name, or names separated by commas; may be repeated");
   command.names("--unit", options->units,
@@ -339,6 +349,7 @@ harness::Command scenes_command() {
   command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
   command.force(options->force);
   command.writes(tables());
+  command.example("scenes part.obj --samples 100 --nearest");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

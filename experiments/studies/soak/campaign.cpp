@@ -10,7 +10,10 @@ std::uint64_t run_campaign(const Settings& settings, const SystemUnderTest& test
   constexpr std::uint64_t kBlock = 256;  // about 10 ms on one core
   return harness::run_sweep(
       settings.cases, settings.threads, control, Tally(), tally,
-      [&](std::uint64_t i, Tally& part) { compare(tested, settings.seed, settings.from + i, part); }, kBlock);
+      [&](std::uint64_t i, Tally& part) {
+        (settings.moving ? compare_moving : compare)(tested, settings.seed, settings.from + i, part);
+      },
+      kBlock);
 }
 
 }  // namespace touchstone::soak

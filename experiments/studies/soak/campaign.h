@@ -14,6 +14,7 @@ struct Settings {
   std::uint64_t seed = 1;
   std::uint64_t from = 0;  ///< the index of the first case
   unsigned threads = 1;    ///< of each process
+  bool moving = false;     ///< the balls move
 };
 
 /// Runs the cases from, from + 1, ... that the tally does not contain yet, and adds them to it in order.

@@ -6,8 +6,10 @@
 #include <memory>
 
 #include "experiments/cases/output_lines.h"
+#include "experiments/workloads/adversarial/motions.h"
 #include "experiments/workloads/ulp.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 
 namespace touchstone::soak {
 namespace {
@@ -35,6 +37,20 @@ class Comparison {
     // A multiplier spreads the share over all families, which go by the index.
     if (prepared && index_ * 0x9e3779b97f4a7c15 >> 60 == 0)
       ask(Way::Answer, [&](auto& counts) { ask_whole(*prepared, truth, counts); });
+    tally_.add_case(std::move(differences_));
+  }
+
+  void ask_all_moving() {
+    const Motion motion = adversarial::draw_motion(case_, seed_, index_);
+    case_.ball = motion.ball;
+    to_ = motion.to;
+    const FirstContact truth = exact::first_contact(motion, case_.polygon);
+    if (const auto triangle = case_.triangle())
+      ask(Way::MovingTriangle, [&](auto& counts) { ask_moving(motion, *triangle, truth, counts); });
+    ask(Way::MovingPrepared, [&](auto& counts) {
+      const filtered::PreparedPolygon prepared(case_.polygon);
+      ask_moving(motion, prepared, truth, counts);
+    });
     tally_.add_case(std::move(differences_));
   }
 
@@ -121,15 +137,48 @@ class Comparison {
       if (found[i] != exact::contact(balls[i], truth)) differs("contact, in a batch", balls[i], case_.polygon);
   }
 
+  /// Of a triangle or a prepared polygon.
+  template <class Asked>
+  void ask_moving(const Motion& motion, const Asked& asked, const FirstContact& truth, StageCounts& counts) {
+    expect(tested_.first_contact(motion, asked, counts) == truth, "first contact, counted");
+    expect(tested_.first_contact(motion, asked) == truth, "first contact");
+    expect(tested_.plain_first_contact(motion, asked) == truth, "first contact, without vectors");
+    expect(tested_.contact(motion, asked, counts) == truth.contact(), "contact, counted");
+    expect(tested_.contact(motion, asked) == truth.contact(), "contact");
+    expect(tested_.plain_contact(motion, asked) == truth.contact(), "contact, without vectors");
+    ask_batch(motion, asked, truth.contact());
+  }
+
+  /// Contact is the same backwards.
+  void ask_batch(const Motion& motion, const filtered::PreparedPolygon& prepared, bool touches) {
+    const std::array<Motion, 3> motions{{motion, {{motion.to, motion.ball.radius}, motion.ball.center}, motion}};
+    std::array<bool, 3> found{};
+    tested_.contact(motions, prepared, found);
+    for (const bool each : found) expect(each == touches, "contact, in a batch");
+  }
+  void ask_batch(const Motion& motion, const Triangle& t, bool touches) {
+    const std::array<Triangle, 3> triangles{{t, {t.b, t.a, t.c}, {t.b, t.c, t.a}}};
+    std::array<bool, 3> found{};
+    tested_.contact(motion, triangles, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] != touches)
+        differs("contact, in a batch", case_.ball, Polygon({triangles[i].a, triangles[i].b, triangles[i].c}));
+  }
+
   void differs(const std::string& question, const Ball& ball, const Polygon& polygon) {
-    differences_.push_back({index_, cases::case_line(adversarial::name_of_case(seed_, index_), ball, polygon,
-                                                     {std::string(to_string(case_.family)), question},
-                                                     cases::PartialAnswer::of(exact::answer(ball, polygon), ""))});
+    const Answer still = exact::answer(ball, polygon);
+    const auto truth =
+        to_ ? cases::PartialAnswer::of(exact::first_contact(Motion{ball, *to_}, polygon), still.off_plane, "")
+            : cases::PartialAnswer::of(still, "");
+    differences_.push_back(
+        {index_, cases::case_line(adversarial::name_of_case(seed_, index_), cases::Shapes{ball, polygon, to_},
+                                  {std::string(to_string(case_.family)), question}, truth)});
   }
 
   const SystemUnderTest& tested_;
   std::uint64_t seed_, index_;
   adversarial::Case case_;
+  std::optional<Eigen::Vector3d> to_;  // of a moving ball
   Tally& tally_;
   std::vector<Difference> differences_;
 };
@@ -138,6 +187,10 @@ class Comparison {
 
 void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
   Comparison(tested, seed, index, tally).ask_all();
+}
+
+void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally) {
+  Comparison(tested, seed, index, tally).ask_all_moving();
 }
 
 }  // namespace touchstone::soak

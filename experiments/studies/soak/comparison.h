@@ -16,4 +16,8 @@ namespace touchstone::soak {
 /// exception counts as a difference.
 void compare(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
 
+/// Asks about the ball of case `index` as it moves: contact and first contact with the polygon, prepared, with and
+/// without counts and vector instructions; with a triangle also unprepared; and in batches, backwards and at rest.
+void compare_moving(const SystemUnderTest& tested, std::uint64_t seed, std::uint64_t index, Tally& tally);
+
 }  // namespace touchstone::soak

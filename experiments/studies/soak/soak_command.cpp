@@ -11,6 +11,7 @@
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/output.h"
 #include "experiments/workloads/adversarial/case.h"
+#include "experiments/workloads/adversarial/motions.h"
 
 namespace touchstone::commands {
 namespace {
@@ -19,7 +20,7 @@ using namespace soak;
 
 struct Options : harness::StudyOptions {
   std::uint64_t from = 0;
-  bool print = false;
+  bool print = false, moving = false;
 };
 
 /// Prints differences as they are found, so that an endless run tells of them at once.
@@ -37,10 +38,10 @@ class Announcer {
 };
 
 // Raised when case i of a seed changes, or the form of the tally.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 int run_cases(harness::StudyRun& run, const Options& options) {
-  const Settings settings{options.samples, options.seed, options.from, options.threads};
+  const Settings settings{options.samples, options.seed, options.from, options.threads, options.moving};
   std::uint64_t before = 0;
   const Tally tally = run.phase("cases", "checkpoint.json", settings.cases, Tally(), [&](auto control, Tally& sum) {
     before = sum.cases();
@@ -59,8 +60,8 @@ int run_cases(harness::StudyRun& run, const Options& options) {
   if (tally.differing() > 0)
     fmt::print(stderr,
                "touchstone: see {}; `touchstone judge --methods filtered` takes it, and "
-               "`touchstone soak --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
-               (run.folder() / "differences.jsonl").string(), settings.seed);
+               "`touchstone soak{} --seed {} --from INDEX --samples 1 --output FOLDER` asks again\n",
+               (run.folder() / "differences.jsonl").string(), options.moving ? " --moving" : "", settings.seed);
   return run.finish(
       {.done = tally.cases(),
        .text = table(tally) + fmt::format("{} of these cases in {:.0f} s: {:.0f} a second.\n", tally.cases() - before,
@@ -71,7 +72,12 @@ int run_cases(harness::StudyRun& run, const Options& options) {
 int print_cases(const Options& options) {
   for (std::uint64_t index = options.from; index < options.from + options.samples; ++index) {
     const adversarial::Case drawn = adversarial::draw_case(options.seed, index);
-    fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), drawn.ball, drawn.polygon,
+    cases::Shapes shapes{drawn.ball, drawn.polygon};
+    if (options.moving) {
+      const Motion motion = adversarial::draw_motion(drawn, options.seed, index);
+      shapes = {motion.ball, drawn.polygon, motion.to};
+    }
+    fmt::print("{}", cases::case_line(adversarial::name_of_case(options.seed, index), shapes,
                                       {std::string(to_string(drawn.family))}));
   }
   return 0;
@@ -86,13 +92,16 @@ harness::Command soak_command() {
   options->output = "results/soak";
   options->has_pictures = false;
   command.whole("--from", options->from, "The index of the first case").changes_results();
+  command.flag("--moving", options->moving, "Balls move: compare contact and first contact on their ways")
+      .changes_results([options] { return std::string(options->moving ? "yes" : "no"); });
   harness::declare_study(command, *options, "--samples",
                          "The number of cases; case i depends on the seed and on i alone");
   command.flag("--print", options->print, "Only print the cases, as `judge` takes them")
-      .excludes_all_but({"--from", "--samples", "--seed"});
+      .excludes_all_but({"--from", "--moving", "--samples", "--seed"});
   command.writes(tables());
   const auto compare = harness::study_runner("soak", kVersion, *options,
                                              [options](harness::StudyRun& run) { return run_cases(run, *options); });
+  command.example("soak --samples 10000");
   command.runs([options, compare] {
     if (options->from > std::numeric_limits<std::uint64_t>::max() - options->samples)
       throw std::invalid_argument("--from and --samples together go beyond 2^64 - 1");

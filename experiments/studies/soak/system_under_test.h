@@ -6,6 +6,7 @@
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_groups.h"
 #include "robust/filtered/filtered.h"
+#include "robust/filtered/motion.h"
 #include "robust/filtered/triangle_set.h"
 
 namespace touchstone::soak {
@@ -83,6 +84,60 @@ class SystemUnderTest {
   }
   [[nodiscard]] virtual filtered::ClosestPoint closest(const Eigen::Vector3d& center, const Triangle& triangle) const {
     return filtered::closest(center, triangle);
+  }
+
+  // Of moving balls.
+  [[nodiscard]] virtual bool contact(const Motion& motion, const Triangle& triangle) const {
+    return filtered::contact(motion, triangle);
+  }
+  [[nodiscard]] virtual bool contact(const Motion& motion, const Triangle& triangle, Counts& counts) const {
+    return filtered::contact(motion, triangle, counts);
+  }
+  [[nodiscard]] virtual bool contact(const Motion& motion, const Prepared& polygon) const {
+    return filtered::contact(motion, polygon);
+  }
+  [[nodiscard]] virtual bool contact(const Motion& motion, const Prepared& polygon, Counts& counts) const {
+    return filtered::contact(motion, polygon, counts);
+  }
+  virtual void contact(std::span<const Motion> motions, const Prepared& polygon, std::span<bool> touches) const {
+    filtered::contact(motions, polygon, touches);
+  }
+  virtual void contact(const Motion& motion, std::span<const Triangle> triangles, std::span<bool> touches) const {
+    filtered::contact(motion, triangles, touches);
+  }
+  [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Triangle& triangle) const {
+    filtered::NoCounts none;
+    return filtered::baseline_kernels().plain.triangle_motion_contact(filtered::view_of(motion, triangle), none);
+  }
+  [[nodiscard]] virtual bool plain_contact(const Motion& motion, const Prepared& polygon) const {
+    filtered::NoCounts none;
+    return filtered::baseline_kernels().plain.motion_contact(motion, parts_of(polygon), none);
+  }
+  [[nodiscard]] virtual FirstContact first_contact(const Motion& motion, const Triangle& triangle) const {
+    return filtered::first_contact(motion, triangle);
+  }
+  [[nodiscard]] virtual FirstContact first_contact(const Motion& motion, const Triangle& triangle,
+                                                   Counts& counts) const {
+    return filtered::first_contact(motion, triangle, counts);
+  }
+  [[nodiscard]] virtual FirstContact first_contact(const Motion& motion, const Prepared& polygon) const {
+    return filtered::first_contact(motion, polygon);
+  }
+  [[nodiscard]] virtual FirstContact first_contact(const Motion& motion, const Prepared& polygon,
+                                                   Counts& counts) const {
+    return filtered::first_contact(motion, polygon, counts);
+  }
+  [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Triangle& triangle) const {
+    filtered::NoCounts none;
+    FirstContact found;
+    filtered::baseline_kernels().plain.triangle_first_contact(filtered::view_of(motion, triangle), found, none);
+    return found;
+  }
+  [[nodiscard]] virtual FirstContact plain_first_contact(const Motion& motion, const Prepared& polygon) const {
+    filtered::NoCounts none;
+    FirstContact found;
+    filtered::baseline_kernels().plain.first_contact(motion, parts_of(polygon), found, none);
+    return found;
   }
 };
 

@@ -9,9 +9,11 @@ std::string_view to_string(Way way) {
   switch (way) {
     case Way::Triangle: return "triangle";
     case Way::Prepared: return "prepared";
-    case Way::Answer: break;
+    case Way::Answer: return "answer";
+    case Way::MovingTriangle: return "moving-triangle";
+    case Way::MovingPrepared: break;
   }
-  return "answer";
+  return "moving-prepared";
 }
 
 Outcomes& Outcomes::operator+=(const Outcomes& other) {

@@ -15,13 +15,15 @@ namespace touchstone::soak {
 
 /// The ways of asking that are counted separately.
 enum class Way {
-  Triangle,  ///< contact with a triangle, nothing prepared
-  Prepared,  ///< contact with a prepared polygon
-  Answer,    ///< every key of the contract
+  Triangle,        ///< contact with a triangle, nothing prepared
+  Prepared,        ///< contact with a prepared polygon
+  Answer,          ///< every key of the contract
+  MovingTriangle,  ///< contact and first contact of a moving ball with a triangle, nothing prepared
+  MovingPrepared,  ///< the same with a prepared polygon
 };
 
 [[nodiscard]] std::string_view to_string(Way way);
-inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer};
+inline constexpr std::array kWays{Way::Triangle, Way::Prepared, Way::Answer, Way::MovingTriangle, Way::MovingPrepared};
 
 /// The results of the cases of one family asked in one way.
 struct Outcomes {

@@ -8,6 +8,7 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/studies/stability/output.h"
 
 namespace touchstone::commands {
@@ -16,7 +17,7 @@ namespace {
 using namespace stability;
 
 struct Options : harness::StudyOptions {
-  std::vector<std::string> methods{"fast", "fast-float", "fast-long-double", "thesis", "thesis-signed", "filtered"};
+  methods::Selection methods{{"fast", "fast-float", "fast-long-double", "thesis", "thesis-signed", "filtered"}};
   std::vector<std::string> axes{"all"};
 };
 
@@ -54,8 +55,8 @@ constexpr int kVersion = 4;
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 40;
 
 int run_stability(harness::StudyRun& run, const Options& options) {
-  const Settings settings{methods::find_methods(options.methods), select_axes(options.axes), options.samples,
-                          options.seed, options.threads};
+  const Settings settings{options.methods.methods(), select_axes(options.axes), options.samples, options.seed,
+                          options.threads};
   const Summary summary = run.phase("samples", "checkpoint.json", block_count(settings), no_summary(settings),
                                     [&](const auto& control, Summary& sum) { run_study(settings, control, sum); });
   const std::uint64_t triangles = 10 * settings.samples;
@@ -92,13 +93,14 @@ harness::Command stability_command() {
   auto options = std::make_shared<Options>();
   options->samples = 400;
   options->output = "results/stability";
-  command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
+  methods::declare_compared_methods(command, options->methods);
   command.names("--axes", options->axes, "Axes, the properties that get worse, separated by commas, or all")
       .changes_results([options] { return selected_axes(options->axes); });
   harness::declare_study(command, *options, "--samples", "Polygons at each level of each axis; fewer at slow levels",
                          kMostSamples);
   command.writes(tables());
   command.writes(known_tables());
+  command.example("stability --methods fast,filtered --axes aspect,origin --samples 20");
   command.runs(harness::study_runner("stability", kVersion, *options,
                                      [options](harness::StudyRun& run) { return run_stability(run, *options); }));
   return command;

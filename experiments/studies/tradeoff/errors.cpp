@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "experiments/methods/registry.h"
-#include "experiments/studies/tradeoff/units.h"
+#include "experiments/statistics/units.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::tradeoff {
@@ -77,8 +77,8 @@ class Study {
                           std::size_t stratum, MethodErrors& errors) {
     const auto answer = method.ask(ball, cases::QueryKind::Answer);
     std::optional<double> distance, point;
-    if (answer.distance) distance = distance_error(*answer.distance, truth.distance);
-    if (answer.point) point = point_error(*answer.point, truth.point);
+    if (answer.distance) distance = statistics::number_error(*answer.distance, truth.distance);
+    if (answer.point) point = statistics::point_error(*answer.point, truth.point);
     add(errors, Quantity::Distance, distance, n, stratum);
     add(errors, Quantity::Point, point, n, stratum);
     return !std::isfinite(distance.value_or(0)) || !std::isfinite(point.value_or(0));

@@ -147,6 +147,14 @@ const harness::Table<PointRow>& points_table() {
   return table;
 }
 
+constexpr const char* kThrough =
+    "call, or pipe: a program answers, so that times include JSON, the pipe and two changes of process";
+
+/// How a method is asked.
+std::string_view through(std::string_view method) {
+  return methods::find_method(method)->through_pipe() ? "pipe" : "call";
+}
+
 struct TimingRow {
   const Timing* timing;
   const timing::Measured* measured;
@@ -168,7 +176,8 @@ const harness::Table<TimingRow>& timings_table() {
         harness::path(&TimingRow::nanoseconds, &timing::Quartiles::lower), kFormat},
        {"median_ns", "the same, median", harness::path(&TimingRow::nanoseconds, &timing::Quartiles::median), kFormat},
        {"upper_quartile_ns", "the same, upper quartile",
-        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::upper), kFormat}});
+        harness::path(&TimingRow::nanoseconds, &timing::Quartiles::upper), kFormat},
+       {"through", kThrough, [](const TimingRow& row) { return through(row.measured->name); }}});
   return table;
 }
 
@@ -203,7 +212,8 @@ const harness::Table<FrontRow>& front_table() {
              harness::path(&FrontRow::entry, &ParetoEntry::not_finite), kError},
             {"samples", "polygons behind the error", harness::path(&FrontRow::entry, &ParetoEntry::samples)},
             {"front", "on: nothing is better; within-noise; off: another method is better",
-             harness::path(&FrontRow::entry, &ParetoEntry::front)}}}));
+             harness::path(&FrontRow::entry, &ParetoEntry::front)},
+            {"through", kThrough, [](const FrontRow& row) { return through(row.method); }}}}));
   return table;
 }
 

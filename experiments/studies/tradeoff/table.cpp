@@ -175,14 +175,18 @@ std::string legend(const std::vector<Timing>& timings) {
 }  // namespace
 
 std::string table(const Settings& settings, const Errors& errors, const std::vector<Timing>& timings) {
-  std::string text;
+  std::string text, piped;
+  for (const cases::Method* method : settings.methods)
+    if (method->through_pipe()) piped += fmt::format("{}{}", piped.empty() ? "" : ", ", method->name());
+  if (!piped.empty())
+    piped += ": timed through a pipe: a time includes writing and reading JSON, the pipe and two changes of process.\n";
   for (const Placement placement : {Placement::LatticeFrame, Placement::Rotated})
     text += fmt::format("\n{}: {}\n{}\n{}{}", to_string(placement),
                         placement == Placement::LatticeFrame ? "exactly planar polygons on an integer lattice"
                                                              : "rotated polygons, vertices rounded to doubles",
                         times_and_shares(settings, errors, timings, placement), units(settings, errors, placement),
                         fronts(settings, errors, timings, placement));
-  return text + "\n" + legend(timings);
+  return text + "\n" + piped + legend(timings);
 }
 
 }  // namespace touchstone::tradeoff

@@ -6,6 +6,7 @@
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/study.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/studies/tradeoff/output.h"
 
 namespace touchstone::commands {
@@ -14,7 +15,7 @@ namespace {
 using namespace tradeoff;
 
 struct Options : harness::StudyOptions {
-  std::vector<std::string> methods{"all"};
+  methods::Selection methods{{"all"}};
   std::vector<std::string> families{"all"};
   std::size_t queries = 2000;
   unsigned repetitions = 7;
@@ -43,8 +44,8 @@ constexpr int kVersion = 3;
 
 /// One run: all processes measure errors, one process alone measures times.
 int run_tradeoff(harness::StudyRun& run, const Options& options) {
-  const Settings settings{methods::find_methods(options.methods), workloads::find_families(options.families),
-                          options.samples, options.seed, options.threads};
+  const Settings settings{options.methods.methods(), workloads::find_families(options.families), options.samples,
+                          options.seed, options.threads};
   const TimingSettings timed{settings.methods, groups_of(settings.families), options.seed, options.queries,
                              options.repetitions};
   const Errors errors = run.phase("errors", "checkpoint.json", settings.samples, no_errors(settings),
@@ -88,7 +89,7 @@ harness::Command tradeoff_command() {
   auto options = std::make_shared<Options>();
   options->samples = 200;  // with the times about a minute and a half on two cores
   options->output = "results/tradeoff";
-  command.methods(options->methods).changes_results([options] { return methods::selected_names(options->methods); });
+  methods::declare_compared_methods(command, options->methods);
   command.families(options->families).changes_results([options] {
     return workloads::selected_names(options->families);
   });
@@ -101,6 +102,7 @@ harness::Command tradeoff_command() {
   command.writes(tables());
   const auto measure = harness::study_runner("tradeoff", kVersion, *options,
                                              [options](harness::StudyRun& run) { return run_tradeoff(run, *options); });
+  command.example("tradeoff --methods fast,filtered --samples 20");
   command.runs([options, measure] {
     return options->redraw ? harness::run_alone([&] { return redraw(*options); }) : measure();
   });

@@ -17,6 +17,8 @@ PICTURES = {
     "stability": ["failures-close", "failures-ample", "onset", "tightness"],
     "tradeoff": ["front-not-right", "front-distance"],
     "bench-scenes": ["queries-torus"],
+    "motions": ["grazing-pass"],
+    "tunnelling": ["tunnelling"],
     "cell-area": ["cell-area-plan", "cell-area-heights"],
 }
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBox="0 0 72 36"><path d="M0 0L72 36"/></svg>'
@@ -32,6 +34,9 @@ def calls(source, mesh):
                      "--repetitions", "1", "--no-pictures"],
         "regress": ["regress", "--methods", "exact,filtered,fast,thesis,cgal-epick-intersect", "--samples", "1"],
         "soak": ["soak", "--samples", "200"],
+        "motions": ["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"],
+        "tunnelling": ["tunnelling", "--samples", "100", "--repetitions", "1", "--no-pictures"],
+        "soak-moving": ["soak", "--moving", "--samples", "100"],
         "cell": ["cell", "run", cell, "--methods", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],
         "merging": ["merging", mesh, "--compare", "10", "--repetitions", "1"],

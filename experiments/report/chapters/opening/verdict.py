@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The verdict: what fails, how far from contact, what never failed, what that costs."""
-from chapters import bench, meshes, near_edge, regress, stability, thesis, tradeoff
+from chapters import bench, meshes, motions, near_edge, regress, stability, thesis, tradeoff, tunnelling
 from chapters.opening import never_failed
 from page import code, count
 
 BEFORE = (("meshes", meshes), ("near-edge", near_edge), ("stability", stability))
-BEHIND = (("tradeoff", tradeoff), ("bench", bench), ("regress", regress), ("thesis", thesis))
+BEHIND = (("tradeoff", tradeoff), ("bench", bench), ("regress", regress), ("motions", motions), ("tunnelling", tunnelling),
+          ("thesis", thesis))
 
 
 def headline(asked):

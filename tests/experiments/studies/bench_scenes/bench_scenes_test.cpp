@@ -11,6 +11,7 @@
 
 #include "experiments/commands.h"
 #include "experiments/studies/bench_scenes/brute_force.h"
+#include "experiments/studies/bench_scenes/motions.h"
 #include "experiments/studies/bench_scenes/output.h"
 #include "geometry/bvh/box.h"
 #include "robust/exact/exact.h"
@@ -221,6 +222,69 @@ TEST(SceneBench, PosesAreMeasuredForEveryScene) {
   }
 }
 
+TEST(SceneBench, MovingBallsAreAFunctionOfTheSeedAndDoNotTouchAtTheirStart) {
+  const auto triangles = torus(400);
+  const auto exact = touchstone_library().build(triangles);
+  for (const MotionLength length : {MotionLength::Short, MotionLength::Long}) {
+    const auto motions = draw_motions(length, triangles, *exact, 100, 5);
+    const auto again = draw_motions(length, triangles, *exact, 50, 5);
+    ASSERT_GT(again.size(), 5U);
+    for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(motions[i].to, again[i].to);
+    for (const Motion& motion : motions) {
+      EXPECT_TRUE(touched_by_brute_force(triangles, motion.ball).empty());
+      const double radii = (motion.to - motion.ball.center).norm() / motion.ball.radius;
+      EXPECT_NEAR(radii, length == MotionLength::Short ? 1 : 30, 1e-9);
+    }
+  }
+}
+
+TEST(SceneBench, FirstContactsAreThoseOfBruteForceAndOthersAreCounted) {
+  const SceneResult result = measure_small(all_libraries());
+  ASSERT_EQ(result.motions.size(), 2U);
+  EXPECT_TRUE(result.disputes.empty());
+  for (const MotionBenchmark& benchmark : result.motions) {
+    const auto measured = [&](const std::string& library) {
+      return std::ranges::find(benchmark.result.candidates, library, &timing::Measured::name);
+    };
+    EXPECT_EQ(measured(kAtStart)->nanoseconds.size(), 2U);
+    ASSERT_TRUE(measured("Scene")->wrong);
+    EXPECT_GT(measured("Scene")->wrong->of, 5U);
+    EXPECT_EQ(measured("Scene")->wrong->count, 0U);
+    for (const Library& library : all_libraries())
+      EXPECT_EQ(library.knows_motions, measured(library.name) != benchmark.result.candidates.end()) << library.name;
+  }
+}
+
+/// Finds no contact at all.
+class Blind : public Planted {
+ public:
+  using Planted::Planted;
+  std::optional<double> first_contact(const Motion&) override { return std::nullopt; }
+};
+
+TEST(SceneBench, APlantedErrorOfMotionsIsCountedAndThatOfTheTruthDisputed) {
+  const auto blind = [](bool exact) {
+    return Library{.name = "blind",
+                   .build = [](std::span<const Triangle> triangles) { return std::make_unique<Blind>(triangles); },
+                   .exact = exact,
+                   .knows_motions = true};
+  };
+  const auto triangles = torus(400);
+  const std::shared_ptr<BuiltScene> exact = touchstone_library().build(triangles), other = blind(true).build(triangles);
+  const auto motions = draw_motions(MotionLength::Long, triangles, *exact, 60, 5);
+  const Library scene = touchstone_library(), wrong = blind(false), wrong_truth = blind(true);
+  std::vector<std::string> disputes;
+  const auto counted =
+      motion_benchmark(triangles, {{&scene, exact}, {&wrong, other}}, MotionLength::Long, motions, disputes);
+  EXPECT_EQ(counted.candidates[1].count_wrong(10), 0U);
+  EXPECT_GT(counted.candidates[2].count_wrong(counted.checked), 0U);
+  EXPECT_TRUE(disputes.empty());
+  const auto disputed = motion_benchmark(triangles, {{&wrong_truth, other}}, MotionLength::Long, motions, disputes);
+  EXPECT_GT(disputed.candidates[1].count_wrong(20), 0U);
+  ASSERT_FALSE(disputes.empty());
+  EXPECT_EQ(disputes.front().rfind("400 triangles, long motions, first contact, motion ", 0), 0U) << disputes.front();
+}
+
 TEST(SceneBench, GoalsOfPoses) {
   SceneResult result = timed(1000, 100);
   EXPECT_EQ(poses_table(result), "");
@@ -283,6 +347,8 @@ TEST(SceneBenchCommand, PrintsAndWritesEveryRow) {
     EXPECT_EQ(scene["builds"].size(), all_libraries().size());
     EXPECT_EQ(scene["contests"].size(), 8U);
     EXPECT_TRUE(scene["disputes"].empty());
+    EXPECT_EQ(scene["motions"].size(), 2U);
+    EXPECT_NE(text_of(folder / "motions.csv").find(kind + "," + size + ",short,Scene,"), std::string::npos);
     EXPECT_EQ(scene["poses"]["set_pose_nanoseconds"].size(), 1U);
     EXPECT_NE(text.find(kind + ", " + size + " triangles, poses"), std::string::npos);
     for (const Library& library : all_libraries()) {

@@ -19,7 +19,9 @@
 #include "experiments/studies/soak/campaign.h"
 #include "experiments/studies/soak/comparison.h"
 #include "experiments/studies/soak/output.h"
+#include "experiments/workloads/adversarial/motions.h"
 #include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/run_command.h"
 #include "tests/experiments/support/scratch.h"
@@ -196,9 +198,42 @@ class Throwing : public SystemUnderTest {
   }
 };
 
+/// Grazing does not count, of triangles.
+class NoGraze : public SystemUnderTest {
+  using SystemUnderTest::contact;
+  bool contact(const Motion& motion, const Triangle& triangle) const override {
+    return !first_contact(motion, triangle).momentary && SystemUnderTest::contact(motion, triangle);
+  }
+};
+
+class UnroundedTime : public SystemUnderTest {
+  using SystemUnderTest::first_contact;
+  FirstContact first_contact(const Motion& motion, const Prepared& polygon) const override {
+    FirstContact first = SystemUnderTest::first_contact(motion, polygon);
+    if (first.kind == FirstContactKind::Way) first.time = std::nextafter(first.time, 1.0);
+    return first;
+  }
+};
+
+class ForwardsOnly : public SystemUnderTest {
+  using SystemUnderTest::contact;
+  void contact(std::span<const Motion> motions, const Prepared& polygon, std::span<bool> touches) const override {
+    for (std::size_t i = 0; i < motions.size(); ++i)
+      touches[i] = SystemUnderTest::contact(motions[i].ball, polygon);  // at the start alone
+  }
+};
+
+class PlainWithoutEnd : public SystemUnderTest {
+  using SystemUnderTest::plain_contact;
+  bool plain_contact(const Motion& motion, const Prepared& polygon) const override {
+    const FirstContact first = SystemUnderTest::plain_first_contact(motion, polygon);
+    return first.contact() && first.time < 1;
+  }
+};
+
 /// Is the error found, and told as a case that the judge reads, with the exact answer expected?
-void expect_found(const SystemUnderTest& wrong, const std::string& question) {
-  const Settings settings{.cases = 3000, .seed = 9};
+void expect_found(const SystemUnderTest& wrong, const std::string& question, bool moving = false) {
+  const Settings settings{.cases = moving ? 600U : 3000U, .seed = 9, .moving = moving};
   const Tally tally = whole(settings, wrong);
   EXPECT_GT(tally.differing(), 0U) << question;
   ASSERT_FALSE(tally.kept().empty()) << question;
@@ -207,13 +242,18 @@ void expect_found(const SystemUnderTest& wrong, const std::string& question) {
     ASSERT_TRUE(std::holds_alternative<cases::Shapes>(read.content)) << difference.line;
     EXPECT_EQ(read.id, "soak-s9-i" + std::to_string(difference.index));
     EXPECT_NE(difference.line.find("\"" + question), std::string::npos) << difference.line;
-    const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
-    const auto truth = cases::PartialAnswer::of(exact::answer(ball, polygon), "");
+    const auto& shapes = std::get<cases::Shapes>(read.content);
+    const Answer still = exact::answer(shapes.ball, shapes.polygon);
+    EXPECT_EQ(shapes.motion().has_value(), moving) << difference.line;
+    const auto truth =
+        moving ? cases::PartialAnswer::of(exact::first_contact(*shapes.motion(), shapes.polygon), still.off_plane, "")
+               : cases::PartialAnswer::of(still, "");
     EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << difference.line;
   }
   // Asked again by its index alone, the first one differs again.
   const std::uint64_t index = tally.kept().front().index;
-  EXPECT_EQ(whole({.cases = 1, .seed = 9, .from = index}, wrong).kept().front(), tally.kept().front());
+  EXPECT_EQ(whole({.cases = 1, .seed = 9, .from = index, .moving = moving}, wrong).kept().front(),
+            tally.kept().front());
 }
 
 TEST(Soak, FindsPlantedErrors) {
@@ -226,6 +266,49 @@ TEST(Soak, FindsPlantedErrors) {
   expect_found(NoBoundary(), "foot");
   expect_found(FirstEdgeOnly(), "edges_hit");
   expect_found(Throwing(), "prepared: no points, please");
+}
+
+TEST(Soak, FindsPlantedErrorsOfMovingBalls) {
+  expect_found(NoGraze(), "contact", true);
+  expect_found(UnroundedTime(), "first contact", true);
+  expect_found(ForwardsOnly(), "contact, in a batch", true);
+  expect_found(PlainWithoutEnd(), "contact, without vectors", true);
+}
+
+TEST(Soak, CountsEveryMovingCaseOnceEachWay) {
+  const Tally tally = whole({.cases = 500, .seed = 4, .moving = true});
+  std::uint64_t triangles = 0, prepared = 0, still = 0;
+  for (const adversarial::Family family : adversarial::all_families()) {
+    triangles += tally.at(family, Way::MovingTriangle).cases;
+    prepared += tally.at(family, Way::MovingPrepared).cases;
+    still += tally.at(family, Way::Prepared).cases;
+  }
+  EXPECT_EQ(tally.cases(), 500U);
+  EXPECT_EQ(prepared, 500U);
+  EXPECT_GE(triangles, 450U);
+  EXPECT_EQ(still, 0U);
+  EXPECT_EQ(tally.differing(), 0U);
+}
+
+// Hard where they say so: balls graze, start in contact and miss, by a double or at rest.
+TEST(SoakCases, MoveAcrossTheirThresholds) {
+  std::uint64_t start = 0, way = 0, none = 0, momentary = 0, rest = 0;
+  for (std::uint64_t index = 0; index < 1000; ++index) {
+    const adversarial::Case c = adversarial::draw_case(3, index);
+    const Motion motion = adversarial::draw_motion(c, 3, index), again = adversarial::draw_motion(c, 3, index);
+    ASSERT_FALSE(find_fault(motion)) << index;
+    EXPECT_EQ(motion.to, again.to) << index;
+    EXPECT_EQ(motion.ball.radius, again.ball.radius) << index;
+    const FirstContact first = exact::first_contact(motion, c.polygon);
+    start += first.kind == FirstContactKind::Start ? 1 : 0;
+    way += first.kind == FirstContactKind::Way ? 1 : 0;
+    none += first.kind == FirstContactKind::None ? 1 : 0;
+    momentary += first.momentary ? 1 : 0;
+    rest += motion.to == motion.ball.center ? 1 : 0;
+  }
+  for (const std::uint64_t count : {start, way, none}) EXPECT_GT(count, 100U);
+  EXPECT_GT(momentary, 3U);
+  EXPECT_GT(rest, 30U);
 }
 
 // Only so many are kept; they are the first, and the count goes on.
@@ -353,6 +436,27 @@ TEST(SoakCommand, PrintsTheCasesThatItWouldAsk) {
     EXPECT_EQ(shapes.polygon, drawn.polygon);
   }
   EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST(SoakCommand, PrintsMotionsThatItWouldAsk) {
+  const auto ran = run_tests::run_captured(commands::soak_command,
+                                           {"--seed", "2", "--from", "7", "--samples", "1", "--print", "--moving"});
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  const auto& shapes = std::get<cases::Shapes>(cases::read_case(ran.out.substr(0, ran.out.find('\n'))).content);
+  const Motion drawn = adversarial::draw_motion(adversarial::draw_case(2, 7), 2, 7);
+  ASSERT_TRUE(shapes.motion());
+  EXPECT_EQ(shapes.motion()->ball.center, drawn.ball.center);
+  EXPECT_EQ(shapes.motion()->to, drawn.to);
+}
+
+TEST(SoakCommand, MotionsDoNotContinueCasesAtRest) {
+  const Scratch scratch;
+  const std::string folder = (scratch.path / "run").string();
+  ASSERT_EQ(run_command({"--samples", "20", "--output", folder}), 0);
+  const auto ran =
+      run_tests::run_captured(commands::soak_command, {"--samples", "40", "--moving", "--output", folder, "--resume"});
+  EXPECT_EQ(ran.status, 2);
+  EXPECT_NE(ran.err.find("--moving"), std::string::npos) << ran.err;
 }
 
 TEST(SoakCommand, OptionsThatMeanNothingToPrintedCasesAreErrorsThatNameThem) {

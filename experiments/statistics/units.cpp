@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/tradeoff/units.h"
+#include "experiments/statistics/units.h"
 
 #include <cmath>
 #include <limits>
 
-namespace touchstone::tradeoff {
+namespace touchstone::statistics {
 namespace {
 
 double error(double difference, double unit) {
@@ -19,7 +19,7 @@ double unit_in_last_place(double value) {
   return std::ldexp(std::numeric_limits<double>::epsilon(), std::max(std::ilogb(value), kLowest));
 }
 
-double distance_error(double computed, double exact) { return error(computed - exact, unit_in_last_place(exact)); }
+double number_error(double computed, double exact) { return error(computed - exact, unit_in_last_place(exact)); }
 
 double point_error(const Eigen::Vector3d& computed, const Eigen::Vector3d& exact) {
   const double unit = unit_in_last_place(exact.cwiseAbs().maxCoeff());
@@ -28,4 +28,4 @@ double point_error(const Eigen::Vector3d& computed, const Eigen::Vector3d& exact
   return largest;
 }
 
-}  // namespace touchstone::tradeoff
+}  // namespace touchstone::statistics

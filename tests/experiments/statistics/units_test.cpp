@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiments/studies/tradeoff/units.h"
+#include "experiments/statistics/units.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace touchstone::tradeoff {
+namespace touchstone::statistics {
 namespace {
 
 TEST(Units, AreThoseOfTheExactValue) {
@@ -16,11 +16,11 @@ TEST(Units, AreThoseOfTheExactValue) {
   EXPECT_EQ(unit_in_last_place(0), 0x1p-1074);
   EXPECT_EQ(unit_in_last_place(0x1p-1022), 0x1p-1074);
   EXPECT_EQ(unit_in_last_place(0x1p-1021), 0x1p-1073);
-  EXPECT_EQ(distance_error(3, 3), 0);
-  EXPECT_EQ(distance_error(std::nextafter(3.0, 4.0), 3), 1);
-  EXPECT_EQ(distance_error(std::nextafter(3.0, 0.0), 3), 1);
-  EXPECT_EQ(distance_error(std::nan(""), 3), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(distance_error(std::numeric_limits<double>::infinity(), 3), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(number_error(3, 3), 0);
+  EXPECT_EQ(number_error(std::nextafter(3.0, 4.0), 3), 1);
+  EXPECT_EQ(number_error(std::nextafter(3.0, 0.0), 3), 1);
+  EXPECT_EQ(number_error(std::nan(""), 3), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(number_error(std::numeric_limits<double>::infinity(), 3), std::numeric_limits<double>::infinity());
 }
 
 // In the largest coordinate a unit counts one, in a coordinate near 0 next to nothing.
@@ -34,4 +34,4 @@ TEST(Units, OfAPointAreThoseOfItsLargestCoordinate) {
 }
 
 }  // namespace
-}  // namespace touchstone::tradeoff
+}  // namespace touchstone::statistics

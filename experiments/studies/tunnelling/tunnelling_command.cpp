@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "experiments/harness/study.h"
+#include "experiments/studies/tunnelling/cost.h"
+#include "experiments/studies/tunnelling/output.h"
+
+namespace touchstone::commands {
+namespace {
+
+using namespace tunnelling;
+
+struct Options : harness::StudyOptions {
+  std::size_t vertices = 12;
+  unsigned repetitions = 7;
+};
+
+// Raised when sample n of a seed changes, or the form of what is kept.
+constexpr int kVersion = 1;
+
+/// One run: all processes count misses, one process alone measures times.
+int run_tunnelling(harness::StudyRun& run, const Options& options) {
+  const Settings settings{options.vertices, options.samples, options.seed, options.threads};
+  const Misses misses = run.phase("passes", "checkpoint.json", settings.samples, Misses(),
+                                  [&](const auto& control, Misses& sum) { count_misses(settings, control, sum); });
+  if (!run.first()) return 0;
+  run.remove_files({"cost.csv", "tunnelling"});
+  write_misses(run.folder(), misses);
+  std::string text = table(misses);
+  // Processes that wait for the first one keep the machine busy.
+  const bool alone = run.processes().count() == 1;
+  if (alone && !run.stopped()) {
+    const CostSettings timed{.vertices = options.vertices, .seed = options.seed, .repetitions = options.repetitions};
+    const auto cost = run.phase<timing::Result>("times", timed.repetitions, [&](const auto& control) {
+      return measure_cost(timed, control.stop, control.progress);
+    });
+    write_cost(run.folder(), cost);
+    text += "\n" + table(cost);
+  }
+  if (!alone) text += "Times are measured in one process only: --resume without mpirun adds them and the picture.\n";
+  return run.finish({.done = misses.samples,
+                     .missing = misses.missing,
+                     .text = text + fmt::format("\n{} passes, each by a ball of {} radii; {} were not found.\n",
+                                                misses.samples, kRadii.size(), misses.missing),
+                     .pictures = alone});
+}
+
+}  // namespace
+
+harness::Command tunnelling_command() {
+  harness::Command command("tunnelling", "Count the contacts that discrete steps of a moving ball miss");
+  command.footer("\nCounts are the same bytes for the same settings; cost.csv holds times, which are measured.");
+  auto options = std::make_shared<Options>();
+  options->samples = 20'000;
+  options->output = "results/tunnelling";
+  command.whole("--vertices", options->vertices, "Vertices of the polygons, as nearly as a family allows", 3, 1U << 10)
+      .changes_results();
+  command.whole("--repetitions", options->repetitions, "The number of turns of each way of asking", 1, 100'000);
+  harness::declare_study(command, *options, "--samples", "Passes, each by a ball of every radius");
+  command.writes(tables());
+  command.example("tunnelling --samples 1000");
+  command.runs(harness::study_runner("tunnelling", kVersion, *options,
+                                     [options](harness::StudyRun& run) { return run_tunnelling(run, *options); }));
+  return command;
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of moving balls: its thresholds are thresholds, it counts planted errors as what they are, and its data
+// depend on the settings alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "experiments/cases/case.h"
+#include "experiments/cases/comparison.h"
+#include "experiments/commands.h"
+#include "experiments/methods/registry.h"
+#include "experiments/studies/motions/errors.h"
+#include "experiments/studies/motions/grazing_pass.h"
+#include "experiments/studies/motions/output.h"
+#include "experiments/workloads/grazing_radius.h"
+#include "experiments/workloads/loops.h"
+#include "robust/exact/exact.h"
+#include "robust/exact/motion.h"
+#include "tests/experiments/support/run_command.h"
+#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/unwatched.h"
+
+namespace touchstone::motions {
+namespace {
+
+using cases::PartialAnswer;
+using run_tests::kAlone;
+using run_tests::kNeverStop;
+using run_tests::kSilent;
+using run_tests::Scratch;
+using run_tests::text_of;
+
+TEST(GrazingRadius, IsTheLeastDoubleThatTouches) {
+  const Polygon square({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const auto touches = [&](const Motion& motion) { return exact::contact(motion, square); };
+  const auto radius = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return workloads::grazing_radius({{from, 7}, to}, touches);
+  };
+  EXPECT_EQ(radius({-1, 2, -4}, {-1, 2, 4}), 1);
+  EXPECT_EQ(radius({2, 2, 3}, {2, 2, 2}), 2);
+  EXPECT_EQ(radius({2, 2, 3}, {2, 2, -3}), 0);
+  const double root = radius({-1, -1, -4}, {-1, -1, 4});
+  EXPECT_GE(root * root, 2);
+  EXPECT_LT(std::nextafter(root, 0.0) * std::nextafter(root, 0.0), 2);
+}
+
+TEST(Threshold, SeparatesTwoDoublesAndIsNamedByWhatHappensThere) {
+  std::set<Event> events;
+  std::set<Feature::Kind> features;
+  for (std::size_t stratum = 0; stratum < all_strata().size(); ++stratum)
+    for (std::uint64_t n = 0; n < 4; ++n) {
+      const auto at = draw_at_threshold(stratum, 8, 3, n);
+      if (!at) continue;
+      EXPECT_GE(workloads::extent_of(at->polygon), 1);
+      EXPECT_LT(workloads::extent_of(at->polygon), 2);
+      const double radius = at->motion.ball.radius;
+      EXPECT_TRUE(exact::contact(at->motion, at->polygon));
+      EXPECT_FALSE(exact::contact(workloads::with_radius(at->motion, std::nextafter(radius, 0.0)), at->polygon));
+      EXPECT_EQ(exact::first_contact(at->motion, at->polygon).feature.kind, at->feature);
+      EXPECT_EQ(exact::contact(at->motion.ball, at->polygon), at->event == Event::Start);
+      if (at->event == Event::End) {
+        EXPECT_TRUE(exact::contact(Ball{at->motion.to, radius}, at->polygon));
+      }
+      events.insert(at->event);
+      features.insert(at->feature);
+    }
+  EXPECT_EQ(events.size(), 3U);
+  EXPECT_EQ(features.size(), 3U);
+}
+
+TEST(Threshold, IsMovedBySharesOfTheExtent) {
+  const Polygon square({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const auto at = find_threshold(square, {{{-1, 2, -4}, 0}, {-1, 2, 4}});
+  ASSERT_TRUE(at);
+  EXPECT_EQ(at->event, Event::Graze);
+  EXPECT_EQ(at->feature, Feature::Kind::Edge);
+  EXPECT_EQ(at->moved(0)->ball.radius, 1);
+  EXPECT_EQ(at->moved(0.125)->ball.radius, 1.5);
+  EXPECT_FALSE(at->moved(-0.5));     // a negative radius
+  EXPECT_FALSE(at->moved(0x1p-60));  // the same double
+  EXPECT_FALSE(find_threshold(square, {{{2, 2, 4}, 1}, {2, 2, -4}}));
+}
+
+/// The answers of `exact`, changed.
+class Changed : public cases::Method {
+ public:
+  using Change = void (*)(PartialAnswer&, const Motion&);
+  explicit Changed(Change change) : change_(change) {}
+  std::string_view name() const override { return "changed"; }
+  std::string_view summary() const override { return "exact, changed"; }
+  std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
+    struct Prepared : cases::PreparedMethod {
+      Prepared(const Polygon& p, Change c) : polygon(p), change(c) {}
+      PartialAnswer ask(const Ball&, cases::QueryKind) const override { return {}; }
+      std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+        auto answer = PartialAnswer::of(exact::first_contact(motion, polygon), 0, "");
+        change(answer, motion);
+        return answer;
+      }
+      Polygon polygon;
+      Change change;
+    };
+    return std::make_unique<Prepared>(polygon, change_);
+  }
+
+ private:
+  Change change_;
+};
+
+/// Returns all results about the changed method.
+MethodErrors measured(Changed::Change change, std::uint64_t samples = 2) {
+  const Changed method(change);
+  const Settings settings{.methods = {&method}, .vertices = 6, .samples = samples, .seed = 2};
+  Errors errors = no_errors(settings);
+  measure_errors(settings, {kAlone, kNeverStop, kSilent}, errors);
+  EXPECT_EQ(errors.samples, samples);
+  EXPECT_EQ(errors.disagreements, 0U);
+  return errors.sum(0, [](const Kind&) { return true; });
+}
+
+TEST(MotionErrors, OfTheTruthAreNone) {
+  const MethodErrors errors = measured([](PartialAnswer&, const Motion&) {});
+  EXPECT_GT(errors.samples, 40U);
+  EXPECT_EQ(errors.failed, 0U);
+  EXPECT_EQ(errors.all().wrong(), 0U);
+  EXPECT_FALSE(errors.furthest.any);
+  EXPECT_EQ(errors.times.found, errors.times.ways.count());
+  EXPECT_LT(errors.times.ulps.count(), errors.times.found);  // contacts at the start
+  EXPECT_GT(errors.times.ulps.count(), 0U);
+  EXPECT_EQ(errors.times.ulps.largest(), 0);
+}
+
+TEST(MotionErrors, TellMissedContactsFromInventedOnes) {
+  const MethodErrors missed = measured([](PartialAnswer& answer, const Motion&) { answer.contact = false; });
+  const MethodErrors invented = measured([](PartialAnswer& answer, const Motion&) { answer.contact = true; });
+  for (std::size_t i = 0; i < all_offsets().size(); ++i) {
+    const bool touches = all_offsets()[i] >= 0;
+    EXPECT_EQ(missed.offsets[i].missed, touches ? missed.offsets[i].trials : 0) << i;
+    EXPECT_EQ(missed.offsets[i].invented, 0U) << i;
+    EXPECT_EQ(invented.offsets[i].invented, touches ? 0 : invented.offsets[i].trials) << i;
+    EXPECT_EQ(invented.offsets[i].missed, 0U) << i;
+  }
+  EXPECT_EQ(missed.failed, missed.samples);
+  EXPECT_EQ(missed.times.found, 0U);
+  EXPECT_EQ(missed.furthest.share, 0x1p-4);
+}
+
+TEST(MotionErrors, UndecidedAnswersAreNotWrong) {
+  const MethodErrors errors = measured([](PartialAnswer& answer, const Motion&) { answer.contact.reset(); });
+  EXPECT_EQ(errors.all().unsure, errors.all().trials);
+  EXPECT_EQ(errors.failed, 0U);
+}
+
+TEST(MotionErrors, OfTimesAreUnitsAndWays) {
+  const MethodErrors errors = measured([](PartialAnswer& answer, const Motion&) {
+    if (answer.time > 0 && answer.contact == true) answer.time = std::nextafter(*answer.time, 0.0);
+  });
+  EXPECT_GT(errors.times.ulps.count(), errors.times.ulps.zeros());
+  EXPECT_GE(errors.times.ulps.largest(), 0.5);
+  EXPECT_LE(errors.times.ulps.largest(), 1);
+  EXPECT_GT(errors.times.ways.largest(), 0);
+  EXPECT_LT(errors.times.ways.largest(), 0x1p-48);
+}
+
+// A tolerance is seen as far from the threshold as it reaches, and no further.
+TEST(MotionErrors, AToleranceIsFoundWhereItIs) {
+  const MethodErrors errors = measured(
+      [](PartialAnswer& answer, const Motion& motion) {
+        if (answer.contact == false && motion.ball.radius > 0) answer.contact = std::nullopt;
+      },
+      1);
+  for (std::size_t i = 0; i < all_offsets().size(); ++i)
+    EXPECT_EQ(errors.offsets[i].unsure > 0, all_offsets()[i] < 0 && errors.offsets[i].trials > 0) << i;
+}
+
+TEST(MovingMethods, AreThoseThatAnswer) {
+  const auto all = find_moving_methods({{"all"}});
+  const auto has = [&](std::string_view name) {
+    return std::ranges::any_of(all, [name](const cases::Method* method) { return method->name() == name; });
+  };
+  EXPECT_TRUE(has("exact") && has("filtered") && has("fast") && has("cgal-epeck-distance"));
+  EXPECT_FALSE(has("thesis") || has("boost-geometry") || has("ode") || has("embree"));
+  EXPECT_THROW((void)find_moving_methods({{"thesis"}}), std::invalid_argument);
+  EXPECT_EQ(find_moving_methods({{"fast", "exact"}}).size(), 2U);
+}
+
+TEST(GrazingPass, IsSeenAcrossTheEdge) {
+  const auto pass = find_grazing_pass(8, 1);
+  ASSERT_TRUE(pass);
+  const Motion& motion = pass->at.motion;
+  const Eigen::Vector3d center = motion.ball.center + pass->first.time * (motion.to - motion.ball.center);
+  EXPECT_NEAR(pass->seen(pass->first.point).norm(), 0, 1e-15);
+  EXPECT_NEAR(pass->seen(center).x(), 0, 1e-6);
+  EXPECT_NEAR(pass->seen(center).y(), motion.ball.radius / pass->extent, 1e-12);
+  EXPECT_NEAR(pass->seen(motion.ball.center).y(), pass->seen(motion.to).y(), 1e-12);
+  const auto said = ask_about(*pass, methods::find_methods({"exact", "fast-float"}));
+  for (const Said& one : said) {
+    EXPECT_EQ(one.truth, one.offset >= 0) << one.offset;
+    if (one.method == "exact") {
+      EXPECT_EQ(one.contact, one.truth) << one.offset;
+    }
+  }
+}
+
+/// Runs the study into a folder.
+std::filesystem::path run(const std::filesystem::path& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--methods", "filtered,fast-float", "--vertices", "6", "--no-pictures", "--output",
+                                     folder.string()});
+  EXPECT_EQ(run_tests::run_captured(commands::motions_command, arguments).status, 0);
+  return folder;
+}
+
+TEST(Motions, TheNumberOfThreadsAndAPauseChangeNothing) {
+  const Scratch scratch;
+  const auto whole = run(scratch.path / "whole", {"--samples", "3", "--threads", "1"});
+  run(scratch.path / "parts", {"--samples", "1", "--threads", "2"});
+  const auto parts = run(scratch.path / "parts", {"--samples", "3", "--threads", "2", "--resume"});
+  for (const char* file : {"ways.csv", "thresholds.csv", "furthest.jsonl", "pass.csv", "pass-scene.csv"})
+    EXPECT_EQ(text_of(whole / file), text_of(parts / file)) << file;
+  EXPECT_EQ(run_tests::run_captured(commands::motions_command,
+                                    {"--methods", "thesis", "--output", (scratch.path / "none").string()})
+                .status,
+            2);
+}
+
+// What is written as wrong is wrong: as a case that the judge takes, with the exact answer.
+TEST(Motions, TheFurthestWrongAnswersAreCases) {
+  const Scratch scratch;
+  std::ifstream lines(run(scratch.path / "run", {"--samples", "3"}) / "furthest.jsonl");
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    const cases::Case read = cases::read_case(line);
+    const auto& shapes = std::get<cases::Shapes>(read.content);
+    const Motion motion = shapes.motion().value();
+    const auto truth = PartialAnswer::of(exact::first_contact(motion, shapes.polygon),
+                                         exact::answer(shapes.ball, shapes.polygon).off_plane, "");
+    EXPECT_TRUE(cases::differences(*read.expected, truth).empty()) << line;
+    const auto answer = methods::find_method("fast-float")->prepare(shapes.polygon)->ask_moving(motion);
+    EXPECT_NE(answer->contact, truth.contact) << line;
+  }
+  EXPECT_EQ(count, 1);  // filtered has none
+}
+
+}  // namespace
+}  // namespace touchstone::motions
