@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "experiments/harness/processes.h"
 
@@ -39,29 +40,42 @@ std::string markdown(const std::string& name, const TableDescription& table) {
   return text + "\n";
 }
 
+nlohmann::ordered_json json(const std::string& name, const TableDescription& table) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const auto& [column, meaning] : table.columns) columns.push_back({{"column", column}, {"meaning", meaning}});
+  return {{"file", table.file}, {"command", name}, {"row", table.row}, {"columns", columns}};
+}
+
 }  // namespace
 
 Command columns_command(const std::vector<Command>& commands) {
   struct Options {
     std::string of;
-    bool markdown = false;
+    bool markdown = false, json = false;
   };
   auto options = std::make_shared<Options>();
   Command command("columns", "List the tables that commands write, and the meaning of their columns");
   command.text("NAME", options->of, "Only the tables of this command, or the tables with this file name");
   command.flag("--markdown", options->markdown, "Print the tables of a page");
+  command.example("columns near-edge");
+  command.json(options->json, "Print them as a JSON array").excludes("--markdown");
   command.runs([options, commands] {
     return harness::run_alone([&] {
       bool found = false;
+      nlohmann::ordered_json list = nlohmann::ordered_json::array();
       for_each_table(commands, "", [&](const std::string& name, const TableDescription& table) {
         if (!options->of.empty() && options->of != name && options->of != table.file) return;
-        fmt::print("{}{}", found && !options->markdown ? "\n" : "",
-                   options->markdown ? markdown(name, table) : plain(name, table));
+        if (options->json)
+          list.push_back(json(name, table));
+        else
+          fmt::print("{}{}", found && !options->markdown ? "\n" : "",
+                     options->markdown ? markdown(name, table) : plain(name, table));
         found = true;
       });
       if (!found)
         throw harness::UsageError("NAME",
                                   "no command that writes tables, and no table, is called \"" + options->of + "\"");
+      if (options->json) fmt::print("{}\n", list.dump());
       return 0;
     });
   });

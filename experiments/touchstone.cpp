@@ -13,8 +13,11 @@
 
 #include "experiments/columns_command.h"
 #include "experiments/commands.h"
+#include "experiments/harness/colour.h"
 #include "experiments/harness/json/json_fault.h"
+#include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
+#include "experiments/help_commands.h"
 #include "geometry/io/detail/legible.h"
 
 namespace {
@@ -29,6 +32,7 @@ bool occupy_standard_streams() {
   return true;
 }
 
+constexpr const char* kAbout = "Does a ball touch a polygon, where, and how sure is the answer?";
 constexpr std::string_view kOutOfMemory = "touchstone: out of memory\n";
 const std::terminate_handler usual_end = std::get_terminate();
 
@@ -62,19 +66,23 @@ int main(int argc, char** argv) {
   try {
     using namespace touchstone::commands;
     std::vector<touchstone::harness::Command> commands{
-        judge_command(),    methods_command(),   near_edge_command(), angles_command(),       meshes_command(),
-        merging_command(),  cases_command(),     bench_command(),     bench_scenes_command(), soak_command(),
-        tradeoff_command(), stability_command(), scenes_command(),    cell_command(),         regress_command(),
-        corpus_command(),   thesis_command()};
+        judge_command(),   methods_command(),  near_edge_command(),  angles_command(),    meshes_command(),
+        merging_command(), motions_command(),  cases_command(),      bench_command(),     bench_scenes_command(),
+        soak_command(),    tradeoff_command(), tunnelling_command(), stability_command(), scenes_command(),
+        cell_command(),    regress_command(),  corpus_command(),     thesis_command(),    show_command()};
     commands.push_back(columns_command(commands));
-    const int status = touchstone::harness::run_program(
-        "touchstone: does a ball touch a polygon, where, and how sure is the answer?", commands, argc, argv);
+    const std::vector all(commands);
+    commands.push_back(completion_command(kAbout, all));
+    commands.push_back(manual_command(kAbout, all));
+    const int status =
+        touchstone::harness::run_program({kAbout, touchstone::harness::version_text()}, commands, argc, argv);
     touchstone::harness::flush_standard_output();
     return status;
   } catch (const std::bad_alloc&) {
     std::fputs(kOutOfMemory.data(), stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "touchstone: %s\n", complaint(error).c_str());
+    using namespace touchstone::harness;
+    std::fprintf(stderr, "%s %s\n", coloured("touchstone:", Colour::Red, stderr).c_str(), complaint(error).c_str());
   }
   return 2;
 }

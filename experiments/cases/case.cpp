@@ -169,6 +169,7 @@ Case read_case(std::string_view line) {
   }
   try {
     result.content = read_shapes(text);
+    if (text.value.contains("tags")) result.tags = text.value["tags"].get<std::vector<std::string>>();
   } catch (const Rejected& rejected) {
     result.content = rejected.rejection();
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "experiments/cases/shapes.h"
 #include "experiments/cases/stated_answer.h"
@@ -18,6 +19,7 @@ struct Case {
   std::optional<std::string> id;            ///< absent only from malformed cases
   std::optional<StatedAnswer> expected;     ///< keys of an answer, or `error`; absent if malformed
   std::variant<Shapes, Rejection> content;  ///< the message of the rejection names the loop, vertex or edge
+  std::vector<std::string> tags{};          ///< empty if malformed
 };
 
 /// Reads one case and reports the first rejection of the contract that applies, in the order of the contract.

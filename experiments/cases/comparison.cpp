@@ -64,20 +64,25 @@ std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b) 
   return keys;
 }
 
-std::vector<std::string> differences(const StatedAnswer& expected, const StatedAnswer& answer) {
-  std::vector<std::string> found;
+std::string to_string(const Difference& difference) {
+  const auto& [key, expected, found] = difference;
+  return key + ": expected " + expected + (found ? ", found " + *found : ", not given");
+}
+
+std::vector<Difference> differences(const StatedAnswer& expected, const StatedAnswer& answer) {
+  std::vector<Difference> found;
   for (const auto& [name, text] : expected.texts) {
     const auto given = answer.texts.find(name);
     if (name == "error" && text == "true" && given != answer.texts.end()) continue;
     if (given == answer.texts.end())
-      found.push_back(name + ": expected " + text + ", not given");
+      found.push_back({name, text, std::nullopt});
     else if (!meets(name, expected, answer))
-      found.push_back(name + ": expected " + text + ", found " + given->second);
+      found.push_back({name, text, given->second});
   }
   return found;
 }
 
-std::vector<std::string> differences(const StatedAnswer& expected, const PartialAnswer& answer) {
+std::vector<Difference> differences(const StatedAnswer& expected, const PartialAnswer& answer) {
   return differences(expected, stated(answer));
 }
 

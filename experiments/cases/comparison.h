@@ -20,11 +20,19 @@ namespace touchstone::cases {
 /// Returns the keys that both answers have, with different values, in the order of the contract.
 [[nodiscard]] std::vector<Key> differing_keys(const PartialAnswer& a, const PartialAnswer& b);
 
-/// Returns the expectations that an answer does not meet, one sentence for each key, in the order of their names:
-/// `relation: expected "touching", found "separate"`. A key that the answer lacks is not met; values are compared by
-/// `same_value`. A value that does not have the form of the contract meets only an expectation with the same text.
-[[nodiscard]] std::vector<std::string> differences(const StatedAnswer& expected, const StatedAnswer& answer);
-[[nodiscard]] std::vector<std::string> differences(const StatedAnswer& expected, const PartialAnswer& answer);
+/// An expectation that an answer does not meet; the values are JSON.
+struct Difference {
+  std::string key, expected;
+  std::optional<std::string> found;  ///< nothing if the answer lacks the key
+};
+/// Returns it as a sentence: `relation: expected "touching", found "separate"`.
+[[nodiscard]] std::string to_string(const Difference& difference);
+
+/// Returns the expectations that an answer does not meet, in the order of the names of the keys. A key that the answer
+/// lacks is not met; values are compared by `same_value`. A value that does not have the form of the contract meets
+/// only an expectation with the same text.
+[[nodiscard]] std::vector<Difference> differences(const StatedAnswer& expected, const StatedAnswer& answer);
+[[nodiscard]] std::vector<Difference> differences(const StatedAnswer& expected, const PartialAnswer& answer);
 
 /// The parts of an answer that studies compare: the contract's three tests, contact, and the relation.
 enum class Test { Plane, Foot, Edges, Contact, Relation };

@@ -13,11 +13,14 @@ namespace {
 
 using Take = std::function<bool(Line&&)>;
 
-bool read_stream(std::istream& stream, const std::string& name, const Take& take) {
+bool read_stream(std::istream& stream, const std::string& name, std::uint64_t& bytes, const Take& take) {
   std::string text;
   for (std::size_t number = 1; std::getline(stream, text); ++number) {
+    bytes += text.size() + 1;
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     Line line{.text = text, .place = fmt::format("{}: line {}", name, number), .read = {}, .complaint = {}};
+    line.file = name;
+    line.end = bytes;
     try {
       line.read = read_case(text);
     } catch (const harness::NotJson& error) {
@@ -36,11 +39,12 @@ bool read_stream(std::istream& stream, const std::string& name, const Take& take
 }  // namespace
 
 void read_lines(const std::vector<std::string>& files, const Take& take) {
-  if (files.empty()) read_stream(std::cin, "standard input", take);
+  std::uint64_t bytes = 0;
+  if (files.empty()) read_stream(std::cin, "standard input", bytes, take);
   for (const std::string& file : files) {
     std::ifstream stream(file);
     const bool go_on =
-        stream ? read_stream(stream, file, take)
+        stream ? read_stream(stream, file, bytes, take)
                : take({.text = {}, .place = {}, .read = {}, .complaint = fmt::format("{}: cannot be read", file)});
     if (!go_on) return;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@ struct Line {
   std::string place;  ///< `FILE: line NUMBER`; empty for a file that cannot be read
   std::optional<Case> read;
   std::string complaint;  ///< set if the line is not JSON or the file cannot be read
+  std::string file{};     ///< the name of the file, or `standard input`
+  std::uint64_t end = 0;  ///< the number of bytes read up to the end of the line, of all files
 };
 
 /// Calls `take` with every line of the files that is not blank, until it returns false. Without files, reads standard

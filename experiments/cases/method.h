@@ -63,6 +63,9 @@ class Method {
   [[nodiscard]] virtual std::string_view summary() const = 0;  ///< one line
   /// Returns whether a query takes tens of microseconds. Studies may ask such a method fewer queries.
   [[nodiscard]] virtual bool slow() const { return false; }
+  /// Returns whether a program behind a pipe answers: its times include JSON, the pipe and two changes of process, and
+  /// each of its answers has all keys that it computes, whatever the query.
+  [[nodiscard]] virtual bool through_pipe() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<PreparedMethod> prepare(const Polygon& polygon) const = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include "experiments/harness/real_number.h"
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/similar_words.h"
 #include "experiments/harness/whole_number.h"
 #include "geometry/io/detail/legible.h"
 
@@ -33,9 +34,21 @@ std::string shortest(double number) {
   return {text.begin(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
+/// Returns a suggestion for the first word that no option of the command has, if it is an option itself.
+std::string suggested_option(const CLI::App* app) {
+  const auto words = app->remaining(true);
+  const auto unknown = std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("-"); });
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  if (unknown == words.end()) return {};
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app->get_options()) known.push_back(option->get_name());
+  return suggestion(*unknown, known);
+}
+
 /// Makes an error about the command line printable: it may quote the command line.
 std::string legible_complaint(const CLI::App* app, const CLI::Error& error) {
-  const std::string sentence = io::all_legible(error.what());
+  const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const std::string sentence = io::all_legible(error.what() + (is_unknown ? suggested_option(app) : ""));
   return CLI::FailureMessage::simple(app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
 }
 
@@ -56,6 +69,8 @@ struct Declared {
   CLI::Option* option;
   bool has_default, takes_value;
   std::function<std::vector<std::string>()> words;
+  std::vector<std::string> choices{};  ///< the only values, if they are listed
+  std::function<void()> clear{};       ///< empties the value
   bool changes_results = false;
   std::function<std::string()> canonical{};
 
@@ -63,40 +78,59 @@ struct Declared {
   [[nodiscard]] std::string value() const { return canonical ? canonical() : joined(words()); }
 };
 
-struct Command::Parts {
+struct CommandParts {
   std::shared_ptr<CLI::App> app;
   std::vector<std::shared_ptr<Declared>> options;
   std::function<int()> run;
   std::string* kept_line = nullptr;
+  std::vector<TableDescription>* kept_tables = nullptr;
   std::function<std::vector<std::pair<std::string, std::string>>()>* kept_result_options = nullptr;
   std::vector<TableDescription> tables;
   std::vector<Command> subcommands;
   std::vector<std::vector<std::string>> groups;  ///< exactly one option of each is required
+  /// Options, and those whose defaults they replace.
+  std::vector<std::pair<const CLI::Option*, std::shared_ptr<Declared>>> replacing{};
+  std::string footer{};
+  std::vector<std::string> examples{};
   int status = 0;
 
   Option declare(Declared declared) {
     options.push_back(std::make_shared<Declared>(std::move(declared)));
-    return {*app, options.back()};
+    return Option(*this, options.back());
   }
   void check_groups() const;
+  void replace_defaults() const;
+  void show_footer() const;
   [[nodiscard]] std::string line() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
 
-void Command::Parts::check_groups() const {
+void CommandParts::check_groups() const {
   for (const auto& group : groups) {
     const auto given = std::ranges::count_if(group, [&](const auto& name) { return app->count(name) > 0; });
     if (given != 1) throw CLI::RequiredError::Option(1, 1, static_cast<std::size_t>(given), CLI::detail::join(group));
   }
 }
 
-std::string Command::Parts::line() const {
+void CommandParts::replace_defaults() const {
+  for (const auto& [option, other] : replacing)
+    if (option->count() > 0 && other->option->count() == 0) other->clear();
+}
+
+void CommandParts::show_footer() const {
+  std::string text = footer.empty() ? "" : "\n" + footer + "\n";
+  if (!examples.empty()) text += examples.size() == 1 ? "\nExample:" : "\nExamples:";
+  for (const std::string& example : examples) text += "\n  " + kProgram + " " + example;
+  app->footer(text);
+}
+
+std::string CommandParts::line() const {
   std::string line, options_text;
   for (const CLI::App* of = app.get(); of != nullptr && of->get_name() != kProgram; of = of->get_parent())
     line = " " + of->get_name() + line;
   line = kProgram + line;
   for (const auto& declared : options) {
-    const auto& [name, option, has_default, takes_value, words, changes_results, canonical] = *declared;
+    const auto& [name, option, has_default, takes_value, words, choices, clear, changes_results, canonical] = *declared;
     if (name == "--force" || (!has_default && option->count() == 0)) continue;
     for (const std::string& word : words()) {
       std::string& text = is_positional(name) ? line : options_text;
@@ -107,7 +141,7 @@ std::string Command::Parts::line() const {
   return line + options_text;
 }
 
-std::vector<std::pair<std::string, std::string>> Command::Parts::result_options() const {
+std::vector<std::pair<std::string, std::string>> CommandParts::result_options() const {
   std::vector<std::pair<std::string, std::string>> values;
   for (const auto& declared : options)
     if (declared->changes_results) values.emplace_back(declared->name.substr(2), declared->value());
@@ -120,20 +154,26 @@ Option& Option::required() {
 }
 
 Option& Option::needs(const std::string& other) {
-  declared_->option->needs(app_->get_option(other));
+  declared_->option->needs(parts_->app->get_option(other));
   return *this;
 }
 
 Option& Option::excludes(const std::string& other) {
-  declared_->option->excludes(app_->get_option(other));
+  declared_->option->excludes(parts_->app->get_option(other));
   return *this;
 }
 
 Option& Option::excludes_all_but(const std::vector<std::string>& others) {
-  for (CLI::Option* other : app_->get_options())
-    if (other != declared_->option && other != app_->get_help_ptr() &&
+  for (CLI::Option* other : parts_->app->get_options())
+    if (other != declared_->option && other != parts_->app->get_help_ptr() &&
         std::ranges::find(others, other->get_name()) == others.end())
       declared_->option->excludes(other);
+  return *this;
+}
+
+Option& Option::replaces_default_of(const std::string& other) {
+  const auto found = std::ranges::find(parts_->options, other, &Declared::name);
+  parts_->replacing.emplace_back(declared_->option, *found);
   return *this;
 }
 
@@ -143,12 +183,14 @@ Option& Option::changes_results(std::function<std::string()> canonical) {
   return *this;
 }
 
-Command::Command(const std::string& name, const std::string& about) : parts_(std::make_shared<Parts>()) {
+Command::Command(const std::string& name, const std::string& about) : parts_(std::make_shared<CommandParts>()) {
   parts_->app = std::make_shared<CLI::App>(about, name);
   // The application must not keep its own parts alive.
   parts_->app->callback([parts = parts_.get()] {
     parts->check_groups();
+    parts->replace_defaults();
     if (parts->kept_line != nullptr) *parts->kept_line = parts->line();
+    if (parts->kept_tables != nullptr) *parts->kept_tables = parts->tables;
     if (parts->kept_result_options != nullptr)
       *parts->kept_result_options = [parts] { return parts->result_options(); };
     if (parts->run) parts->status = parts->run();
@@ -181,7 +223,7 @@ Option Command::text(const std::string& name, std::string& value, const std::str
 Option Command::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                        const std::string& about) {
   CLI::Option* option = app().add_option(name, value, about)->check(CLI::IsMember(words))->capture_default_str();
-  return parts_->declare({name, option, true, true, [&value] { return std::vector{value}; }});
+  return parts_->declare({name, option, true, true, [&value] { return std::vector{value}; }, words});
 }
 
 Option Command::word_option(const std::string& name, const std::function<std::string()>& get,
@@ -192,16 +234,15 @@ Option Command::word_option(const std::string& name, const std::function<std::st
     return true;
   };
   CLI::Option* option = app().add_option(name, assign, about, true, get)->check(CLI::IsMember(words));
-  return parts_->declare({name, option, true, true, [get] { return std::vector{get()}; }});
+  return parts_->declare({name, option, true, true, [get] { return std::vector{get()}; }, words});
 }
 
 Option Command::names(const std::string& name, std::vector<std::string>& values, const std::string& about) {
   CLI::Option* option = app().add_option(name, values, about)->delimiter(',')->allow_extra_args(false);
   const bool has_default = !values.empty();
   if (has_default) option->capture_default_str();
-  return parts_->declare({name, option, has_default, true, [&values] {
-                            return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)};
-                          }});
+  const auto words = [&values] { return values.empty() ? std::vector<std::string>{} : std::vector{joined(values)}; };
+  return parts_->declare({name, option, has_default, true, words, {}, [&values] { values.clear(); }});
 }
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values, const std::string& about,
@@ -288,7 +329,19 @@ Option Command::force(bool& value) {
   return option;
 }
 
-void Command::footer(const std::string& text) { app().footer("\n" + text); }
+Option Command::json(bool& value, const std::string& about) { return flag("--json", value, about); }
+
+Option Command::quiet(bool& value, const std::string& about) { return flag("--quiet", value, about); }
+
+void Command::footer(const std::string& text) {
+  parts_->footer = text;
+  parts_->show_footer();
+}
+
+void Command::example(const std::string& line) {
+  parts_->examples.push_back(line);
+  parts_->show_footer();
+}
 
 void Command::runs(std::function<int()> run) { parts_->run = std::move(run); }
 
@@ -297,6 +350,8 @@ void Command::keep_line(std::string& line) { parts_->kept_line = &line; }
 void Command::keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options) {
   parts_->kept_result_options = &options;
 }
+
+void Command::keep_tables(std::vector<TableDescription>& tables) { parts_->kept_tables = &tables; }
 
 void Command::writes(const std::vector<TableDescription>& tables) {
   parts_->tables.insert(parts_->tables.end(), tables.begin(), tables.end());
@@ -307,6 +362,30 @@ std::string Command::name() const { return app().get_name(); }
 const std::vector<TableDescription>& Command::tables() const { return parts_->tables; }
 
 const std::vector<Command>& Command::subcommands() const { return parts_->subcommands; }
+
+CommandDescription Command::description() const {
+  CommandDescription description{.name = name(),
+                                 .about = app().get_description(),
+                                 .footer = parts_->footer,
+                                 .options = {},
+                                 .examples = {},
+                                 .subcommands = {}};
+  description.examples = parts_->examples;
+  for (const auto& declared : parts_->options) {
+    const CLI::Option& option = *declared->option;
+    description.options.push_back({.name = declared->name,
+                                   .value = declared->takes_value ? option.get_type_name() : "",
+                                   .about = option.get_description(),
+                                   .fallback = option.get_default_str(),
+                                   .words = declared->choices,
+                                   .required = option.get_required()});
+  }
+  for (const Command& command : parts_->subcommands) {
+    description.subcommands.push_back(command.description());
+    description.subcommands.back().name = name() + " " + command.name();
+  }
+  return description;
+}
 
 int Command::operator()(std::vector<std::string> arguments) const {
   std::ranges::reverse(arguments);
@@ -322,12 +401,45 @@ int Command::operator()(std::vector<std::string> arguments) const {
 
 unsigned all_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv) {
-  const Command program(kProgram, about, commands);
+namespace {
+
+/// Refuses the first word that should name a command and does not.
+void check_names(const std::vector<Command>& commands, const std::vector<std::string>& arguments,
+                 const std::string& group = kProgram) {
+  if (arguments.empty() || arguments.front().starts_with("-")) return;
+  const auto named = std::ranges::find(commands, arguments.front(), &Command::name);
+  if (named == commands.end()) {
+    std::vector<std::string> known;
+    for (const Command& command : commands) known.push_back(command.name());
+    const std::string meant = suggestion(arguments.front(), known);
+    throw UsageError(group + " has no command \"" + io::legible(arguments.front()) + "\"" +
+                     (meant.empty() ? "; `" + group + " --help` lists them" : meant));
+  }
+  if (!named->subcommands().empty())
+    check_names(named->subcommands(), {arguments.begin() + 1, arguments.end()}, group + " " + named->name());
+}
+
+/// Returns the words after the name of the program; `help COMMAND` is `COMMAND --help`.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
+}  // namespace
+
+int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv) {
+  const Command program(kProgram, text.about, commands);
   CLI::App& app = program.app();
+  app.set_version_flag("--version", text.version);
   app.failure_message(legible_complaint);
+  std::vector<std::string> words = words_of(argc, argv);
+  check_names(commands, words);
+  std::ranges::reverse(words);
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::ParseError& error) {
     constexpr int kWrongInput = 2;
     return app.exit(error) == 0 ? 0 : kWrongInput;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/harness/command_description.h"
 #include "experiments/harness/table.h"
 
 namespace CLI {
@@ -27,12 +28,18 @@ class UsageError : public std::runtime_error {
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
+struct CommandParts;
 struct Declared;
+
+/// The texts of the program itself.
+struct ProgramText {
+  std::string about;
+  std::string version;  ///< what --version prints
+};
 
 /// A declared option. Other options are named as on the command line and must be declared before.
 class Option {
  public:
-  Option(CLI::App& app, std::shared_ptr<Declared> declared) : app_(&app), declared_(std::move(declared)) {}
   Option& required();
   Option& needs(const std::string& other);
   Option& excludes(const std::string& other);
@@ -41,9 +48,14 @@ class Option {
   /// Declares that results depend on this option, so that runs with other values do not continue each other's
   /// checkpoints. `canonical` returns the value in its canonical form, without it, the value itself is compared.
   Option& changes_results(std::function<std::string()> canonical = {});
+  /// Given without the other option, empties the default of that one, which must be declared by `names`.
+  Option& replaces_default_of(const std::string& other);
 
  private:
-  CLI::App* app_;
+  friend struct CommandParts;
+  Option(CommandParts& parts, std::shared_ptr<Declared> declared) : parts_(&parts), declared_(std::move(declared)) {}
+
+  CommandParts* parts_;
   std::shared_ptr<Declared> declared_;
 };
 
@@ -105,16 +117,22 @@ class Command {
   Option seed(std::uint64_t& value, const std::string& about = "Seed; equal seeds give equal bytes");
   Option threads(unsigned& value, const std::string& about = "Number of threads; does not affect the results");
   Option methods(std::vector<std::string>& values,
-                 const std::string& about = "Methods, separated by commas: names, exec:COMMAND, or all");
+                 const std::string& about = "Methods, separated by commas: names, or all");
   Option families(std::vector<std::string>& values);
   Option meshes(std::vector<std::string>& files, const std::string& about = "Mesh files");
   Option output(std::string& folder, const std::string& about);
   Option no_pictures(bool& value);
   Option resume(bool& value);
   Option force(bool& value);
+  Option json(bool& value,
+              const std::string& about = "Print the tables as one JSON object, by the names of their files");
+  Option quiet(bool& value, const std::string& about = "Print neither tables nor progress");
 
   /// Sets a text that the help prints after the options.
   void footer(const std::string& text);
+  /// Adds a command line, without `touchstone`, that the help prints at its end. It runs as it stands, from the folder
+  /// of the sources.
+  void example(const std::string& line);
   /// Sets the function that the command runs; `run` returns the exit status.
   void runs(std::function<int()> run);
   /// Sets a variable that receives, before the command runs, the command line that repeats the run: every option that
@@ -123,6 +141,8 @@ class Command {
   /// Sets a variable that receives, before the command runs, a function: it returns the options that change results by
   /// their names without dashes, with their values.
   void keep_result_options(std::function<std::vector<std::pair<std::string, std::string>>()>& options);
+  /// Sets a variable that receives, before the command runs, the tables that it writes.
+  void keep_tables(std::vector<TableDescription>& tables);
   /// Adds tables to the description of what the command writes.
   void writes(const std::vector<TableDescription>& tables);
 
@@ -130,14 +150,15 @@ class Command {
   /// Returns the tables of the command, or of its subcommand.
   [[nodiscard]] const std::vector<TableDescription>& tables() const;
   [[nodiscard]] const std::vector<Command>& subcommands() const;
+  /// Returns what the help says, for completion and manual pages.
+  [[nodiscard]] CommandDescription description() const;
 
   /// Parses the arguments after the name of the command and runs it. Returns the exit status. Throws UsageError, and
   /// the exceptions of the run.
   int operator()(std::vector<std::string> arguments) const;
 
  private:
-  friend int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv);
-  struct Parts;
+  friend int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv);
   [[nodiscard]] CLI::App& app() const;
   Option whole_number_option(const std::string& name, const std::function<std::uint64_t()>& get,
                              const std::function<void(std::uint64_t)>& set, const std::string& about,
@@ -147,14 +168,15 @@ class Command {
                      const std::function<void(std::size_t)>& set, const std::vector<std::string>& words,
                      const std::string& about);
 
-  std::shared_ptr<Parts> parts_;
+  std::shared_ptr<CommandParts> parts_;
 };
 
 /// Returns the number of threads of this machine, the default of --threads.
 [[nodiscard]] unsigned all_threads();
 
-/// Parses the command line of the program and runs the command that it names. Prints help, and faults of the command
-/// line to stderr. Returns the exit status.
-int run_program(const std::string& about, const std::vector<Command>& commands, int argc, char** argv);
+/// Parses the command line of the program and runs the command that it names. `help COMMAND` is `COMMAND --help`.
+/// Prints help and the version, and faults of the command line to stderr: an unknown command or option is named, with
+/// the most similar known ones. Returns the exit status.
+int run_program(const ProgramText& text, const std::vector<Command>& commands, int argc, char** argv);
 
 }  // namespace touchstone::harness

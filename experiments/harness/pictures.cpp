@@ -2,28 +2,55 @@
 #include "experiments/harness/pictures.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
 
 namespace touchstone::harness {
+namespace {
+
+/// Returns the first Python interpreter that has the required packages.
+std::optional<std::string> find_python() {
+  for (const std::string interpreter : {"/usr/bin/python3", "python3"})
+    if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) == 0) return interpreter;
+  return std::nullopt;
+}
+
+/// Runs a script of experiments/report. Returns whether it did what it should; `where`: the place of the data.
+bool run_script(const char* name, const std::string& arguments, const std::string& where) {
+  const auto python = find_python();
+  if (!python) {
+    fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy{}\n", where);
+    return false;
+  }
+  const std::string script = shell_quoted((source_folder() / "experiments/report" / name).string());
+  if (std::system((*python + " -B " + script + " " + arguments).c_str()) == 0) return true;
+  fmt::print(stderr, "touchstone: the pictures could not be drawn{}\n", where);
+  return false;
+}
+
+}  // namespace
 
 int draw_pictures(const std::string& name, const OutputFolder& folder) {
   folder.share();
   const std::string path = folder.path().string();
-  const std::string script = shell_quoted((source_folder() / "experiments/report/draw.py").string());
-  for (const char* python : {"/usr/bin/python3", "python3"}) {
-    const std::string interpreter(python);
-    if (std::system((interpreter + " -c 'import matplotlib, numpy' 2>/dev/null").c_str()) != 0) continue;
-    const std::string command = interpreter + " -B " + script + " " + name + " " + shell_quoted(path);
-    if (std::system(command.c_str()) == 0) return 0;
-    fmt::print(stderr, "touchstone: the pictures could not be drawn; the data are in {}\n", path);
-    return 1;
-  }
-  fmt::print(stderr, "touchstone: no pictures: no python3 with matplotlib and numpy; the data are in {}\n", path);
-  return 1;
+  return run_script("draw.py", name + " " + shell_quoted(path), "; the data are in " + path) ? 0 : 1;
+}
+
+int draw_png(const std::string& svg, const std::filesystem::path& file) {
+  const std::string beside = fmt::format("{}.new-{}", file.string(), ::getpid());
+  const std::filesystem::path drawing = beside + ".svg", drawn = beside + ".png";
+  write_file(drawing, svg);
+  const bool done =
+      run_script("svg_to_png.py", shell_quoted(drawing.string()) + " " + shell_quoted(drawn.string()), "");
+  std::filesystem::remove(drawing);
+  if (done) std::filesystem::rename(drawn, file);
+  return done ? 0 : 1;
 }
 
 }  // namespace touchstone::harness

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "experiments/harness/output_folder.h"
@@ -11,5 +12,9 @@ namespace touchstone::harness {
 /// required packages: that of Debian, else the one on the path. Returns the exit status of a study: 0, or 1 if not all
 /// pictures could be drawn; standard error then says why.
 [[nodiscard]] int draw_pictures(const std::string& name, const OutputFolder& folder);
+
+/// Draws a drawing of `touchstone show` (SVG) as a PNG, likewise, and replaces the file. Returns 0, or 1 if it could
+/// not be drawn; standard error then says why. Throws std::runtime_error if the file cannot be written.
+[[nodiscard]] int draw_png(const std::string& svg, const std::filesystem::path& file);
 
 }  // namespace touchstone::harness

@@ -31,15 +31,17 @@ std::string progress_text(const std::string& what, std::uint64_t before, std::ui
   return text;
 }
 
-ProgressLine::ProgressLine(std::string what, std::uint64_t total, std::uint64_t before)
+ProgressLine::ProgressLine(std::string what, std::uint64_t total, std::uint64_t before, bool wanted)
     : what_(std::move(what)),
       total_(total),
       before_(before),
-      shown_(isatty(STDERR_FILENO) == 1),
+      shown_(wanted && isatty(STDERR_FILENO) == 1),
       begin_(Clock::now()),
       last_(begin_) {}
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { erase(); }
+
+void ProgressLine::erase() const {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
 

@@ -16,14 +16,16 @@ namespace touchstone::harness {
 /// A line on standard error, if that is a terminal: the task, percentage and time left. The line is erased at the end.
 class ProgressLine {
  public:
-  /// `before`: the items that an earlier run finished.
-  ProgressLine(std::string what, std::uint64_t total, std::uint64_t before = 0);
+  /// `before`: the items that an earlier run finished. `wanted`: whether there is a line at all.
+  ProgressLine(std::string what, std::uint64_t total, std::uint64_t before = 0, bool wanted = true);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
   /// `done`: the finished items, including those of an earlier run.
   void operator()(std::uint64_t done);
+  /// Erases the line, before another is printed to standard error.
+  void erase() const;
 
  private:
   using Clock = std::chrono::steady_clock;

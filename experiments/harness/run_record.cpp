@@ -54,6 +54,14 @@ std::string processor() {
 
 }  // namespace
 
+std::string version_text() {
+  constexpr std::string_view commit = TOUCHSTONE_COMMIT;
+  const auto found = engines();
+  return fmt::format("touchstone {}\ncommit: {}\ncompiler: {}\nengines: {}", TOUCHSTONE_VERSION,
+                     commit.empty() ? "unknown" : commit, kCompiler,
+                     found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", ")));
+}
+
 std::filesystem::path source_folder() {
   const char* folder = std::getenv("TOUCHSTONE_SOURCE_DIR");
   return folder != nullptr ? folder : TOUCHSTONE_SOURCE_DIR;

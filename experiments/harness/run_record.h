@@ -23,6 +23,8 @@ struct Run {
 /// Writes run.json. Throws std::runtime_error if it cannot be written.
 void write_run_record(const std::filesystem::path& folder, const Run& run);
 
+/// Returns the version of the project, the commit, the compiler and the optional engines of this build: a line each.
+[[nodiscard]] std::string version_text();
 /// Returns the folder of the sources: $TOUCHSTONE_SOURCE_DIR, else the folder from which the program was built.
 [[nodiscard]] std::filesystem::path source_folder();
 /// Returns the current time as `2026-11-23T03:19:51Z`.

@@ -24,11 +24,12 @@ struct StudyOptions {
   std::uint64_t seed = 1;
   unsigned threads = all_threads();  ///< of each process
   std::string output;
-  bool force = false, resume = false, no_pictures = false;
+  bool force = false, resume = false, no_pictures = false, json = false, quiet = false;
   bool has_pictures = true;  ///< whether the study draws pictures at all
 
   // Set by the command before it runs.
-  std::string line;  ///< repeats the run
+  std::string line;                      ///< repeats the run
+  std::vector<TableDescription> tables;  ///< those that the run writes
   std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
 };
 
@@ -59,7 +60,7 @@ class StudyRun {
   State phase(const std::string& what, const std::string& checkpoint, std::uint64_t items, State zero, const Run& run) {
     const Checkpoint file(folder_ / checkpoint, {version_, options_.result_options()});
     State state = begin(file, processes_, options_.resume, items, std::move(zero));
-    ProgressLine line(study_ + ": " + what, items, items_done(state));
+    ProgressLine line(study_ + ": " + what, items, items_done(state), !options_.quiet);
     run(run_control<State>(processes_, stop_signal_.requested(), line, file), state);
     share_stop();
     return state;
@@ -74,7 +75,7 @@ class StudyRun {
   /// Runs a short phase without a checkpoint: run(control). Returns its result.
   template <class State, class Run>
   auto phase(const std::string& what, std::uint64_t items, const Run& run) {
-    ProgressLine line(study_ + ": " + what, items);
+    ProgressLine line(study_ + ": " + what, items, 0, !options_.quiet);
     const auto result =
         run(RunControl<State>{processes_, stop_signal_.requested(), [&line](std::uint64_t done) { line(done); }});
     share_stop();
@@ -91,8 +92,9 @@ class StudyRun {
     int status = 0;                       ///< the exit status of a complete run
     bool pictures = true;                 ///< whether a complete run has pictures
   };
-  /// Writes run.json, prints the text, the time and the folder, reports an interruption and draws the pictures. Returns
-  /// the exit status: that of the study or, if that is 0, that of draw_pictures.
+  /// Writes run.json, prints the text, the time and the folder, or with --json the tables, or with --quiet nothing;
+  /// reports an interruption and draws the pictures. Returns the exit status: that of the study or, if that is 0, that
+  /// of draw_pictures.
   int finish(const End& end);
 
  private:

@@ -87,7 +87,7 @@ class Table {
   /// Returns the text of the file.
   [[nodiscard]] std::string csv(const std::vector<Row>& rows) const {
     std::string text;
-    for (const Column<Row>& column : columns_) text.append(text.empty() ? "" : ",").append(column.name);
+    for (const Column<Row>& column : columns_) text.append(text.empty() ? "" : ",").append(text_field(column.name));
     for (const Row& row : rows) {
       char separator = '\n';
       for (const Column<Row>& column : columns_) {

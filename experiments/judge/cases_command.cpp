@@ -13,6 +13,7 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/workloads/workload.h"
 
 namespace touchstone::commands {
@@ -27,7 +28,7 @@ struct CasesOptions {
   workloads::Workload workload;
   std::uint64_t seed = 1, first = 0, count = 10;
   bool expected = false;
-  std::vector<std::string> failing;
+  methods::Selection failing;
 };
 
 /// Returns no key if the sample moves and the method cannot answer about moving balls.
@@ -52,7 +53,7 @@ bool fails(const std::vector<const cases::Method*>& methods, const workloads::Sa
 }
 
 void print(const CasesOptions& options) {
-  const auto failing = methods::find_methods(options.failing);
+  const auto failing = options.failing.methods();
   const cases::Method& exact = *methods::find_method("exact");
   std::uint64_t printed = 0;
   for (std::uint64_t index = options.first; printed < options.count; ++index) {
@@ -96,7 +97,12 @@ harness::Command cases_command() {
   command.whole("--first", options->first, "Number of the first sample", 0);
   command.whole("--samples", options->count, "Cases to print", 0);
   command.flag("--expected", options->expected, "Add the exact answer");
-  command.names("--failing", options->failing, "Only cases on which one of these methods errs");
+  command.names("--failing", options->failing.names, "Only cases on which one of these methods errs");
+  methods::declare_engines(
+      command, options->failing.engines,
+      "Only cases on which this engine of yours errs (COMMAND or COMMAND=NAME), or one of --failing; "
+      "may be repeated");
+  command.example("cases --family u --ball near-edge --failing fast --expected --samples 3");
   command.runs([options] {
     print(*options);
     return 0;

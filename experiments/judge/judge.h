@@ -2,26 +2,53 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "experiments/cases/comparison.h"
+#include "experiments/cases/input_lines.h"
 #include "experiments/cases/method.h"
+#include "experiments/methods/process/engine.h"
 
 namespace touchstone::judge {
+
+/// A valid case, and how a method met its expectation.
+struct Judged {
+  const cases::Line& line;
+  std::string_view method;
+  const cases::StatedAnswer& answer;
+  std::vector<std::string> compared;           ///< keys of the expectation
+  std::vector<cases::Difference> differences;  ///< the expectations that are not met
+  std::string fault;                           ///< why there is no answer; else empty
+};
 
 /// A task for the judge: inputs, methods, and output streams.
 struct Order {
   std::vector<std::string> files;             ///< JSON Lines; empty: standard input
   std::vector<const cases::Method*> methods;  ///< answer each case, in this order
-  std::string engine;                         ///< a command that reads cases and prints verdicts; answers last
-  /// The limit for each verdict of the engine. Without a limit, the engine may read all cases before it answers.
+  std::vector<methods::Engine> engines;       ///< commands that read cases and print verdicts; answer last
+  /// The limit for each verdict of an engine. A single engine without a limit may read all cases before it answers.
+  /// Several engines need one.
   std::optional<std::chrono::milliseconds> time_limit{};
+  std::vector<cases::Key> keys{};  ///< only these are compared; empty: all
   bool explain = false;
+  bool at_rest = false;  ///< leave out the cases of moving balls
+  bool prints_verdicts = true, prints_differences = true;
+  std::function<void(const Judged&)> judged{};          ///< receives each valid case for each method
+  std::function<void(std::uint64_t bytes)> progress{};  ///< receives the number of bytes of input that are judged
+  std::function<void()> before_complaint{};             ///< called before each line on `complaints`
   std::FILE* verdicts = stdout;
   std::FILE* complaints = stderr;
 };
+
+/// Calls `take` with every line of the order's files, as cases::read_lines does, except those that the order leaves
+/// out.
+void read_lines(const Order& order, const std::function<bool(cases::Line&&)>& take);
 
 /// Exit status of the judge: the worst one that occurred.
 enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
@@ -35,10 +62,10 @@ enum Status { AllMet = 0, ExpectationNotMet = 1, InputRejected = 2 };
 /// later case means that the cases before it got none. A case without a verdict is a complaint, and its line has no
 /// answer.
 ///
-/// With a time limit, the engine gets one case after the other. If it is late, ends, or prints anything except one line
-/// that is a verdict on the case, the judge reports this with the case, ends the engine and the processes that it has
-/// started, and restarts it for the next case. Throws std::system_error if the verdicts cannot be written. The command
-/// of the engine must be UTF-8.
+/// With a time limit, each engine gets one case after the other. If it is late, ends, or prints anything except one
+/// line that is a verdict on the case, the judge reports this with the case, ends the engine and the processes that it
+/// has started, and restarts it for the next case. Throws std::system_error if the verdicts cannot be written, and
+/// methods::EngineNotStarted if the command of an engine cannot be started. Commands must be UTF-8.
 [[nodiscard]] Status judge(const Order& order);
 
 }  // namespace touchstone::judge

@@ -1,71 +1,175 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "experiments/cases/key.h"
+#include "experiments/harness/colour.h"
 #include "experiments/harness/command.h"
+#include "experiments/harness/progress_line.h"
+#include "experiments/harness/similar_words.h"
+#include "experiments/harness/write_file.h"
 #include "experiments/judge/judge.h"
+#include "experiments/judge/junit.h"
+#include "experiments/judge/report.h"
+#include "experiments/judge/summary.h"
+#include "experiments/judge/tally.h"
 #include "experiments/methods/process/engine_signals.h"
+#include "experiments/methods/process/external_method.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
+#include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
 namespace {
 
 struct JudgeOptions {
-  std::vector<std::string> methods, files;
-  std::string engine;
+  methods::Selection methods{{}};
+  std::vector<std::string> files, keys;
+  std::string junit, report;
   double time_limit = 0;
-  bool explain = false;
+  bool explain = false, at_rest = false, summary = false, json = false, quiet = false, force = false;
 };
 
-/// Checks the command: verdicts name it as their method, and JSON is UTF-8.
-std::string check_command(const std::string& text) {
-  if (text.find_first_not_of(" \t\n") == std::string::npos) return "the command is empty";
-  try {
-    (void)nlohmann::json(text).dump();
-    return {};
-  } catch (const nlohmann::json::exception&) {
-    return "the command is not UTF-8";
+std::vector<cases::Key> find_keys(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  for (const cases::Key key : cases::kKeys) known.emplace_back(to_string(key));
+  std::vector<cases::Key> keys;
+  for (const std::string& name : names) {
+    const auto key = cases::find_key(name);
+    if (!key)
+      throw harness::UsageError("--keys", "no answer has a key \"" + name + "\"" + harness::suggestion(name, known));
+    keys.push_back(*key);
   }
+  return keys;
+}
+
+judge::Order order_of(const JudgeOptions& options) {
+  judge::Order order;
+  order.files = options.files;
+  order.keys = find_keys(options.keys);
+  order.explain = options.explain;
+  order.at_rest = options.at_rest;
+  order.prints_verdicts = !options.summary && !options.json;
+  order.prints_differences = order.prints_verdicts && !options.quiet;
+  order.methods = methods::find_methods(options.methods.names);
+  for (const std::string& text : options.methods.engines) {
+    methods::Engine engine = methods::engine_of(text);
+    const bool is_taken = methods::find_method(engine.name) != nullptr ||
+                          std::ranges::find(order.engines, engine.name, &methods::Engine::name) != order.engines.end();
+    if (is_taken)
+      throw harness::UsageError("--engine", io::legible(engine.name) + " is the name of a method or engine");
+    order.engines.push_back(std::move(engine));
+  }
+  if (options.methods.empty()) order.methods = methods::find_methods({"exact"});
+  if (options.time_limit > 0)
+    order.time_limit = std::chrono::milliseconds(std::lround(1000 * options.time_limit));
+  else if (order.engines.size() > 1)
+    order.time_limit = methods::kExternalTimeLimit;
+  return order;
+}
+
+/// Returns the number of bytes of all files, or nothing if one of them has no size, like a pipe.
+std::optional<std::uint64_t> size_of(const std::vector<std::string>& files) {
+  std::uint64_t sum = 0;
+  for (const std::string& file : files) {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(file, error);
+    if (error) return std::nullopt;
+    sum += size;
+  }
+  return files.empty() ? std::nullopt : std::optional(sum);
+}
+
+int run_judge(const JudgeOptions& options) {
+  judge::Order order = order_of(options);
+  for (const std::string& file : {options.junit, options.report})
+    if (!file.empty()) harness::refuse_overwrite(file, options.force);
+
+  judge::Tally tally;
+  judge::JunitReport junit;
+  judge::Report report;
+  order.judged = [&](const judge::Judged& judged) {
+    tally.add(judged);
+    if (!options.junit.empty()) junit.add(judged);
+    if (!options.report.empty()) report.add(judged);
+  };
+  std::optional<harness::ProgressLine> progress;
+  const bool fills_terminal = order.prints_verdicts && isatty(STDOUT_FILENO) == 1;
+  if (const auto size = size_of(order.files); size && !options.quiet && !fills_terminal) {
+    progress.emplace("judge", *size);
+    order.progress = std::ref(*progress);
+    order.before_complaint = [&] { progress->erase(); };
+  }
+  const methods::KillEngineOnSignal kill_engine_on_signal;
+  const judge::Status status = judge::judge(order);
+  progress.reset();
+  if (options.json)
+    fmt::print("{}", judge::summary_json(tally));
+  else if (options.summary)
+    fmt::print("{}", judge::summary_text(tally, harness::takes_colours(stdout)));
+  if (!options.junit.empty()) harness::write_file(options.junit, junit.text(), options.force);
+  if (!options.report.empty()) harness::write_file(options.report, report.text(tally), options.force);
+  return status;
 }
 
 }  // namespace
 
 harness::Command judge_command() {
-  harness::Command command("judge", "Answer cases (JSON Lines) by one or more methods; compare with `expected`");
+  harness::Command command("judge", "Answer cases (JSON Lines) by methods or engines; compare with `expected`");
   auto options = std::make_shared<JudgeOptions>();
-  command.methods(options->methods, "Methods, separated by commas: names, exec:COMMAND, or all (default: exact)");
-  command.text("--engine", options->engine, "A command that reads cases and prints verdicts, judged as a method",
-               check_command);
+  methods::declare_methods(command, options->methods,
+                           "Methods, separated by commas: names, or all (default: exact, or none with --engine)");
   command
-      .real(
-          "--time-limit", options->time_limit,
-          "Seconds for each verdict of the engine, from 0.001 to 86400; it is then sent one case after the other, and "
-          "restarted if it ends, is late or prints anything but its verdict",
-          1e-3, 86'400)
+      .real("--time-limit", options->time_limit,
+            "Seconds for each verdict of an engine, from 0.001 to 86400; it is then sent one case after the other, and "
+            "restarted if it ends, is late or prints anything but its verdict. Several engines have 60 s by default",
+            1e-3, 86'400)
       .needs("--engine");
+  command.names("--keys", options->keys, "Compare only these keys of answers, separated by commas, such as contact");
+  command.flag("--at-rest", options->at_rest,
+               "Leave out the cases of moving balls, for an engine that knows only balls at rest");
   command.flag("--explain", options->explain, "Add the deciding stage and the margin in doubles");
+  command.flag(
+      "--summary", options->summary,
+      "Instead of verdicts and differences, print how many cases were wrong, by key, family and tag, with limits");
+  command.json(options->json, "Instead of verdicts and differences, print the summary as one JSON object");
+  command.quiet(options->quiet, "Print no difference and no progress; the exit status tells");
+  command.text("--junit", options->junit, "Also write the outcome of every case to this file, in the XML of JUnit");
+  command.text("--report", options->report,
+               "Also write a page to this file: the summary, and the worst cases as pictures (HTML, self-contained)");
+  command.force(options->force);
   command.texts("FILE", options->files, "Files of cases; none: standard input");
-  command.runs([options] {
-    judge::Order order;
-    order.files = options->files;
-    order.engine = options->engine;
-    order.explain = options->explain;
-    if (options->time_limit > 0) order.time_limit = std::chrono::milliseconds(std::lround(1000 * options->time_limit));
-    if (options->methods.empty() && options->engine.empty()) options->methods = {"exact"};
-    order.methods = methods::find_methods(options->methods);
-    const methods::KillEngineOnSignal kill_engine_on_signal;
-    return static_cast<int>(judge::judge(order));
-  });
+  command.footer(
+      "Exit status: 0 if all expectations are met, 1 if one is not or an engine failed somewhere, 2 for wrong input or "
+      "an\n"
+      "engine that cannot be started, 130 if interrupted.");
+  command.example("judge --engine './engine --flags =mine' --keys contact --at-rest --summary tests/corpus/*.jsonl");
+  command.runs([options] { return run_judge(*options); });
   return command;
 }
 
 harness::Command methods_command() {
   harness::Command command("methods", "List the methods, a line each");
-  command.runs([] {
-    for (const auto& method : methods::all_methods()) fmt::print("{:<24}{}\n", method->name(), method->summary());
+  auto json = std::make_shared<bool>(false);
+  command.json(*json, "Print them as a JSON array");
+  command.example("methods --json");
+  command.runs([json] {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const auto& method : methods::all_methods()) {
+      if (*json)
+        list.push_back({{"method", method->name()}, {"summary", method->summary()}});
+      else
+        fmt::print("{:<24}{}\n", method->name(), method->summary());
+    }
+    if (*json) fmt::print("{}\n", list.dump());
     return 0;
   });
   return command;

@@ -25,7 +25,7 @@ constexpr int kMostForeign = 16;
 /// The sending side: sends cases to the engine and queues them for their replies.
 void send_lines(const Order& order, methods::EngineProcess& engine, PendingCases& pending) {
   bool reads = true;
-  cases::read_lines(order.files, [&](cases::Line&& line) {
+  read_lines(order, [&](cases::Line&& line) {
     const bool asked = reads && line.read && std::holds_alternative<cases::Shapes>(line.read->content);
     const std::string text = asked ? std::move(line.text) + '\n' : std::string();
     line.text.clear();
@@ -42,8 +42,9 @@ void send_lines(const Order& order, methods::EngineProcess& engine, PendingCases
 /// The receiving side.
 class Replies {
  public:
-  Replies(methods::EngineProcess& engine, PendingCases& pending, VerdictReporter& reporter)
-      : engine_(engine), pending_(pending), reporter_(reporter) {}
+  Replies(const methods::Engine& named, methods::EngineProcess& engine, PendingCases& pending,
+          VerdictReporter& reporter)
+      : named_(named), engine_(engine), pending_(pending), reporter_(reporter) {}
 
   /// Waits for a line. Reads the output of the engine meanwhile, as the engine might not read before its output is
   /// taken.
@@ -62,13 +63,13 @@ class Replies {
     bool told = false, unnamed = false;
     for (int foreign = 0; foreign < kMostForeign && has_next();) {
       if (next_->id == line.read->id) {
-        if (!next_->answer) reporter_.blame_engine(line, not_a_verdict(*next_));
-        reporter_.report_answer(line, next_->answer.value_or(cases::StatedAnswer()));
+        if (!next_->answer) reporter_.blame_engine(line, named_, not_a_verdict(*next_));
+        reporter_.report_answer(line, named_, next_->answer.value_or(cases::StatedAnswer()));
         next_.reset();
         return;
       }
       if (next_->id ? pending_.is_asked(*next_->id) : unnamed) break;
-      reporter_.blame_engine(line, not_a_verdict(*next_));
+      reporter_.blame_engine(line, named_, not_a_verdict(*next_));
       told = true;
       if (next_->id)
         ++foreign;
@@ -77,11 +78,11 @@ class Replies {
       next_.reset();
     }
     if (engine_.too_long() && !had_ended) {
-      reporter_.blame_engine(line, methods::EngineProcess::kTooLong);
+      reporter_.blame_engine(line, named_, methods::EngineProcess::kTooLong);
       told = true;
     }
     if (told)
-      reporter_.report_answer(line, {});
+      reporter_.report_answer(line, named_, {});
     else
       settle_without(line);
   }
@@ -89,8 +90,8 @@ class Replies {
   /// The same for a case that was not sent, because the engine had stopped reading.
   void settle_without(const cases::Line& line) {
     ++missing_;
-    reporter_.blame_engine(line, "no verdict");
-    reporter_.report_answer(line, {});
+    reporter_.blame_engine(line, named_, "no verdict");
+    reporter_.report_answer(line, named_, {});
   }
 
   /// Returns the number of cases without any output of the engine.
@@ -112,6 +113,9 @@ class Replies {
       pending_.await_reply(false);
       if (line) next_ = methods::read_reply(*line);
       ended_ = !line;
+      has_printed_ |= line.has_value();
+      if (!ended_ || has_printed_) return next_.has_value();
+      if (const auto ending = engine_.wait_within(1s)) methods::require_started(named_.command, *ending);
     }
     return next_.has_value();
   }
@@ -121,12 +125,13 @@ class Replies {
     surplus_ = true;
   }
 
+  const methods::Engine& named_;
   methods::EngineProcess& engine_;
   PendingCases& pending_;
   VerdictReporter& reporter_;
   std::optional<methods::Reply> next_;
   std::size_t missing_ = 0;
-  bool ended_ = false, surplus_ = false;
+  bool ended_ = false, surplus_ = false, has_printed_ = false;
 };
 
 /// Lets the sending thread end, however the receiver ends.
@@ -144,7 +149,8 @@ struct Release {
 
 Status judge_stream(const Order& order) {
   VerdictReporter reporter(order);
-  methods::EngineProcess engine(order.engine);
+  const methods::Engine& named = order.engines.front();
+  methods::EngineProcess engine(named.command);
   PendingCases pending;
   std::exception_ptr failure;
   std::jthread sender([&] {
@@ -159,12 +165,11 @@ Status judge_stream(const Order& order) {
   });
   const Release release{pending, engine};
 
-  Replies replies(engine, pending, reporter);
+  Replies replies(named, engine, pending, reporter);
   while (const auto entry = replies.next_line()) {
     const cases::Line& line = entry->line;
     if (!line.read) {
-      reporter.complain(line.complaint);
-      reporter.worsen(InputRejected);
+      reporter.report_unread(line);
       continue;
     }
     reporter.report_own_methods(line);
@@ -173,18 +178,19 @@ Status judge_stream(const Order& order) {
       replies.settle(line);
     else
       replies.settle_without(line);
+    reporter.finish(line);
   }
   sender.join();
   if (failure) std::rethrow_exception(failure);
 
   if (replies.has_surplus()) {
-    reporter.complain(fmt::format("engine {}: printed more lines than there were cases", order.engine));
+    reporter.complain(fmt::format("engine {}: printed more lines than there were cases", named.name));
     reporter.worsen(ExpectationNotMet);
   }
-  std::string ending = engine.wait();
+  std::string ending = engine.ending();
   if (replies.has_surplus() || engine.too_long()) ending.clear();  // it was cut off
   if (replies.missing() > 0 || !ending.empty()) {
-    reporter.complain(fmt::format("engine {}: {}{} case(s) without a verdict", order.engine,
+    reporter.complain(fmt::format("engine {}: {}{} case(s) without a verdict", named.name,
                                   ending.empty() ? "" : "ended with " + ending + "; ", replies.missing()));
     reporter.worsen(ExpectationNotMet);
   }

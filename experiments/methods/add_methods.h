@@ -15,6 +15,7 @@ using cases::PreparedMethod;
 using cases::QueryKind;
 
 void add_cgal_kernels(std::vector<std::unique_ptr<Method>>& list);
+void add_convex(std::vector<std::unique_ptr<Method>>& list);
 void add_exact(std::vector<std::unique_ptr<Method>>& list);
 void add_fast(std::vector<std::unique_ptr<Method>>& list);
 void add_fast_double_double(std::vector<std::unique_ptr<Method>>& list);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/registry.h"
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -24,6 +25,7 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
     add_rational(list);
     add_cgal_kernels(list);
     add_thesis(list);
+    add_convex(list);
     add_engines(list);
     return list;
   }();
@@ -32,30 +34,45 @@ const std::vector<std::unique_ptr<Method>>& all_methods() {
 
 namespace {
 
-constexpr std::string_view kExternal = "exec:";
+/// The engines of the user, by name.
+struct Engines {
+  struct Added {
+    std::string command;
+    std::unique_ptr<Method> method;
+  };
+  std::mutex mutex;
+  std::map<std::string, Added, std::less<>> added;
+};
 
-const Method* find_external(const std::string& name) {
-  const std::string command = name.substr(kExternal.size());
-  if (io::all_legible(name) != name)
-    throw std::invalid_argument(io::legible(name) + ": is not printable text in UTF-8");
-  if (command.find_first_not_of(' ') == std::string::npos) throw std::invalid_argument(name + ": the command is empty");
-  if (command.find_first_of(",\"") != std::string::npos)
-    throw std::invalid_argument(name + ": a command in a list of methods has no comma and no \"; use a script");
-  static std::mutex mutex;
-  static std::map<std::string, std::unique_ptr<Method>> found;
-  const std::lock_guard lock(mutex);
-  auto& method = found[name];
-  if (!method) method = external_method(name, "an external program", command);
-  return method.get();
+Engines& engines() {
+  static Engines engines;
+  return engines;
 }
 
 }  // namespace
 
 const Method* find_method(std::string_view name) {
-  if (name.starts_with(kExternal)) return find_external(std::string(name));
   for (const auto& method : all_methods())
     if (method->name() == name) return method.get();
-  return nullptr;
+  const std::lock_guard lock(engines().mutex);
+  const auto engine = engines().added.find(name);
+  return engine == engines().added.end() ? nullptr : engine->second.method.get();
+}
+
+const Method& add_engine(const Engine& engine) {
+  const auto refuse = [&](const char* reason) {
+    throw std::invalid_argument("engine " + io::legible(engine.command) + ": " + io::legible(engine.name) + reason +
+                                "; COMMAND=NAME gives another name");
+  };
+  if (io::all_legible(engine.name) != engine.name) refuse(" has control characters");
+  for (const auto& method : all_methods())
+    if (method->name() == engine.name || engine.name == "all") refuse(" is the name of a method of this program");
+  const std::lock_guard lock(engines().mutex);
+  auto& [command, method] = engines().added[engine.name];
+  if (method && command != engine.command) refuse(" is the name of another engine");
+  command = engine.command;
+  if (!method) method = external_method(engine.name, "an engine: " + engine.command, engine.command);
+  return *method;
 }
 
 std::vector<const Method*> find_methods(const std::vector<std::string>& names) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/cases/method.h"
+#include "experiments/methods/process/engine.h"
 
 namespace touchstone::methods {
 
@@ -15,10 +16,13 @@ using cases::Method;
 /// Returns every method of this build, in the order of `touchstone methods`.
 [[nodiscard]] const std::vector<std::unique_ptr<Method>>& all_methods();
 
-/// Returns the method of that name, or nullptr. `exec:COMMAND` is the external method of that command, which lasts
-/// until the program ends. Throws std::invalid_argument if it is not printable text in UTF-8, is blank, or has a comma
-/// or a quotation mark `"`: names are separated by commas, and written to tables as they are.
+/// Returns the method of that name, one of this build or an engine that add_engine has added, or nullptr.
 [[nodiscard]] const Method* find_method(std::string_view name);
+
+/// Adds an engine as a method, which lasts until the program ends, and returns it; the same engine is added once.
+/// Throws std::invalid_argument, which names the engine, if its name is that of another method or engine, or has
+/// control bytes.
+const Method& add_engine(const Engine& engine);
 
 /// Returns the methods of these names, in this order; `all` selects every method of this build. Throws
 /// std::invalid_argument, which names the first unknown one.

@@ -52,15 +52,15 @@ void check_answer(const cases::Case& read, std::vector<std::string>& faults) {
   if (const auto fault = find_rational_fault(polygon))
     faults.push_back(fmt::format("error: exact finds nothing, the rationals \"{}\"", to_string(*fault)));
   if (!read.expected) return faults.push_back("expected: is missing");
-  for (const std::string& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
-    faults.push_back(difference + ", by exact");
+  for (const cases::Difference& difference : cases::differences(*read.expected, exact_answer({ball, polygon, to})))
+    faults.push_back(to_string(difference) + ", by exact");
   if (read.expected->rejects()) return;
   if (to) {
     const filtered::PreparedPolygon prepared(polygon);
     const auto filtered = cases::PartialAnswer::of(filtered::first_contact({ball, *to}, prepared),
                                                    filtered::answer(ball, prepared).off_plane, "");
-    for (const std::string& difference : cases::differences(*read.expected, filtered))
-      faults.push_back(difference + ", by filtered");
+    for (const cases::Difference& difference : cases::differences(*read.expected, filtered))
+      faults.push_back(to_string(difference) + ", by filtered");
     for (const cases::Key key : cases::kMovingKeys)
       if (const auto name = std::string(to_string(key)); !read.expected->texts.contains(name))
         faults.push_back(name + ": is missing");

@@ -36,6 +36,8 @@ WrongAnswer wrong_answer(const cases::Method& method, const cases::Shapes& shape
     wrong.answer = motion ? prepared->ask_moving(*motion).value_or(PartialAnswer{})
                           : prepared->ask(shapes.ball, cases::QueryKind::Answer);
     wrong.keys = differing_keys(truth, wrong.answer);
+  } catch (const methods::EngineNotStarted&) {
+    throw;
   } catch (const std::exception&) {  // thrown by a third-party engine
     for (const Key key : cases::kKeys)
       if (has(truth, key)) wrong.keys.push_back(key);

@@ -24,6 +24,7 @@
 #include "experiments/judge/corpus/make.h"
 #include "experiments/judge/corpus/shrink.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "geometry/io/detail/legible.h"
 
 namespace touchstone::commands {
@@ -63,6 +64,7 @@ int check(const std::vector<std::string>& files) {
 
 struct ShrinkOptions {
   std::string file, method;
+  std::vector<std::string> engines;
   std::string key;  ///< empty: all wrong keys
 };
 
@@ -80,25 +82,22 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
     return std::nullopt;
   }
   const std::string& id = *line.read->id;
-  const auto& [ball, polygon, to] = std::get<cases::Shapes>(line.read->content);
-  if (to) {
-    fmt::print(stderr, "touchstone: case {}: moving balls are not shrunk\n", io::legible(id));
-    return std::nullopt;
-  }
+  const auto& shapes = std::get<cases::Shapes>(line.read->content);
   try {
-    const corpus::SameFailure failure(method, ball, polygon, key);
-    const auto [small_ball, small_polygon] = corpus::shrink(failure, ball, polygon, stop);
+    const corpus::SameFailure failure(method, shapes, key);
+    const cases::Shapes small = corpus::shrink(failure, shapes, stop);
     auto labels = corpus::labels_of(line.text);
     if (std::ranges::find(labels.tags, "shrunk") == labels.tags.end()) {
       labels.tags.emplace_back("shrunk");
       std::string from = labels.origin.empty() ? id : labels.origin;
       std::vector<std::string> keys;
       for (const cases::Key wrong : failure.keys()) keys.emplace_back(to_string(wrong));
-      labels.origin = fmt::format("touchstone corpus shrink --method {}{}: {}; from: {}", method.name(),
-                                  key ? " --key " + *key : "", harness::joined(keys), from);
+      labels.origin =
+          fmt::format("touchstone corpus shrink --{} {}{}: {}; from: {}", method.through_pipe() ? "engine" : "method",
+                      method.name(), key ? " --key " + *key : "", harness::joined(keys), from);
     }
-    return corpus::line_of({id, small_ball, small_polygon, labels.tags, labels.origin},
-                           corpus::exact_answer({small_ball, small_polygon}));
+    return corpus::line_of({id, small.ball, small.polygon, labels.tags, labels.origin, small.to},
+                           corpus::exact_answer(small));
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "touchstone: case {}: {}\n", io::legible(id), error.what());
     return std::nullopt;
@@ -106,9 +105,12 @@ std::optional<std::string> shrunk_line(const cases::Line& line, const cases::Met
 }
 
 int shrink(const ShrinkOptions& options) {
-  const auto methods = methods::find_methods({options.method});
+  methods::Selection selection{{}, options.engines};
+  if (!options.method.empty()) selection.names = {options.method};
+  const auto methods = selection.methods();
   if (methods.size() != 1)
-    throw std::invalid_argument("--method " + options.method + ": a case is shrunk for one method");
+    throw harness::UsageError(options.method.empty() ? "--engine" : "--method " + options.method,
+                              "a case is shrunk for one method or engine");
   const cases::Method& method = *methods.front();
   const std::optional<std::string> key = options.key.empty() ? std::nullopt : std::optional(options.key);
   const harness::StopSignal stop_signal;
@@ -139,6 +141,7 @@ harness::Command make_command() {
   command.text("FOLDER", options->folder, "Where to");
   command.threads(options->threads, "Number of threads; does not affect the files");
   command.force(options->force);
+  command.example("corpus make new-corpus");
   command.runs([options] { return make(*options); });
   return command;
 }
@@ -147,6 +150,7 @@ harness::Command check_command() {
   harness::Command command("check", "Derive every answer again, with two exact number types");
   auto files = std::make_shared<std::vector<std::string>>();
   command.texts("FILES", *files, "Files of cases with whole answers (default: the corpus)");
+  command.example("corpus check");
   command.runs([files] { return check(files->empty() ? corpus_files() : *files); });
   return command;
 }
@@ -155,8 +159,12 @@ harness::Command shrink_command() {
   harness::Command command("shrink", "Reduce failing cases to small ones that still fail");
   auto options = std::make_shared<ShrinkOptions>();
   command.text("CASE", options->file, "A file of cases (JSON Lines); - is standard input").required();
-  command.text("--method", options->method, "The method that fails").required();
+  command.text("--method", options->method, "The method that fails");
+  methods::declare_engines(command, options->engines,
+                           "Instead: an engine of yours that fails, COMMAND or COMMAND=NAME");
+  command.require_one_of({"--method", "--engine"});
   command.text("--key", options->key, "The key of the answer that must stay wrong; default: all wrong decisive keys");
+  command.example("corpus shrink failing.jsonl --method fast");
   command.runs([options] { return shrink(*options); });
   return command;
 }

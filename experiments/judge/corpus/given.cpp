@@ -28,8 +28,8 @@ std::string completed(const std::string& text, const std::string& name) {
   const auto& [ball, polygon, to] = std::get<cases::Shapes>(read.content);
   const cases::PartialAnswer truth = exact_answer({ball, polygon, to});
   if (read.expected)
-    for (const std::string& difference : cases::differences(*read.expected, truth))
-      throw std::runtime_error(difference);
+    for (const cases::Difference& difference : cases::differences(*read.expected, truth))
+      throw std::runtime_error(to_string(difference));
   Labels labels = labels_of(text);
   if (std::ranges::find(labels.tags, name) == labels.tags.end()) labels.tags.insert(labels.tags.begin(), name);
   return line_of({*read.id, ball, polygon, labels.tags, labels.origin.empty() ? "by hand" : labels.origin, to}, truth);

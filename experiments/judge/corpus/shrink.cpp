@@ -10,17 +10,20 @@
 #include <stdexcept>
 
 #include "experiments/judge/corpus/corpus_case.h"
+#include "experiments/workloads/grazing_radius.h"
 #include "experiments/workloads/loops.h"
 #include "experiments/workloads/ulp.h"
 #include "geometry/shapes/rejection.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::corpus {
 namespace {
 
 using cases::Key;
 using cases::PartialAnswer;
+using cases::Shapes;
 using Eigen::Vector3d;
 
 /// A number |x| = significand 2^exponent with an odd significand; both are 0 for 0.
@@ -64,11 +67,21 @@ std::vector<double> simpler(double x) {
   return numbers;
 }
 
-bool is_usable(const Ball& ball, const Polygon& polygon) {
-  return !find_fault(ball) && !exact::validate(polygon).has_value();
+bool is_usable(const Shapes& shapes) {
+  const auto motion = shapes.motion();
+  return !(motion ? find_fault(*motion) : find_fault(shapes.ball)) && !exact::validate(shapes.polygon).has_value();
 }
 
-/// Returns the part of an answer that is a word, yes or no: the kind of the nearest feature; an empty text for edges
+/// Returns the radius from which on the ball touches, rounded. Requires usable shapes.
+double threshold_of(const Shapes& shapes) {
+  const auto motion = shapes.motion();
+  if (!motion) return exact::answer(shapes.ball, shapes.polygon).distance;
+  const filtered::PreparedPolygon polygon(shapes.polygon);
+  return workloads::grazing_radius(*motion,
+                                   [&polygon](const Motion& asked) { return filtered::contact(asked, polygon); });
+}
+
+/// Returns the part of an answer that is a word, yes or no: the kind of a feature; an empty text for edges
 /// and numbers, and for a key that the answer lacks.
 std::string words_of(const PartialAnswer& answer, Key key) {
   switch (key) {
@@ -78,14 +91,14 @@ std::string words_of(const PartialAnswer& answer, Key key) {
     case Key::Relation: return answer.relation ? std::string(to_string(*answer.relation)) : "";
     case Key::Contact: return answer.contact ? (*answer.contact ? "yes" : "no") : "";
     case Key::Nearest: return answer.nearest ? std::string(to_string(answer.nearest->kind)) : "";
+    case Key::First: return answer.first ? std::string(to_string(*answer.first)) : "";
+    case Key::Momentary: return answer.momentary ? (*answer.momentary ? "yes" : "no") : "";
+    case Key::Feature: return answer.feature ? std::string(to_string(answer.feature->kind)) : "";
     case Key::EdgesHit:
     case Key::Point:
     case Key::Distance:
-    case Key::OffPlane:
-    case Key::First:  // moving balls are not shrunk
     case Key::Time:
-    case Key::Momentary:
-    case Key::Feature: break;
+    case Key::OffPlane: break;
   }
   return "";
 }
@@ -93,65 +106,71 @@ std::string words_of(const PartialAnswer& answer, Key key) {
 /// A case while it is being reduced.
 class Shrinker {
  public:
-  Shrinker(const SameFailure& failure, const Ball& ball, const Polygon& polygon, const std::atomic<bool>& stop)
-      : failure_(failure), stop_(stop), ball_(ball), loops_(workloads::loops_of(polygon)) {
-    accept(ball, polygon);
+  Shrinker(const SameFailure& failure, const Shapes& shapes, const std::atomic<bool>& stop)
+      : failure_(failure), stop_(stop) {
+    accept(shapes);
   }
 
-  Shrunk run() {
+  Shapes run() {
     do {
       changed_ = false;
       leave_out_loops();
-      for (std::size_t loop = 0; loop < loops_.size(); ++loop) leave_out_vertices(loop);
+      for (std::size_t loop = 0; loop < now_.loops.size(); ++loop) leave_out_vertices(loop);
+      stand_still();
       translate();
       scale();
       mirror();
       coarsen();
-      for (std::size_t i = 0; i < 3 * size_.vertices + 4; ++i) simplify(i);
+      for (std::size_t i = 0; i < 3 * (size_.vertices + (now_.to ? 1 : 0)) + 4; ++i) simplify(i);
     } while (changed_ && !stop_);
-    return {ball_, workloads::polygon_of(loops_)};
+    return shapes_of(now_);
   }
 
  private:
   struct Candidate {
     Ball ball;
+    std::optional<Vector3d> to;
     std::vector<Loop> loops;
   };
 
-  void accept(const Ball& ball, const Polygon& polygon) {
-    ball_ = ball;
-    loops_ = workloads::loops_of(polygon);
-    size_ = size_of(ball, polygon);
-    margin_ = workloads::doubles_between(exact::answer(ball, polygon).distance, ball.radius);
+  static Shapes shapes_of(const Candidate& candidate) {
+    return {candidate.ball, workloads::polygon_of(candidate.loops), candidate.to};
+  }
+
+  void accept(const Shapes& shapes) {
+    now_ = {shapes.ball, shapes.to, workloads::loops_of(shapes.polygon)};
+    size_ = size_of(shapes);
+    margin_ = workloads::doubles_between(threshold_of(shapes), shapes.ball.radius);
   }
 
   /// Accepts the candidate if it is smaller and fails in the same way, if necessary with the radius as near to the
   /// distance as before.
   bool take(const Candidate& candidate) try {
     if (stop_ || !candidate.ball.center.allFinite()) return false;
-    const Polygon polygon = workloads::polygon_of(candidate.loops);
-    if (take(candidate.ball, polygon)) return true;
-    if (std::abs(margin_) > kMostMargin || !is_usable(candidate.ball, polygon)) return false;
-    const double distance = exact::answer(candidate.ball, polygon).distance;
-    if (!std::isfinite(distance)) return false;
-    return take({candidate.ball.center, workloads::move_by_doubles(distance, margin_)}, polygon);
+    Shapes shapes = shapes_of(candidate);
+    if (take(shapes)) return true;
+    if (std::abs(margin_) > kMostMargin || !is_usable(shapes)) return false;
+    const double threshold = threshold_of(shapes);
+    if (!std::isfinite(threshold)) return false;
+    shapes.ball.radius = workloads::move_by_doubles(threshold, margin_);
+    return take(shapes);
   } catch (const Rejected&) {
     return false;
   }
 
-  bool take(const Ball& ball, const Polygon& polygon) {
-    if (size_of(ball, polygon) >= size_ || !failure_.holds(ball, polygon)) return false;
-    accept(ball, polygon);
+  bool take(const Shapes& shapes) {
+    if (size_of(shapes) >= size_ || !failure_.holds(shapes)) return false;
+    accept(shapes);
     return changed_ = true;
   }
 
   void leave_out_loops() {
-    for (std::size_t loop = loops_.size(); loop-- > 1;)  // a hole by itself
-      if (loop < loops_.size() && take({ball_, {loops_[loop]}})) return;
+    for (std::size_t loop = now_.loops.size(); loop-- > 1;)  // a hole by itself
+      if (loop < now_.loops.size() && take({now_.ball, now_.to, {now_.loops[loop]}})) return;
     leave_out(
-        1, [this] { return loops_.size() - 1; },
+        1, [this] { return now_.loops.size() - 1; },
         [this](std::size_t begin, std::size_t end) {
-          Candidate candidate{ball_, loops_};
+          Candidate candidate = now_;
           const auto first = candidate.loops.begin() + 1;
           candidate.loops.erase(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
           return candidate;
@@ -160,9 +179,9 @@ class Shrinker {
 
   void leave_out_vertices(std::size_t loop) {
     leave_out(
-        4, [this, loop] { return loops_[loop].size(); },
+        4, [this, loop] { return now_.loops[loop].size(); },
         [this, loop](std::size_t begin, std::size_t end) {
-          Candidate candidate{ball_, loops_};
+          Candidate candidate = now_;
           Loop& vertices = candidate.loops[loop];
           vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(begin),
                          vertices.begin() + static_cast<std::ptrdiff_t>(end));
@@ -181,22 +200,31 @@ class Shrinker {
       }
   }
 
+  void stand_still() {
+    if (!now_.to || *now_.to == now_.ball.center) return;
+    Candidate candidate = now_;
+    candidate.to = now_.ball.center;
+    (void)take(candidate);
+  }
+
   /// Applies one function to every coordinate: f(x, axis).
   template <class Map>
   [[nodiscard]] Candidate mapped(const Map& f) const {
-    Candidate candidate{ball_, loops_};
+    Candidate candidate = now_;
     const auto map = [&f](Vector3d& v) {
       for (int axis = 0; axis < 3; ++axis) v[axis] = f(v[axis], axis);
     };
     map(candidate.ball.center);
+    if (candidate.to) map(*candidate.to);
     for (Loop& loop : candidate.loops)
       for (Vector3d& v : loop) map(v);
     return candidate;
   }
 
   [[nodiscard]] std::vector<Vector3d> points() const {
-    std::vector<Vector3d> points{ball_.center};
-    for (const Loop& loop : loops_) points.insert(points.end(), loop.begin(), loop.end());
+    std::vector<Vector3d> points{now_.ball.center};
+    if (now_.to) points.push_back(*now_.to);
+    for (const Loop& loop : now_.loops) points.insert(points.end(), loop.begin(), loop.end());
     return points;
   }
 
@@ -213,10 +241,10 @@ class Shrinker {
     for (const Vector3d& v : points())
       for (const double x : v)
         if (x != 0) exponents.insert(parts_of(x).exponent), exponents.insert(std::ilogb(x));
-    if (ball_.radius != 0) exponents.insert(parts_of(ball_.radius).exponent);
+    if (now_.ball.radius != 0) exponents.insert(parts_of(now_.ball.radius).exponent);
     for (const int exponent : exponents) {
       Candidate candidate = mapped([&](double x, int) { return std::ldexp(x, -exponent); });
-      candidate.ball.radius = std::ldexp(ball_.radius, -exponent);
+      candidate.ball.radius = std::ldexp(now_.ball.radius, -exponent);
       if (std::isfinite(candidate.ball.radius) && take(candidate)) return;
     }
   }
@@ -226,7 +254,7 @@ class Shrinker {
       (void)take(mapped([&](double x, int axis) { return axis == mirrored ? 0.0 - x : x; }));
   }
 
-  /// Rounds all coordinates to the coarsest grid that keeps the failure; then those of the polygon, then of the centre.
+  /// Rounds all coordinates to the coarsest grid that keeps the failure; then those of the polygon, then of the ball.
   void coarsen() {
     int finest = 1024, coarsest = -1075;
     for (const Vector3d& v : points())
@@ -236,16 +264,18 @@ class Shrinker {
     for (const int what : {0, 1, 2})
       for (int exponent = coarsest; exponent > finest; exponent -= step) {
         Candidate candidate = mapped([&](double x, int) { return on_grid(x, exponent); });
-        if (what == 1) candidate.ball = ball_;
-        if (what == 2) candidate.loops = loops_;
+        if (what == 1) candidate.ball = now_.ball, candidate.to = now_.to;
+        if (what == 2) candidate.loops = now_.loops;
         if (take(candidate)) break;
       }
   }
 
-  /// Simplifies the radius, the coordinates of the centre, then those of the vertices.
+  /// Finds the radius, the coordinates of the centre and of a moving ball's end, then those of the vertices.
   static double& number(Candidate& candidate, std::size_t i) {
     if (i == 0) return candidate.ball.radius;
     if (i < 4) return candidate.ball.center[static_cast<Eigen::Index>(i - 1)];
+    if (candidate.to && i < 7) return (*candidate.to)[static_cast<Eigen::Index>(i - 4)];
+    if (candidate.to) i -= 3;
     std::size_t vertex = (i - 4) / 3;
     auto loop = candidate.loops.begin();
     for (; vertex >= loop->size(); ++loop) vertex -= loop->size();
@@ -255,7 +285,7 @@ class Shrinker {
   void simplify(std::size_t i) {
     for (bool again = true; again;) {
       again = false;
-      Candidate candidate{ball_, loops_};
+      Candidate candidate = now_;
       double& changed = number(candidate, i);
       const std::size_t before = bits_of(changed);
       for (const double x : simpler(changed)) {
@@ -270,30 +300,31 @@ class Shrinker {
 
   const SameFailure& failure_;
   const std::atomic<bool>& stop_;
-  Ball ball_;
-  std::vector<Loop> loops_;
+  Candidate now_;
   Size size_;
-  std::int64_t margin_ = 0;  // how many doubles the radius lies above the distance
+  std::int64_t margin_ = 0;  // how many doubles the radius lies above its threshold
   bool changed_ = false;
 };
 
 }  // namespace
 
-Size size_of(const Ball& ball, const Polygon& polygon) {
+Size size_of(const Shapes& shapes) {
+  const auto& [ball, polygon, to] = shapes;
   Size size{polygon.loop_count(), polygon.vertex_count(), bits_of(ball.radius) + bits_of(ball.center)};
+  if (to) size.bits += bits_of(*to);
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) size.bits += bits_of(polygon.vertex(i));
   return size;
 }
 
-SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
-                         const std::optional<std::string>& key)
+SameFailure::SameFailure(const cases::Method& method, const Shapes& shapes, const std::optional<std::string>& key)
     : method_(method) {
-  const PartialAnswer truth = exact_answer({ball, polygon});
-  const auto [wrong, given] = wrong_answer(method, {ball, polygon}, truth);
+  const PartialAnswer truth = exact_answer(shapes);
+  const auto [wrong, given] = wrong_answer(method, shapes, truth);
   if (wrong.empty()) throw std::invalid_argument(std::string(method.name()) + " is not wrong about it");
   if (key && std::ranges::find(wrong, *key, [](Key each) { return to_string(each); }) == wrong.end())
     throw std::invalid_argument(std::string(method.name()) + " is not wrong about its " + *key);
   nothing_decisive_ = !key && !any_decisive(wrong);
+  true_first_ = words_of(truth, Key::First);
   for (const Key each : wrong) {
     if (key ? to_string(each) != *key : !is_decisive(each) && !nothing_decisive_) continue;
     keys_.push_back(each);
@@ -302,11 +333,12 @@ SameFailure::SameFailure(const cases::Method& method, const Ball& ball, const Po
   }
 }
 
-bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
-  if (!is_usable(ball, polygon)) return false;
-  const PartialAnswer truth = exact_answer({ball, polygon});
-  const auto [wrong, given] = wrong_answer(method_, {ball, polygon}, truth);
+bool SameFailure::holds(const Shapes& shapes) const {
+  if (!is_usable(shapes)) return false;
+  const PartialAnswer truth = exact_answer(shapes);
+  const auto [wrong, given] = wrong_answer(method_, shapes, truth);
   if (nothing_decisive_ && any_decisive(wrong)) return false;
+  if (words_of(truth, Key::First) != true_first_) return false;
   for (std::size_t i = 0; i < keys_.size(); ++i)
     if (std::ranges::find(wrong, keys_[i]) == wrong.end() || words_of(given, keys_[i]) != given_words_[i] ||
         words_of(truth, keys_[i]) != true_words_[i])
@@ -314,8 +346,8 @@ bool SameFailure::holds(const Ball& ball, const Polygon& polygon) const {
   return true;
 }
 
-Shrunk shrink(const SameFailure& failure, const Ball& ball, const Polygon& polygon, const std::atomic<bool>& stop) {
-  return Shrinker(failure, ball, polygon, stop).run();
+Shapes shrink(const SameFailure& failure, const Shapes& shapes, const std::atomic<bool>& stop) {
+  return Shrinker(failure, shapes, stop).run();
 }
 
 }  // namespace touchstone::corpus

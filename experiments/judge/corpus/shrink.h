@@ -9,49 +9,51 @@
 
 #include "experiments/cases/key.h"
 #include "experiments/cases/method.h"
-#include "geometry/shapes/ball.h"
-#include "geometry/shapes/polygon.h"
+#include "experiments/cases/shapes.h"
 
 namespace touchstone::corpus {
 
 /// The amount to read in a case; compared member by member.
 struct Size {
   std::size_t loops = 0, vertices = 0;
-  /// The bits of all coordinates and the radius, each m 2^e with odd m: the bits of m and of e, and one for a minus
-  /// sign. A zero counts 0.
+  /// The bits of all coordinates, that of a moving ball's end too, and of the radius, each m 2^e with odd m: the bits
+  /// of m and of e, and one for a minus sign. A zero counts 0.
   std::size_t bits = 0;
 
   friend auto operator<=>(const Size&, const Size&) = default;  // NOLINT(modernize-use-nullptr)
 };
-[[nodiscard]] Size size_of(const Ball& ball, const Polygon& polygon);
+[[nodiscard]] Size size_of(const cases::Shapes& shapes);
 
 /// The condition that a reduced case must meet. A case that fails in decisive keys (is_decisive) must still fail in all
 /// of them; if their values are words, the true and the given words must stay: a missed overlap does not become a
-/// missed touch. A case that fails only in `point`, `distance` or `off_plane` must still fail in all of these, and in
-/// no decisive key.
+/// missed touch. A case that fails only in `point`, `distance`, `time` or `off_plane` must still fail in all of these,
+/// and in no decisive key. A moving ball stays a moving one, and it first
+/// touches at the start, on the way or never, as it did.
 class SameFailure {
  public:
   /// Considers all keys that the method gets wrong, or only the named one. Requires the preconditions of the method.
   /// Throws std::invalid_argument if the method gets none of them wrong.
-  SameFailure(const cases::Method& method, const Ball& ball, const Polygon& polygon,
+  SameFailure(const cases::Method& method, const cases::Shapes& shapes,
               const std::optional<std::string>& key = std::nullopt);
 
   /// Returns the keys that must stay wrong.
   [[nodiscard]] const std::vector<cases::Key>& keys() const { return keys_; }
   /// Returns whether the case, which need not be valid, fails in the same way.
-  [[nodiscard]] bool holds(const Ball& ball, const Polygon& polygon) const;
+  [[nodiscard]] bool holds(const cases::Shapes& shapes) const;
 
  private:
   const cases::Method& method_;
   std::vector<cases::Key> keys_;
   std::vector<std::string> true_words_, given_words_;  // a key each
+  std::string true_first_;                             // of a moving ball
   bool nothing_decisive_;
 };
 
-/// A smaller case that fails in the same way, by delta debugging. It leaves out loops and vertices, in halves, quarters
-/// and so on down to single ones; moves everything towards the origin, scales by powers of two and mirrors; removes
-/// bits of numbers, first of all numbers on one grid, then of each number, and exponents. Each step is also tried with
-/// the radius at the same number of doubles from the new distance as it was from the old one.
+/// Returns a smaller case that fails in the same way, by delta debugging. It leaves out loops and vertices, in halves,
+/// quarters and so on down to single ones; moves everything towards the origin, scales by powers of two and mirrors;
+/// removes bits of numbers, first of all numbers on one grid, then of each number, and exponents. Each step is also
+/// tried with the radius at the same number of doubles from the new distance as it was from the old one; of a moving
+/// ball, from the least radius that touches.
 ///
 ///  (1) The result is valid by the contract and fails in the same way.
 ///  (2) Its size is not larger, and is smaller unless the case is the same.
@@ -59,11 +61,7 @@ class SameFailure {
 ///  (4) It depends on the arguments alone.
 /// If `stop` became true, (3) does not hold. Cost: some thousand queries to the method and to `exact`.
 /// Source: [zeller2002].
-struct Shrunk {
-  Ball ball;
-  Polygon polygon;
-};
-[[nodiscard]] Shrunk shrink(const SameFailure& failure, const Ball& ball, const Polygon& polygon,
-                            const std::atomic<bool>& stop);
+[[nodiscard]] cases::Shapes shrink(const SameFailure& failure, const cases::Shapes& shapes,
+                                   const std::atomic<bool>& stop);
 
 }  // namespace touchstone::corpus

@@ -17,9 +17,11 @@
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/harness/table.h"
+#include "experiments/harness/table_json.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
+#include "experiments/methods/selection.h"
 #include "experiments/statistics/percent.h"
 #include "geometry/io/detail/legible.h"
 #include "robust/exact/exact.h"
@@ -31,11 +33,13 @@ using namespace regress;
 
 struct Options {
   std::string baseline, write, output;
-  std::vector<std::string> methods{"all"};
-  bool allow_missing = false, force = false;
+  methods::Selection methods{{"all"}};
+  bool allow_missing = false, force = false, json = false, quiet = false;
   Settings settings;
   unsigned threads = harness::all_threads();
   std::string line;  ///< the command line that repeats the run
+
+  [[nodiscard]] bool silent() const { return json || quiet; }
 };
 
 std::string cell(const Summary& summary) {
@@ -109,8 +113,16 @@ std::string worse_text(const Settings& settings, const std::vector<Change>& chan
   return text;
 }
 
-/// Prints the changes and returns the number of worse cases.
-std::size_t tell_changes(const std::vector<Change>& changes) {
+/// Prints which methods only one of both has.
+void tell_missing(const Baseline& baseline, const OutcomeTable& table) {
+  for (const auto& [method, families] : baseline.table)
+    if (table.count(method) == 0) fmt::print("{}: in the baseline, not in this run\n", io::legible(method));
+  for (const auto& [method, families] : table)
+    if (baseline.table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+}
+
+/// Prints the changes.
+void tell_changes(const std::vector<Change>& changes) {
   std::size_t better = 0, worse = 0;
   for (const Change& change : changes) {
     fmt::print("{} on {}: {} better, {} worse", change.method, change.family, change.better.size(),
@@ -123,7 +135,13 @@ std::size_t tell_changes(const std::vector<Change>& changes) {
     worse += change.worse.size();
   }
   fmt::print("{} cases better than the baseline, {} worse\n", better, worse);
-  return worse;
+}
+
+/// Returns whether the command line names the method, rather than `all`.
+bool is_named(const Options& options, const cases::Method& method) {
+  const auto& [names, engines] = options.methods;
+  return std::ranges::find(names, method.name()) != names.end() ||
+         std::ranges::any_of(engines, [&](const auto& text) { return methods::engine_of(text).name == method.name(); });
 }
 
 /// Throws if no method could be compared with the baseline, or a method that the command line names could not.
@@ -134,18 +152,18 @@ void refuse_missing(const Options& options, const Baseline& baseline,
     throw std::runtime_error(options.baseline + ": has none of the methods of this run");
   if (options.allow_missing) return;
   for (const cases::Method* method : methods)
-    if (std::ranges::find(options.methods, method->name()) != options.methods.end() && !has(method->name()))
-      throw std::runtime_error(
-          fmt::format("{}: has no method {}, which --methods names; --allow-missing continues without it",
-                      options.baseline, method->name()));
+    if (is_named(options, *method) && !has(method->name()))
+      throw std::runtime_error(fmt::format("{}: has no method {}, which {} names; --allow-missing continues without it",
+                                           options.baseline, method->name(),
+                                           method->through_pipe() ? "--engine" : "--methods"));
 }
 
 int run(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
-  auto methods = methods::find_methods(options.methods);
-  std::erase_if(methods, [](const cases::Method* method) {
+  auto methods = options.methods.methods();
+  std::erase_if(methods, [&](const cases::Method* method) {
     if (answers(*method)) return false;
-    fmt::print("{}: does not decide contact; left out\n", method->name());
+    if (!options.silent()) fmt::print("{}: does not decide contact; left out\n", method->name());
     return true;
   });
   std::optional<Baseline> baseline;
@@ -162,24 +180,25 @@ int run(const Options& options) {
   const harness::StopSignal stop_signal;
   std::optional<OutcomeTable> table;
   {
-    harness::ProgressLine line("regress", blocks_of(settings));
+    harness::ProgressLine line("regress", blocks_of(settings), 0, !options.quiet);
     table = find_outcomes(settings, methods, options.threads, stop_signal.requested(), std::ref(line));
   }
   if (!table) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  fmt::print("{}\n", table_of(*table, settings));
+  if (options.json)
+    fmt::print("{{\"outcomes.csv\":{}}}\n", harness::json_of_csv(outcomes_csv().csv(rows_of(*table))));
+  else if (!options.quiet)
+    fmt::print("{}\n", table_of(*table, settings));
 
   std::vector<Change> changed;
   if (baseline) {
-    for (const auto& [method, families] : baseline->table)
-      if (table->count(method) == 0) fmt::print("{}: in the baseline, not in this run\n", io::legible(method));
-    for (const auto& [method, families] : *table)
-      if (baseline->table.count(method) == 0) fmt::print("{}: not in the baseline\n", method);
+    if (!options.silent()) tell_missing(*baseline, *table);
     changed = changes(baseline->table, *table);
+    if (!options.silent()) tell_changes(changed);
   }
-  const std::size_t worse = baseline ? tell_changes(changed) : 0;
+  const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
   if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
   if (!options.output.empty()) {
     const std::filesystem::path folder = options.output;
@@ -193,7 +212,7 @@ int run(const Options& options) {
                  .threads = options.threads,
                  .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
   }
-  return worse > 0 ? 1 : 0;
+  return worse ? 1 : 0;
 }
 
 }  // namespace
@@ -208,16 +227,16 @@ harness::Command regress_command() {
       "single\n"
       "answer is noticed. Exit status 1 if a method does worse on a case than in the baseline: wrong instead of right "
       "or\n"
-      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods names, or "
-      "if\n"
+      "unsure, or unsure instead of right; 2 if the baseline cannot be read or lacks a method that --methods or "
+      "--engine\nnames, or if "
       "--write names an existing file without --force.");
   command.text("--baseline", options->baseline, "The baseline to compare with; its seed and samples are used");
   command
       .flag("--allow-missing", options->allow_missing,
-            "A method that --methods names may be missing from the baseline; it is then not compared")
+            "A method that --methods or --engine names may be missing from the baseline; it is then not compared")
       .needs("--baseline");
   command.text("--write", options->write, "Write the outcomes as a baseline");
-  command.methods(options->methods);
+  methods::declare_methods(command, options->methods);
   command.seed(options->settings.seed).excludes("--baseline");
   command
       .whole("--samples", options->settings.samples, "Of each family of polygons and place of the ball", 1,
@@ -227,7 +246,10 @@ harness::Command regress_command() {
   command.output(options->output,
                  "Folder for outcomes.csv, worse.jsonl (cases that have become worse, for `judge`) and run.json");
   command.force(options->force);
+  command.quiet(options->quiet, "Print no table, no changes and no progress; the exit status tells");
+  command.json(options->json).excludes("--quiet");
   command.writes({outcomes_csv().description()});
+  command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An engine of Bullet's float build, for `touchstone judge --engine`: it decides contact. Its symbols have the names of
-// the double build, so one program cannot link both.
+// An engine of Bullet's float build, for `touchstone judge --engine`: it decides contact, of moving balls too. Its
+// symbols have the names of the double build, so one program cannot link both.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "experiments/methods/engines/bullet_contact.h"
+#include "experiments/methods/engines/bullet_sweep.h"
 #include "experiments/methods/triangulate.h"
 
 static_assert(sizeof(btScalar) == sizeof(float), "this is about Bullet's float build");
@@ -29,14 +32,36 @@ Polygon polygon_in(const json& polygon) {
   return Polygon(loop_in(polygon["outer"]), holes);
 }
 
-bool touches(const json& ball, const std::vector<Triangle>& triangles) {
+std::array<double, 4> numbers_of(const json& ball) {
   const json& center = ball["center"];
-  const double sphere[]{center[0].get<double>(), center[1].get<double>(), center[2].get<double>(),
-                        ball["radius"].get<double>()};
+  return {center[0].get<double>(), center[1].get<double>(), center[2].get<double>(), ball["radius"].get<double>()};
+}
+
+std::array<double, 9> numbers_of(const Triangle& t) {
+  return {t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
+}
+
+bool touches(const json& ball, const std::vector<Triangle>& triangles) {
   return std::ranges::any_of(triangles, [&](const Triangle& t) {
-    const double corners[]{t.a.x(), t.a.y(), t.a.z(), t.b.x(), t.b.y(), t.b.z(), t.c.x(), t.c.y(), t.c.z()};
-    return methods::bullet_contact(sphere, corners);
+    return methods::bullet_contact(numbers_of(ball).data(), numbers_of(t).data());
   });
+}
+
+/// Returns infinity without contact.
+double first_time(const json& ball, const json& motion, const std::vector<Triangle>& triangles) {
+  const auto to = motion["to"].get<std::array<double, 3>>();
+  double first = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : triangles)
+    first = std::min(first, methods::bullet_sweep(numbers_of(ball).data(), to.data(), numbers_of(t).data()));
+  return first;
+}
+
+/// Returns the verdict about a case, without its id.
+json verdict(const json& given, const std::vector<Triangle>& triangles) {
+  if (!given.contains("motion")) return {{"contact", touches(given["ball"], triangles)}};
+  const double time = first_time(given["ball"], given["motion"], triangles);
+  const bool contact = std::isfinite(time);
+  return {{"contact", contact}, {"time", contact ? json(time) : json()}};
 }
 
 }  // namespace
@@ -51,7 +76,8 @@ int main() {
       polygon = std::move(given["polygon"]);
       triangles = touchstone::methods::triangles_of(touchstone::polygon_in(polygon));
     }
-    const bool contact = touchstone::touches(given["ball"], triangles);
-    std::cout << nlohmann::json{{"id", given["id"]}, {"contact", contact}} << std::endl;
+    nlohmann::json answer = touchstone::verdict(given, triangles);
+    answer["id"] = given["id"];
+    std::cout << answer << std::endl;
   }
 }

@@ -37,6 +37,23 @@ std::optional<bool> by_distance(const Ball& ball, const Triangle& t) {
   return is_within<Kernel>(point<Kernel>(ball.center), triangle<Kernel>(t), ball.radius);
 }
 
+/// CGAL has no distance of a segment from a triangle: takes it from those of its ends and of the edges. CGAL has no
+/// time.
+template <class Kernel>
+std::optional<Sweep> by_distance_of_way(const Motion& motion, const Triangle& t) {
+  const auto from = point<Kernel>(motion.ball.center), to = point<Kernel>(motion.to);
+  const auto face = triangle<Kernel>(t);
+  const typename Kernel::FT radius = motion.ball.radius;
+  if (is_within<Kernel>(from, face, radius) || is_within<Kernel>(to, face, radius)) return Sweep{true};
+  if (from == to) return Sweep{false};
+  const typename Kernel::Segment_3 way(from, to);
+  if (CGAL::do_intersect(way, face)) return Sweep{true};
+  for (int i = 0; i < 3; ++i)
+    if (CGAL::squared_distance(way, typename Kernel::Segment_3(face.vertex(i), face.vertex(i + 1))) <= radius * radius)
+      return Sweep{true};
+  return Sweep{false};
+}
+
 template <class Kernel>
 bool compares_within(const Ball& ball, const Triangle& t) {
   const typename Kernel::FT radius = ball.radius;
@@ -63,15 +80,16 @@ using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 void add_cgal_triangles(MethodList& list) {
   list.push_back(triangle_method("cgal-double-distance", "CGAL's squared_distance of a triangle over plain doubles",
-                                 by_distance<Double>));
+                                 by_distance<Double>, by_distance_of_way<Double>));
   list.push_back(triangle_method("cgal-double-intersect",
                                  "CGAL's do_intersect of sphere and triangle over plain doubles",
                                  by_intersection<Double>));
-  list.push_back(triangle_method("cgal-epick-distance", "CGAL's squared_distance over EPICK", by_distance<Epick>));
+  list.push_back(triangle_method("cgal-epick-distance", "CGAL's squared_distance over EPICK", by_distance<Epick>,
+                                 by_distance_of_way<Epick>));
   list.push_back(triangle_method("cgal-epick-intersect", "CGAL's do_intersect over EPICK; r^2 is rounded",
                                  by_intersection<Epick>));
   list.push_back(triangle_method("cgal-epeck-distance", "CGAL's squared_distance over EPECK; loops are not lifted",
-                                 by_distance<Epeck>));
+                                 by_distance<Epeck>, by_distance_of_way<Epeck>));
   list.push_back(triangle_method("cgal-epeck-intersect", "CGAL's do_intersect over EPECK; loops are not lifted",
                                  by_intersection<Epeck>));
 }

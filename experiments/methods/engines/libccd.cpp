@@ -27,20 +27,38 @@ void furthest_of_triangle(const void* object, const ccd_vec3_t* direction, ccd_v
   set(point, *furthest);
 }
 
+/// Of the capsule that the moving ball covers.
+void furthest_of_motion(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const Motion& motion = *static_cast<const Motion*>(object);
+  const Eigen::Vector3d towards(direction->v[0], direction->v[1], direction->v[2]);
+  const Eigen::Vector3d &from = motion.ball.center, &to = motion.to;
+  set(point, (to.dot(towards) > from.dot(towards) ? to : from) + motion.ball.radius * towards.normalized());
+}
+
 /// The number of iterations is bounded; otherwise some inputs never end.
-std::optional<bool> contact(const Ball& ball, const Triangle& triangle) {
+bool intersects(const void* object, ccd_support_fn furthest, const Triangle& triangle) {
   ccd_t ccd;
   CCD_INIT(&ccd);
-  ccd.support1 = furthest_of_ball;
+  ccd.support1 = furthest;
   ccd.support2 = furthest_of_triangle;
   ccd.max_iterations = 500;
-  return ccdGJKIntersect(&ball, &triangle, &ccd) != 0;
+  return ccdGJKIntersect(object, &triangle, &ccd) != 0;
+}
+
+std::optional<bool> contact(const Ball& ball, const Triangle& triangle) {
+  return intersects(&ball, furthest_of_ball, triangle);
+}
+
+/// libccd has no time.
+std::optional<Sweep> sweep(const Motion& motion, const Triangle& triangle) {
+  return Sweep{intersects(&motion, furthest_of_motion, triangle)};
 }
 
 }  // namespace
 
 void add_libccd(MethodList& list) {
-  list.push_back(triangle_method("libccd", "libccd's GJK over support functions, at most 500 iterations", contact));
+  list.push_back(
+      triangle_method("libccd", "libccd's GJK over support functions, at most 500 iterations", contact, sweep));
 }
 
 }  // namespace touchstone::methods

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/methods/engines/triangle_method.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "experiments/methods/triangulate.h"
@@ -20,6 +22,19 @@ class Prepared : public PreparedMethod {
     return answer;
   }
 
+  [[nodiscard]] std::optional<PartialAnswer> ask_moving(const Motion& motion) const override {
+    if (!set_->sweeps()) return std::nullopt;
+    const auto sweep = set_->sweep(motion);
+    PartialAnswer answer;
+    if (sweep) {
+      answer.contact = sweep->touches;
+      answer.time = sweep->time;
+    }
+    answer.unsure = !sweep;
+    answer.stage = stage_;
+    return answer;
+  }
+
  private:
   std::string_view stage_;
   std::unique_ptr<TriangleSet> set_;
@@ -28,8 +43,8 @@ class Prepared : public PreparedMethod {
 /// Tests each triangle separately.
 class EachTriangle : public TriangleSet {
  public:
-  EachTriangle(std::vector<Triangle> triangles, TriangleContact touches)
-      : triangles_(std::move(triangles)), touches_(touches) {}
+  EachTriangle(std::vector<Triangle> triangles, TriangleContact touches, TriangleSweep sweeps_one)
+      : triangles_(std::move(triangles)), touches_(touches), sweep_(sweeps_one) {}
 
   [[nodiscard]] std::optional<bool> contact(const Ball& ball) const override {
     bool unsure = false;
@@ -42,9 +57,29 @@ class EachTriangle : public TriangleSet {
     return false;
   }
 
+  [[nodiscard]] bool sweeps() const override { return sweep_ != nullptr; }
+  [[nodiscard]] std::optional<Sweep> sweep(const Motion& motion) const override {
+    Sweep first{false, std::numeric_limits<double>::infinity()};
+    bool unsure = false;
+    for (const Triangle& triangle : triangles_) {
+      const auto swept = sweep_(motion, triangle);
+      if (!swept) {
+        unsure = true;
+      } else if (swept->touches) {
+        if (!swept->time) return swept;
+        first = {true, std::min(*first.time, *swept->time)};
+      } else if (!swept->time) {
+        first.time.reset();
+      }
+    }
+    if (unsure && !first.touches) return std::nullopt;
+    return first;
+  }
+
  private:
   std::vector<Triangle> triangles_;
   TriangleContact touches_;
+  TriangleSweep sweep_;
 };
 
 template <class Build>
@@ -71,9 +106,12 @@ std::unique_ptr<Method> engine(std::string_view name, std::string_view summary, 
 
 }  // namespace
 
-std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact) {
-  return engine(name, summary, [contact](std::vector<Triangle> triangles) -> std::unique_ptr<TriangleSet> {
-    return std::make_unique<EachTriangle>(std::move(triangles), contact);
+std::optional<Sweep> TriangleSet::sweep(const Motion&) const { return std::nullopt; }
+
+std::unique_ptr<Method> triangle_method(std::string_view name, std::string_view summary, TriangleContact contact,
+                                        TriangleSweep sweep) {
+  return engine(name, summary, [contact, sweep](std::vector<Triangle> triangles) -> std::unique_ptr<TriangleSet> {
+    return std::make_unique<EachTriangle>(std::move(triangles), contact, sweep);
   });
 }
 

@@ -185,9 +185,14 @@ bool EngineProcess::read_some() {
   return true;
 }
 
+const std::string& EngineProcess::ending() {
+  if (!ending_) ending_ = supervisor_->wait();
+  return *ending_;
+}
+
 std::optional<std::string> EngineProcess::wait_within(std::chrono::milliseconds time) {
   if (!supervisor_->ended_within(time)) return std::nullopt;
-  return wait();
+  return ending();
 }
 
 }  // namespace touchstone::methods

@@ -52,8 +52,8 @@ class EngineProcess {
   /// Returns whether a program that has ended left sent lines unread.
   [[nodiscard]] bool left_unread() const;
   /// Waits for the end of the program and kills the processes that it left behind. Returns how it ended, such as `exit
-  /// status 3` or `signal 11`; empty for exit status 0.
-  [[nodiscard]] std::string wait() { return supervisor_->wait(); }
+  /// status 3` or `signal 11`; empty for exit status 0. A later call returns the same.
+  [[nodiscard]] const std::string& ending();
   /// The same, but waits no longer than `time`. Returns nothing if the program has not ended by then.
   [[nodiscard]] std::optional<std::string> wait_within(std::chrono::milliseconds time);
 
@@ -67,6 +67,7 @@ class EngineProcess {
   std::string unread_;  ///< the buffer; the bytes before received_ were received
   std::size_t received_ = 0;
   bool too_long_ = false;
+  std::optional<std::string> ending_;
 };
 
 }  // namespace touchstone::methods

@@ -110,6 +110,7 @@ class External : public cases::Method {
 
   [[nodiscard]] std::string_view name() const override { return processes_.name(); }
   [[nodiscard]] std::string_view summary() const override { return summary_; }
+  [[nodiscard]] bool through_pipe() const override { return true; }
   [[nodiscard]] std::unique_ptr<cases::PreparedMethod> prepare(const Polygon& polygon) const override {
     return std::make_unique<Prepared>(processes_, polygon);
   }

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "experiments/methods/process/engine.h"
 #include "experiments/methods/process/reply.h"
 
 namespace touchstone::methods {
@@ -42,6 +43,7 @@ std::optional<std::string> SupervisedEngine::reply_to(const std::string& line, s
     std::optional<std::string> reply;
     const bool sent = engine_->send_by(deadline, line + '\n', late);
     if (sent) reply = engine_->receive_by(deadline, late);
+    has_printed_ |= reply.has_value();
     if (reply) return reply;
     if (late) {
       reason = fmt::format("no verdict within {:g} s", 1e-3 * static_cast<double>(time_limit_.count()));
@@ -102,6 +104,7 @@ std::string SupervisedEngine::ending_of(EngineProcess& engine) const {
     engine.kill();
     return "closed its output and did not end";
   }
+  if (!has_printed_) require_started(command_, *ending);
   return ending->empty() ? kWell : "ended with " + *ending;
 }
 

@@ -27,7 +27,8 @@ class SupervisedEngine {
     std::string ended_before;  ///< how it had ended before it read the case, unless with exit status 0
   };
   /// Sends a case, a line without its end. An engine that had ended before it read the case is restarted and gets the
-  /// case again. Throws std::system_error if no process can be created.
+  /// case again. Throws std::system_error if no process can be created, and EngineNotStarted if the command cannot be
+  /// started (see require_started).
   [[nodiscard]] Result ask(const std::string& id, const std::string& line);
 
   /// Returns whether it has printed more than one line for the last case. If so, ends it and discards its output.
@@ -46,6 +47,7 @@ class SupervisedEngine {
   std::string command_;
   std::chrono::milliseconds time_limit_;
   std::optional<EngineProcess> engine_;
+  bool has_printed_ = false;  ///< a line, ever
 };
 
 }  // namespace touchstone::methods

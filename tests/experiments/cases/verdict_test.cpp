@@ -43,8 +43,11 @@ TEST(Verdict, KeysThatAMethodDoesNotComputeAreLeftOut) {
 
 /// Returns the differences between an expectation and a reply.
 std::vector<std::string> differences(const std::string& expected, const std::string& reply) {
-  return cases::differences(cases::expectation_in(nlohmann::json::parse(expected)),
-                            cases::answer_in(nlohmann::json::parse(reply)));
+  std::vector<std::string> sentences;
+  for (const auto& difference : cases::differences(cases::expectation_in(nlohmann::json::parse(expected)),
+                                                   cases::answer_in(nlohmann::json::parse(reply))))
+    sentences.push_back(to_string(difference));
+  return sentences;
 }
 
 /// Returns whether a reply meets the expectation.

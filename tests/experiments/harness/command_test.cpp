@@ -161,7 +161,7 @@ TEST(Command, HelpListsTheOptionsOfAGroup) {
   std::array<char[10], 3> words{"program", "ask", "--help"};
   std::array<char*, 3> arguments{words[0], words[1], words[2]};
   testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program("About", {command}, 3, arguments.data()), 0);
+  EXPECT_EQ(run_program({"About", "1.0"}, {command}, 3, arguments.data()), 0);
   const std::string help = testing::internal::GetCapturedStdout();
   for (const char* line : {"  --file TEXT", "  --random TEXT"}) EXPECT_NE(help.find(line), std::string::npos) << help;
 }

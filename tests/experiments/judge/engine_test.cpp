@@ -158,13 +158,13 @@ TEST(JudgeEngine, IsQuotedLegiblyAndShortly) {
 TEST(EngineProcess, DoesNotEndWithAnother) {
   methods::EngineProcess first("cat"), second("cat"), third("cat; exit 3");
   first.kill();
-  EXPECT_EQ(first.wait(), "signal 9");
+  EXPECT_EQ(first.ending(), "signal 9");
   ASSERT_TRUE(second.send("a\n"));
   EXPECT_EQ(second.receive(), "a");
   second.end_input();
-  EXPECT_EQ(second.wait(), "");
+  EXPECT_EQ(second.ending(), "");
   third.end_input();
-  EXPECT_EQ(third.wait(), "exit status 3");
+  EXPECT_EQ(third.ending(), "exit status 3");
 }
 
 // A name that cannot be written as JSON causes an exception while the sending thread runs.

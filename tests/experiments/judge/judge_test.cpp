@@ -129,7 +129,7 @@ TEST(Judge, StopsWhereVerdictsCannotBeWritten) {
   order.verdicts = std::fopen("/dev/full", "w");
   ASSERT_NE(order.verdicts, nullptr);
   EXPECT_THROW((void)judge::judge(order), std::system_error);
-  order.engine = "cat";
+  order.engines = {{"cat", "cat"}};
   EXPECT_THROW((void)judge::judge(order), std::system_error);
   std::fclose(order.verdicts);
 }

@@ -56,7 +56,7 @@ inline std::string write_file(const std::string& name, const std::string& text) 
 /// Judges these lines, by `exact` unless `order` says otherwise.
 inline Result run(const std::string& input, Order order = {}) {
   order.files.insert(order.files.begin(), write_file("cases.jsonl", input));
-  if (order.methods.empty() && order.engine.empty()) order.methods = {methods::find_method("exact")};
+  if (order.methods.empty() && order.engines.empty()) order.methods = {methods::find_method("exact")};
   order.verdicts = std::tmpfile();
   order.complaints = std::tmpfile();
   const judge::Status status = judge::judge(order);
@@ -65,7 +65,7 @@ inline Result run(const std::string& input, Order order = {}) {
 
 inline Order engine(const std::string& command) {
   Order order;
-  order.engine = command;
+  order.engines = {{command, command}};
   return order;
 }
 

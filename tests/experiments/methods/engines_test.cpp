@@ -2,12 +2,17 @@
 // Third-party engines: right for easy cases, wrong for the cases where this is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "experiments/cases/method.h"
 #include "experiments/methods/registry.h"
+#include "experiments/workloads/grazing_radius.h"
+#include "experiments/workloads/loops.h"
 #include "experiments/workloads/workload.h"
 #include "robust/exact/exact.h"
+#include "robust/filtered/motion.h"
 
 namespace touchstone::methods {
 namespace {
@@ -87,6 +92,75 @@ INSTANTIATE_TEST_SUITE_P(Engines, Engine,
                              if (c == '-') c = '_';
                            return name;
                          });
+
+struct WrongMotions {
+  int invented = 0, missed = 0, asked = 0;
+  double worst_time = 0;
+};
+
+/// Asks about balls that pass an edge, with `factor` times the radius with which they graze; polygons have sizes of
+/// about 1.
+WrongMotions wrong_motions(const cases::Method& engine, double factor) {
+  WrongMotions wrong;
+  const Workload workload{.family = workloads::Family::Star,
+                          .placement = workloads::Placement::LatticeFrame,
+                          .ball = BallPlace::NearEdge,
+                          .vertices = 8,
+                          .way = workloads::Way::Across};
+  for (std::uint64_t n = 0; n < TOUCHSTONE_SAMPLES; ++n) {
+    const auto sample = workloads::sample(workload, 2026, n);
+    const double unit = std::exp2(-std::ilogb(workloads::extent_of(sample.polygon)));
+    auto loops = workloads::loops_of(sample.polygon);
+    for (Loop& loop : loops)
+      for (Eigen::Vector3d& vertex : loop) vertex *= unit;
+    const Polygon polygon = workloads::polygon_of(loops);
+    Motion motion{{unit * sample.ball.center, 0}, unit * *sample.to};
+    const filtered::PreparedPolygon prepared(polygon);
+    const double grazing = workloads::grazing_radius(
+        motion, [&prepared](const Motion& asked) { return filtered::contact(asked, prepared); });
+    if (grazing < 0.05) continue;  // less than tolerances in units of length are made for
+    motion.ball.radius = factor * grazing;
+    const auto answer = engine.prepare(polygon)->ask_moving(motion).value();
+    const FirstContact truth = filtered::first_contact(motion, prepared);
+    ++wrong.asked;
+    wrong.invented += answer.contact == true && !truth.contact() ? 1 : 0;
+    wrong.missed += answer.contact == false && truth.contact() ? 1 : 0;
+    if (truth.contact() && answer.contact == true && answer.time)
+      wrong.worst_time = std::max(wrong.worst_time, std::abs(*answer.time - truth.time));
+  }
+  return wrong;
+}
+
+// FCL misses contacts anywhere.
+TEST(Engines, AreRightAboutMotionsATenthFromGrazing) {
+  for (const char* name : {"bullet", "bullet-float", "libccd", "fcl", "cgal-double-distance", "cgal-epick-distance",
+                           "cgal-epeck-distance"}) {
+    const cases::Method* engine = find_method(name);
+    if (engine == nullptr) continue;  // this program was built without it
+    const WrongMotions less = wrong_motions(*engine, 0.9), more = wrong_motions(*engine, 1.1);
+    EXPECT_GT(less.asked, TOUCHSTONE_SAMPLES / 10) << name;
+    EXPECT_EQ(less.invented, 0) << name;
+    if (std::string(name) == "fcl") {
+      EXPECT_LT(more.missed, more.asked) << name;
+    } else {
+      EXPECT_EQ(more.missed, 0) << name;
+      EXPECT_LT(more.worst_time, 0.01) << name;
+    }
+  }
+}
+
+TEST(Engines, ThatGiveNoTimeGiveNone) {
+  const Polygon square({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  const Motion falls{{{2, 1, 5}, 1}, {2, 1, -5}}, rests{{{2, 1, 0.5}, 1}, {2, 1, 0.5}};
+  const auto answer = find_method("cgal-epeck-distance")->prepare(square)->ask_moving(falls).value();
+  EXPECT_EQ(answer.contact, true);
+  EXPECT_FALSE(answer.time);
+  EXPECT_FALSE(find_method("cgal-epeck-intersect")->prepare(square)->ask_moving(falls));
+  if (const cases::Method* bullet = find_method("bullet")) {
+    EXPECT_NEAR(bullet->prepare(square)->ask_moving(falls)->time.value(), 0.4, 1e-3);
+    EXPECT_EQ(bullet->prepare(square)->ask_moving(rests)->time, 0);
+  }
+}
 
 TEST(Engines, CannotBeAskedWhereTheyWouldEndTheProgram) {
   const Polygon huge({{0, 0, 0}, {4e300, 0, 0}, {0, 4e300, 0}});

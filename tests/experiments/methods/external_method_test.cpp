@@ -11,12 +11,13 @@
 #include <thread>
 
 #include "experiments/cases/comparison.h"
-#include "experiments/methods/registry.h"
+#include "experiments/methods/process/engine.h"
 #include "robust/exact/exact.h"
 
 namespace touchstone::methods {
 namespace {
 
+using cases::Method;
 using cases::PartialAnswer;
 using cases::QueryKind;
 
@@ -131,14 +132,9 @@ TEST(ExternalMethod, AsksOneProcessForEachThread) {
   EXPECT_EQ(wrong, (std::array<int, 4>{}));
 }
 
-TEST(ExternalMethod, IsNamedByItsCommandWhereverMethodsAre) {
-  const Method* method = find_method("exec:cat -u");
-  ASSERT_NE(method, nullptr);
-  EXPECT_EQ(method->name(), "exec:cat -u");
-  EXPECT_EQ(find_methods({"fast", "exec:cat -u"}), (std::vector<const Method*>{find_method("fast"), method}));
-  for (const auto& listed : all_methods()) EXPECT_FALSE(listed->name().starts_with("exec:"));
-  for (const char* refused : {"exec:", "exec:  ", "exec:a,b", "exec:a \"b\"", "exec:a\nb", "exec:\xff"})
-    EXPECT_THROW((void)find_method(refused), std::invalid_argument) << refused;
+TEST(ExternalMethod, ThatCannotBeStartedIsAnErrorOfItsOwn) {
+  const auto method = external_method("it", "a test", "/nowhere/no-such-program");
+  EXPECT_THROW((void)method->prepare(kSquare)->ask({{2, 2, 1}, 1}, QueryKind::Contact), EngineNotStarted);
 }
 
 }  // namespace

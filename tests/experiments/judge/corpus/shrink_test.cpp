@@ -17,55 +17,64 @@
 namespace touchstone {
 namespace {
 
+using cases::Shapes;
 using corpus::SameFailure;
-using corpus::Shrunk;
 
 const std::atomic<bool> never = false;
 
-/// Returns one in `every` of the cases that the method fails.
-std::vector<const Stored*> failed_by(const std::string& method, std::size_t every) {
+/// Returns one in `every` of the cases that the method fails, of balls at a place or moving.
+std::vector<const Stored*> failed_by(const std::string& method, std::size_t every, bool moving = false) {
   std::vector<const Stored*> failed;
   for (const Stored& stored : stored_cases())
-    if (stored.answer && stored.fails(method)) failed.push_back(&stored);
+    if ((moving ? stored.first.has_value() : stored.answer.has_value()) && stored.fails(method))
+      failed.push_back(&stored);
   std::vector<const Stored*> some;
   for (std::size_t i = 0; i < failed.size(); i += every) some.push_back(failed[i]);
   return some;
 }
 
-corpus::WrongAnswer wrong(const cases::Method& method, const Ball& ball, const Polygon& polygon) {
-  return corpus::wrong_answer(method, {ball, polygon}, corpus::exact_answer({ball, polygon}));
+corpus::WrongAnswer wrong(const cases::Method& method, const Shapes& shapes) {
+  return corpus::wrong_answer(method, shapes, corpus::exact_answer(shapes));
+}
+
+Shapes shrunk(const cases::Method& method, const Shapes& shapes) {
+  return corpus::shrink(SameFailure(method, shapes), shapes, never);
+}
+
+void expect_smaller_and_failing(const cases::Method& method, const Stored& stored) {
+  const SameFailure failure(method, stored.shapes());
+  const Shapes small = corpus::shrink(failure, stored.shapes(), never);
+  EXPECT_EQ(small.to.has_value(), stored.shapes().to.has_value()) << stored;
+  EXPECT_FALSE(find_fault(small.ball)) << stored;
+  EXPECT_FALSE(exact::validate(small.polygon)) << stored;
+  const auto before = corpus::size_of(stored.shapes()), after = corpus::size_of(small);
+  EXPECT_LE(after, before) << stored;
+  EXPECT_LE(after.vertices, before.vertices) << stored;
+  EXPECT_EQ(corpus::exact_answer(small).first, corpus::exact_answer(stored.shapes()).first) << stored;
+  const auto still = wrong(method, small);
+  ASSERT_FALSE(failure.keys().empty()) << stored;
+  for (const cases::Key key : failure.keys())
+    EXPECT_EQ(std::ranges::count(still.keys, key), 1) << stored << ": " << to_string(key);
+}
+
+void expect_shrunk_once(const cases::Method& method, const Stored& stored) {
+  const Shapes once = shrunk(method, stored.shapes()), twice = shrunk(method, once);
+  EXPECT_EQ(once.polygon, twice.polygon) << stored;
+  EXPECT_EQ(once.ball.center, twice.ball.center) << stored;
+  EXPECT_EQ(once.ball.radius, twice.ball.radius) << stored;
+  EXPECT_EQ(once.to, twice.to) << stored;
 }
 
 class Shrink : public testing::TestWithParam<const char*> {};
 
 TEST_P(Shrink, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
-  const cases::Method& method = *methods::find_method(GetParam());
-  for (const Stored* stored : failed_by(GetParam(), 60)) {
-    const SameFailure failure(method, stored->ball(), stored->polygon());
-    const Shrunk small = corpus::shrink(failure, stored->ball(), stored->polygon(), never);
-    EXPECT_FALSE(find_fault(small.ball)) << *stored;
-    EXPECT_FALSE(exact::validate(small.polygon)) << *stored;
-    const auto before = corpus::size_of(stored->ball(), stored->polygon());
-    const auto after = corpus::size_of(small.ball, small.polygon);
-    EXPECT_LE(after, before) << *stored;
-    EXPECT_LE(after.vertices, before.vertices) << *stored;
-    const auto still = wrong(method, small.ball, small.polygon);
-    ASSERT_FALSE(failure.keys().empty()) << *stored;
-    for (const cases::Key key : failure.keys())
-      EXPECT_EQ(std::ranges::count(still.keys, key), 1) << *stored << ": " << to_string(key);
-  }
+  for (const Stored* stored : failed_by(GetParam(), 60))
+    expect_smaller_and_failing(*methods::find_method(GetParam()), *stored);
 }
 
 TEST_P(Shrink, ChangesNothingThatItHasShrunk) {
-  const cases::Method& method = *methods::find_method(GetParam());
-  for (const Stored* stored : failed_by(GetParam(), 110)) {
-    const Shrunk once = corpus::shrink(SameFailure(method, stored->ball(), stored->polygon()), stored->ball(),
-                                       stored->polygon(), never);
-    const Shrunk twice = corpus::shrink(SameFailure(method, once.ball, once.polygon), once.ball, once.polygon, never);
-    EXPECT_EQ(once.polygon, twice.polygon) << *stored;
-    EXPECT_EQ(once.ball.center, twice.ball.center) << *stored;
-    EXPECT_EQ(once.ball.radius, twice.ball.radius) << *stored;
-  }
+  for (const Stored* stored : failed_by(GetParam(), 110))
+    expect_shrunk_once(*methods::find_method(GetParam()), *stored);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Shrink, testing::Values("fast", "fast-float", "thesis", "cgal-double"),
@@ -75,6 +84,25 @@ INSTANTIATE_TEST_SUITE_P(Methods, Shrink, testing::Values("fast", "fast-float", 
                            return name;
                          });
 
+class ShrinkMoving : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShrinkMoving, GivesAValidCaseThatIsNoLargerAndFailsInTheSameKeys) {
+  const auto failed = failed_by(GetParam(), 12, true);
+  EXPECT_FALSE(failed.empty());
+  for (const Stored* stored : failed) expect_smaller_and_failing(*methods::find_method(GetParam()), *stored);
+}
+
+TEST_P(ShrinkMoving, ChangesNothingThatItHasShrunk) {
+  for (const Stored* stored : failed_by(GetParam(), 40, true))
+    expect_shrunk_once(*methods::find_method(GetParam()), *stored);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ShrinkMoving, testing::Values("fast", "fast-float"), [](const auto& method) {
+  std::string name = method.param;
+  std::erase(name, '-');
+  return name;
+});
+
 // The tests of the thesis are strict: they miss a ball that touches a face. A triangle with coordinates 0 and 1 is all
 // of the U that this failure needs.
 TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
@@ -82,19 +110,17 @@ TEST(ShrinkOf, AStrictTestKeepsATriangleOfSmallNumbers) {
       {{10, 20, 5}, {70, 20, 5}, {70, 80, 5}, {50, 80, 5}, {50, 40, 5}, {30, 40, 5}, {30, 80, 5}, {10, 80, 5}});
   const Ball ball{{40, 30, 12}, 7};
   const cases::Method& thesis = *methods::find_method("thesis");
-  const auto [small_ball, small] = corpus::shrink(SameFailure(thesis, ball, u, "contact"), ball, u, never);
-  EXPECT_EQ(small.vertex_count(), 3u);
-  EXPECT_LE(corpus::size_of(small_ball, small).bits, 6u);
-  EXPECT_EQ(exact::relation(small_ball, small), Relation::Touching);
+  const Shapes small = corpus::shrink(SameFailure(thesis, {ball, u}, "contact"), {ball, u}, never);
+  EXPECT_EQ(small.polygon.vertex_count(), 3u);
+  EXPECT_LE(corpus::size_of(small).bits, 6u);
+  EXPECT_EQ(exact::relation(small.ball, small.polygon), Relation::Touching);
 }
 
 TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
   // Doubles miss the ball that touches only an edge of the second hole.
   for (const Stored* stored : failed_by("fast", 1)) {
     if (stored->file != "holes" || stored->polygon().loop_count() != 3) continue;
-    const cases::Method& fast = *methods::find_method("fast");
-    const Shrunk small =
-        corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
+    const Shapes small = shrunk(*methods::find_method("fast"), stored->shapes());
     EXPECT_LT(small.polygon.loop_count(), 3u) << *stored;
   }
 }
@@ -102,12 +128,11 @@ TEST(ShrinkOf, AHoleThatMattersIsKeptAndOthersGo) {
 TEST(ShrinkOf, WordsStayAsTheyWere) {
   const cases::Method& fast = *methods::find_method("fast");
   for (const Stored* stored : failed_by("fast", 40)) {
-    const auto before = wrong(fast, stored->ball(), stored->polygon());
+    const auto before = wrong(fast, stored->shapes());
     if (std::ranges::count(before.keys, cases::Key::Relation) == 0) continue;
-    const Shrunk small =
-        corpus::shrink(SameFailure(fast, stored->ball(), stored->polygon()), stored->ball(), stored->polygon(), never);
+    const Shapes small = shrunk(fast, stored->shapes());
     EXPECT_EQ(exact::relation(small.ball, small.polygon), stored->answer->relation) << *stored;
-    const auto after = wrong(fast, small.ball, small.polygon);
+    const auto after = wrong(fast, small);
     EXPECT_EQ(std::ranges::count(after.keys, cases::Key::Relation), 1) << *stored;
     EXPECT_EQ(after.answer.relation, before.answer.relation) << *stored;
   }
@@ -115,37 +140,37 @@ TEST(ShrinkOf, WordsStayAsTheyWere) {
 
 TEST(ShrinkOf, NumbersThatAreRoundedWronglyDoNotBecomeAnotherFailure) {
   const cases::Method& fast = *methods::find_method("fast");
-  int shrunk = 0;
+  int count = 0;
   for (const Stored& stored : stored_cases()) {
-    if (!stored.answer || stored.fails("fast") || shrunk == 15) continue;
-    if (wrong(fast, stored.ball(), stored.polygon()).keys.empty()) continue;
-    const Shrunk small =
-        corpus::shrink(SameFailure(fast, stored.ball(), stored.polygon()), stored.ball(), stored.polygon(), never);
-    const auto still = wrong(fast, small.ball, small.polygon);
+    if (!stored.answer || stored.fails("fast") || count == 15) continue;
+    if (wrong(fast, stored.shapes()).keys.empty()) continue;
+    const Shapes small = shrunk(fast, stored.shapes());
+    const auto still = wrong(fast, small);
     EXPECT_FALSE(still.keys.empty()) << stored;
     EXPECT_FALSE(corpus::any_decisive(still.keys)) << stored;
-    ++shrunk;
+    ++count;
   }
-  EXPECT_EQ(shrunk, 15);
+  EXPECT_EQ(count, 15);
 }
 
 TEST(ShrinkOf, WhatDoesNotFailIsRefused) {
   const Polygon square({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
   const Ball ball{{1, 1, 1}, 2};
-  EXPECT_THROW(SameFailure(*methods::find_method("exact"), ball, square), std::invalid_argument);
-  EXPECT_THROW(SameFailure(*methods::find_method("thesis"), {{1, 1, 1}, 1}, square, "foot"), std::invalid_argument);
+  EXPECT_THROW(SameFailure(*methods::find_method("exact"), {ball, square}), std::invalid_argument);
+  EXPECT_THROW(SameFailure(*methods::find_method("thesis"), {{{1, 1, 1}, 1}, square}, "foot"), std::invalid_argument);
 }
 
 TEST(SizeOf, CountsBitsSignsAndExponents) {
   const Polygon triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const auto bits = [&](double radius) { return corpus::size_of({{0, 0, 0}, radius}, triangle).bits - 2; };
+  const auto bits = [&](double radius) { return corpus::size_of({{{0, 0, 0}, radius}, triangle}).bits - 2; };
   EXPECT_EQ(bits(0), 0u);
   EXPECT_EQ(bits(1), 1u);
   EXPECT_EQ(bits(3), 2u);
   EXPECT_EQ(bits(0.5), 2u);              // 1, and 1 for the exponent
   EXPECT_EQ(bits(0x1p-1074), 1u + 11u);  // 1, and 1074
   EXPECT_EQ(bits(0x1.fffffffffffffp0), 53u + 6u);
-  EXPECT_EQ(corpus::size_of({{-1, 0, 0}, 0}, triangle).bits - 2, 2u);
+  EXPECT_EQ(corpus::size_of({{{-1, 0, 0}, 0}, triangle}).bits - 2, 2u);
+  EXPECT_EQ(corpus::size_of({{{0, 0, 0}, 0}, triangle, Eigen::Vector3d(0, 3, 0)}).bits - 2, 2u);
 }
 
 }  // namespace

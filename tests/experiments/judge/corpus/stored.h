@@ -19,9 +19,10 @@ struct Stored {
   std::optional<Answer> answer;       ///< what it expects, of a case that is not to be rejected
   std::optional<FirstContact> first;  ///< the same if the ball moves; then there is no `answer`
 
-  [[nodiscard]] const Ball& ball() const { return std::get<cases::Shapes>(read.content).ball; }
-  [[nodiscard]] Motion motion() const { return std::get<cases::Shapes>(read.content).motion().value(); }
-  [[nodiscard]] const Polygon& polygon() const { return std::get<cases::Shapes>(read.content).polygon; }
+  [[nodiscard]] const cases::Shapes& shapes() const { return std::get<cases::Shapes>(read.content); }
+  [[nodiscard]] const Ball& ball() const { return shapes().ball; }
+  [[nodiscard]] Motion motion() const { return shapes().motion().value(); }
+  [[nodiscard]] const Polygon& polygon() const { return shapes().polygon; }
   [[nodiscard]] bool fails(const std::string& method) const;
 };
 

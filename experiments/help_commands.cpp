@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/help_commands.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "experiments/harness/completion.h"
+#include "experiments/harness/manual.h"
+#include "experiments/harness/output_folder.h"
+#include "experiments/harness/processes.h"
+#include "experiments/harness/run_record.h"
+#include "experiments/harness/write_file.h"
+
+namespace touchstone::commands {
+namespace {
+
+using harness::Command;
+using harness::CommandDescription;
+
+CommandDescription program_of(const std::string& about, const std::vector<Command>& commands) {
+  CommandDescription program{
+      .name = {}, .about = about, .footer = {}, .options = {}, .examples = {"help near-edge"}, .subcommands = {}};
+  for (const Command& command : commands) program.subcommands.push_back(command.description());
+  return program;
+}
+
+}  // namespace
+
+Command completion_command(const std::string& about, const std::vector<Command>& commands) {
+  Command command("completion", "Print a script that completes commands and options in a shell");
+  auto shell = std::make_shared<std::string>("bash");
+  command.choice("SHELL", *shell, {"bash", "zsh"}, "The shell");
+  command.footer(
+      "The installed program has both scripts. Otherwise: bash reads the script by `. FILE`; zsh finds it as the file\n"
+      "_touchstone in a folder of $fpath.");
+  command.example("completion bash");
+  command.runs([shell, about, commands] {
+    return harness::run_alone([&] {
+      const CommandDescription program = program_of(about, commands);
+      fmt::print("{}", *shell == "bash" ? harness::bash_completion(program) : harness::zsh_completion(program));
+      return 0;
+    });
+  });
+  return command;
+}
+
+Command manual_command(const std::string& about, const std::vector<Command>& commands) {
+  struct Options {
+    std::string folder = "results/manual", line;
+    bool force = false;
+  };
+  auto options = std::make_shared<Options>();
+  Command command("manual", "Write the manual pages of all commands, for man(1)");
+  command.output(options->folder, "The folder for the pages");
+  command.force(options->force);
+  command.keep_line(options->line);
+  command.example("manual && man ./results/manual/touchstone-near-edge.1");
+  command.runs([options, about, commands] {
+    return harness::run_alone([&] {
+      const harness::OutputFolder folder(options->folder, options->line, {.force = options->force});
+      const std::string version = harness::version_text().substr(0, harness::version_text().find('\n'));
+      const auto pages = harness::manual_pages(program_of(about, commands), version);
+      for (const auto& [name, text] : pages) harness::write_file(folder.path() / name, text);
+      fmt::print("{} pages in {}\n", pages.size(), options->folder);
+      return 0;
+    });
+  });
+  return command;
+}
+
+}  // namespace touchstone::commands

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program says of itself: suggestions, completion, manual pages, colours; and tables as JSON.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "experiments/harness/colour.h"
+#include "experiments/harness/command.h"
+#include "experiments/harness/completion.h"
+#include "experiments/harness/manual.h"
+#include "experiments/harness/similar_words.h"
+#include "experiments/harness/table_json.h"
+#include "experiments/harness/xml_text.h"
+#include "tests/experiments/support/scratch.h"
+
+namespace touchstone::harness {
+namespace {
+
+const std::vector<std::string> kKnown{"judge", "cases", "near-edge", "bench", "bench-scenes", "soak"};
+
+TEST(SimilarWords, CountMisspellings) {
+  EXPECT_EQ(misspellings("judge", "judge"), 0U);
+  EXPECT_EQ(misspellings("judg", "judge"), 1U);
+  EXPECT_EQ(misspellings("jugde", "judge"), 1U);  // neighbours swapped
+  EXPECT_EQ(misspellings("fudges", "judge"), 2U);
+  EXPECT_EQ(misspellings("", "abc"), 3U);
+}
+
+TEST(SimilarWords, FindWhatWasMeant) {
+  EXPECT_EQ(most_similar("jugde", kKnown), "judge");
+  EXPECT_EQ(most_similar("near", kKnown), "near-edge");  // the only one that begins so
+  EXPECT_EQ(most_similar("nearedge", kKnown), "near-edge");
+  EXPECT_EQ(most_similar("benhc", kKnown), "bench");
+  EXPECT_EQ(most_similar("xyz", kKnown), std::nullopt);
+  EXPECT_EQ(most_similar("s", kKnown), "soak");
+  EXPECT_EQ(suggestion("caess", kKnown), "; did you mean cases?");
+  EXPECT_EQ(suggestion("q", kKnown), "");
+}
+
+/// Runs the program with these words. Returns the status and what it printed.
+std::pair<int, std::string> run(std::vector<std::string> words) {
+  bool flag = false;
+  std::uint64_t samples = 7;
+  std::string oracle = "exact", file;
+  Command measure("measure", "Measures things");
+  measure.whole("--samples", samples, "How many");
+  measure.choice("--oracle", oracle, {"exact", "filtered"}, "The truth's method");
+  measure.text("FILE", file, "A file");
+  measure.footer("A note.");
+  measure.example("measure --samples 3");
+  measure.runs([] { return 0; });
+  Command shrink("shrink", "Shrinks");
+  shrink.flag("--fast", flag, "Quickly");
+  shrink.example("corpus shrink");
+  shrink.runs([] { return 0; });
+  const std::vector<Command> commands{measure, Command("corpus", "Cases", {shrink})};
+  words.insert(words.begin(), "touchstone");
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  std::string thrown;
+  int status = 2;
+  try {
+    status =
+        run_program({"About it", "touchstone 1.2"}, commands, static_cast<int>(arguments.size()), arguments.data());
+  } catch (const UsageError& error) {
+    thrown = error.what();
+  }
+  const std::string out = testing::internal::GetCapturedStdout();
+  return {status, out + testing::internal::GetCapturedStderr() + thrown};
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Program, NamesWhatIsMisspelt) {
+  const auto [status, said] = run({"mesure"});
+  EXPECT_EQ(status, 2);
+  EXPECT_EQ(said, "touchstone has no command \"mesure\"; did you mean measure?");
+  EXPECT_EQ(run({"corpus", "shrnik"}).second, "touchstone corpus has no command \"shrnik\"; did you mean shrink?");
+  EXPECT_EQ(run({"zzz"}).second, "touchstone has no command \"zzz\"; `touchstone --help` lists them");
+  const auto [option_status, option] = run({"measure", "--sampels", "3"});
+  EXPECT_EQ(option_status, 2);
+  EXPECT_TRUE(has(option, "--sampels")) << option;
+  EXPECT_TRUE(has(option, "; did you mean --samples?")) << option;
+  EXPECT_TRUE(has(run({"corpus", "shrink", "--fsat"}).second, "did you mean --fast?"));
+  EXPECT_EQ(run({"a\033[31m"}).second, "touchstone has no command \"a\\x1b[31m\"; `touchstone --help` lists them");
+}
+
+TEST(Program, ExplainsItself) {
+  EXPECT_EQ(run({"--version"}), std::pair(0, std::string("touchstone 1.2\n")));
+  const auto help = run({"measure", "--help"});
+  EXPECT_EQ(help.first, 0);
+  EXPECT_EQ(run({"help", "measure"}), help);
+  EXPECT_EQ(run({"help", "corpus", "shrink"}), run({"corpus", "shrink", "--help"}));
+  EXPECT_TRUE(has(help.second, "A note.")) << help.second;
+  EXPECT_TRUE(has(help.second, "Example:\n  touchstone measure --samples 3")) << help.second;
+  EXPECT_TRUE(has(run({"help"}).second, "About it"));
+  EXPECT_EQ(run({"help", "mesure"}).first, 2);
+}
+
+/// A program with a command of every kind.
+CommandDescription program() {
+  const OptionDescription samples{
+      .name = "--samples", .value = "UINT", .about = "How many", .fallback = "7", .words = {}};
+  const OptionDescription oracle{.name = "--oracle",
+                                 .value = "TEXT",
+                                 .about = "It's [the] truth: a\\b",
+                                 .fallback = "exact",
+                                 .words = {"exact", "filtered"}};
+  const OptionDescription file{
+      .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .required = true};
+  const CommandDescription measure{.name = "measure",
+                                   .about = "Measures",
+                                   .footer = ".A note\n'and another",
+                                   .options = {samples, oracle, file},
+                                   .examples = {"measure --samples 3"},
+                                   .subcommands = {}};
+  const CommandDescription shrink{
+      .name = "corpus shrink", .about = "Shrinks", .footer = {}, .options = {}, .examples = {}, .subcommands = {}};
+  const CommandDescription corpus{
+      .name = "corpus", .about = "Cases", .footer = {}, .options = {}, .examples = {}, .subcommands = {shrink}};
+  return {.name = {}, .about = "About", .footer = {}, .options = {}, .examples = {}, .subcommands = {measure, corpus}};
+}
+
+/// Returns what bash offers after these words, the last of which is not finished.
+std::string completed(const std::string& words) {
+  const run_tests::Scratch scratch;
+  std::ofstream(scratch.path / "script") << bash_completion(program());
+  const std::string command = "bash -c '. " + (scratch.path / "script").string() + "; COMP_WORDS=(" + words +
+                              "); COMP_CWORD=$((${#COMP_WORDS[@]}-1)); _touchstone; echo \"${COMPREPLY[*]}\"' > " +
+                              (scratch.path / "out").string();
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::string line;
+  std::getline(std::ifstream(scratch.path / "out"), line);
+  return line;
+}
+
+TEST(Completion, OffersCommandsOptionsAndValuesInBash) {
+  EXPECT_EQ(completed("touchstone m"), "measure");
+  EXPECT_EQ(completed("touchstone \"\""), "measure corpus --help");
+  EXPECT_EQ(completed("touchstone corpus s"), "shrink");
+  EXPECT_EQ(completed("touchstone measure --s"), "--samples");
+  EXPECT_EQ(completed("touchstone measure --oracle f"), "filtered");
+  EXPECT_EQ(completed("touchstone corpus shrink --"), "--help");
+}
+
+TEST(Completion, DescribesEverythingForZsh) {
+  const std::string script = zsh_completion(program());
+  EXPECT_TRUE(script.starts_with("#compdef touchstone\n"));
+  for (const char* part :
+       {"'measure:Measures'", "corpus) _touchstone_corpus ;;", "_touchstone_corpus_shrink() {",
+        "'*--samples[How many]:UINT:_files'", "'*--oracle[It'\\''s \\[the\\] truth\\: a\\\\b]:TEXT:(exact filtered)'"})
+    EXPECT_TRUE(has(script, part)) << part << "\n" << script;
+}
+
+TEST(Manual, HasAPageForEachCommand) {
+  const auto pages = manual_pages(program(), "touchstone 1.2");
+  ASSERT_EQ(pages.size(), 4U);
+  EXPECT_TRUE(has(pages.at("touchstone.1"), ".BR touchstone\\-measure (1)\nMeasures\n"));
+  const std::string& page = pages.at("touchstone-measure.1");
+  for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", ".I FILE\n",
+                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many\nDefault: 7.", "One of: exact, filtered.",
+                           "a\\eb", "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
+    EXPECT_TRUE(has(page, part)) << part << "\n" << page;
+  EXPECT_TRUE(pages.contains("touchstone-corpus-shrink.1"));
+}
+
+TEST(Colour, IsForTerminalsOnly) {
+  std::FILE* file = std::tmpfile();
+  ASSERT_NE(file, nullptr);
+  EXPECT_FALSE(takes_colours(file));
+  EXPECT_EQ(coloured("text", Colour::Red, file), "text");
+  std::fclose(file);
+}
+
+TEST(TablesAsJson, HaveNumbersNullsAndTexts) {
+  const std::string json = json_of_csv("name,\"a,b\",c\n\"x \"\"y\"\"\",1.50,\n-,-2e-3,0x1\n1,nan,007\n");
+  EXPECT_EQ(nlohmann::json::parse(json),
+            nlohmann::json::parse(R"([{"name":"x \"y\"","a,b":1.5,"c":null},{"name":"-","a,b":-2e-3,"c":"0x1"},
+                                      {"name":1,"a,b":"nan","c":"007"}])"));
+  EXPECT_NE(json.find("1.50"), std::string::npos);  // as it stands
+  EXPECT_EQ(json_of_csv("a\n"), "[]");
+  EXPECT_THROW((void)json_of_csv("a,b\n1\n"), std::runtime_error);
+}
+
+TEST(TablesAsJson, AreThoseOfTheFolder) {
+  const run_tests::Scratch scratch;
+  std::ofstream(scratch.path / "a.csv") << "x\n1\n";
+  const std::string json =
+      tables_json(scratch.path, {{"a.csv", "", {}}, {"missing.csv", "", {}}, {"map-<spot>.csv", "", {}}});
+  EXPECT_EQ(nlohmann::json::parse(json), nlohmann::json::parse(R"({"a.csv":[{"x":1}]})"));
+}
+
+TEST(XmlText, HasNoMarkupAndNoControlBytes) {
+  EXPECT_EQ(xml_text("a<b>&\"'\n\x1b[31m"), "a&lt;b&gt;&amp;&quot;&#39;\n\\x1b[31m");
+  EXPECT_EQ(xml_text("\xff"), "\\xff");
+}
+
+}  // namespace
+}  // namespace touchstone::harness
