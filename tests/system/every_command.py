@@ -8,6 +8,7 @@ subcommand needs a line in COMMANDS. Exit status 1 otherwise.
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -31,6 +32,8 @@ COMMANDS = {
     "angles": [["--methods", "fast", "--families", "l", "--samples", "1", "--output", OUTPUT]],
     "meshes": [["mesh.obj", "--methods", "fast", "--output", OUTPUT]],
     "merging": [["mesh.obj", "--compare", "0", "--output", OUTPUT]],
+    "motions": [["--methods", "fast", "--vertices", "4", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
+    "tunnelling": [["--vertices", "4", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "cases": [["--samples", "3"]],
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
@@ -39,6 +42,10 @@ COMMANDS = {
                   "--output", OUTPUT]],
     "stability": [["--methods", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
     "scenes": [["mesh.obj", "--samples", "2"], ["mesh.obj", "--samples", "2", "--output", OUTPUT]],
+    "show": [["case.jsonl"]],
+    "completion": [["bash"], ["zsh"]],
+    "manual": [["--output", OUTPUT]],
+    "cell new": [[OUTPUT]],
     "cell show": [[CELL], [CELL, "--output", OUTPUT]],
     "cell run": [[CELL, "--methods", "fast", "--output", OUTPUT]],
     "cell area": [[CELL, "--angle-step", "90", "--length-step", "2000", "--no-pictures", "--output", OUTPUT]],
@@ -96,6 +103,31 @@ class EveryCommand(unittest.TestCase):
 
     def test_has_a_call_here(self):
         self.assertEqual(sorted(subcommands()), sorted(COMMANDS))
+
+    def test_ends_its_help_with_an_example_that_is_understood(self):
+        """The example names a command and options that there are: its help, asked for behind them, is printed."""
+        for name in COMMANDS:
+            with self.subTest(command=name):
+                text = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout
+                examples = text.rpartition("\nExample")[2].splitlines()[1:]
+                self.assertTrue(examples)
+                for example in examples:
+                    words = shlex.split(example.partition("&&")[0])
+                    self.assertEqual(words[:1 + len(name.split())], ["touchstone", *name.split()])
+                    known = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout
+                    for word in words:
+                        if word.startswith("--"):
+                            self.assertRegex(known, rf"(?m)^  {re.escape(word)}\b")
+
+    def test_is_in_the_completion_and_the_manual(self):
+        bash = self.run_in(["completion", "bash"], "", stdout=subprocess.PIPE).stdout
+        self.run_in(["manual"], SCRATCH, stdout=subprocess.DEVNULL)
+        for name in set(COMMANDS) - {"completion", "manual"}:
+            with self.subTest(command=name):
+                self.assertIn(f"'{name}') words=", bash)
+                page = (SCRATCH / "results/manual" / f"touchstone-{name.replace(' ', '-')}.1").read_text()
+                self.assertIn(".SH EXAMPLES", page)
+        self.assertEqual(subprocess.run(["bash", "-n"], input=bash, text=True).returncode, 0)
 
     def test_describes_the_tables_that_it_writes(self):
         for number, call in enumerate(filter(writes, calls())):
@@ -157,7 +189,7 @@ class EveryCommand(unittest.TestCase):
         with balls:
             for call in filter(writes, calls()):
                 for more in ([], ["--force"], ["--resume"]):
-                    if more == ["--resume"] and call[0] not in ("near-edge", "soak", "tradeoff", "stability"):
+                    if more == ["--resume"] and call[0] not in ("near-edge", "soak", "tradeoff", "stability", "motions", "tunnelling"):
                         continue
                     with self.subTest(call=call, more=more):
                         before = content(folder)

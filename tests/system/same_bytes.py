@@ -20,12 +20,16 @@ STUDIES = {
     "near-edge": ["near-edge", "--methods", "fast,thesis", "--families", "u", "--seed", "5", "--search", "4",
                   "--oracle", "filtered", "--no-pictures", "--threads", "1", "--samples", "201"],
     "soak": ["soak", "--seed", "5", "--threads", "1", "--samples", "20000"],
+    "motions": ["motions", "--methods", "fast,cgal-double-distance", "--vertices", "6", "--seed", "5", "--no-pictures",
+                "--threads", "1", "--samples", "20"],
+    "tunnelling": ["tunnelling", "--vertices", "6", "--seed", "5", "--repetitions", "1", "--no-pictures", "--threads", "1",
+                   "--samples", "4000"],
     "tradeoff": ["tradeoff", "--methods", "fast,thesis,interval,exact", "--families", "u", "--seed", "5",
                  "--queries", "1", "--repetitions", "1", "--no-pictures", "--threads", "1", "--samples", "60"],
     "stability": ["stability", "--methods", "fast,thesis", "--axes", "aspect,origin,mixed", "--seed", "5",
                   "--no-pictures", "--threads", "1", "--samples", "60"],
 }
-TIMES = {"timings.csv", "front.csv"}  # which one process alone measures
+TIMES = {"timings.csv", "front.csv", "cost.csv"}  # which one process alone measures
 PATIENCE = 60  # seconds, for what takes one or two
 
 
