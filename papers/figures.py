@@ -55,17 +55,16 @@ def draw_map(study, output):
 
 def draw_onset(study, output):
     rows = rows_of(study / "onset.csv")
-    styles = stability.Styles(stability.distinct(rows, "method"))
     distances = stability.distinct(rows, "origin_distance")
     figure, grid = plt.subplots(1, len(distances), figsize=(WIDTH, 2.6), sharey=True, layout="constrained")
     for axes, distance in zip(grid, distances):
-        for method in stability.distinct(rows, "method"):
-            colour, line, marker = styles.of(method)
+        for method in in_order(stability.distinct(rows, "method")):
+            look = look_of(method)
             curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
             x = [-int(row["offset_exponent"]) for row in curve]
             rate, lower, upper = ([100 * float(row[key]) for row in curve] for key in ("rate", "lower", "upper"))
-            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
-            axes.plot(x, rate, color=colour, linestyle=line, marker=marker, markersize=2.5, linewidth=1, label=method)
+            axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
+            axes.plot(x, rate, color=look.colour, linestyle=look.line, marker=look.marker, markersize=2.5, linewidth=1, label=method)
         axes.set_title("at the origin" if float(distance) == 0 else "$10^6$ sizes away")
         axes.set_xlabel("radius off by $2^{-k}$ of the distance: $k$")
         axes.grid(color="#dddddd", linewidth=0.5)
@@ -82,14 +81,13 @@ NOT_IN_FRONT = {"bullet-float", "thesis-0.9999", "thesis-1", "thesis-atan2", "th
 def draw_front(study, output):
     rows = [row for row in rows_of(study / "front.csv") if row["method"] not in NOT_IN_FRONT and
             (row["measure"], row["family"], row["placement"]) == ("not-right", "all", "rotated")]
-    looks = tradeoff.Looks([row["method"] for row in rows])
     figure, axes = plt.subplots(figsize=(WIDTH, 3.6))
     figure.subplots_adjust(left=0.12, right=0.98, top=0.98, bottom=0.12)
     tradeoff.set_limits(axes, rows)
-    spots = tradeoff.draw_front(axes, rows, looks, 4.5, True)
+    spots = tradeoff.draw_front(axes, rows, rows, 4.5, True)
     tradeoff.set_limits(axes, rows)
     figure.canvas.draw()
-    if nameless := tradeoff.name_spots(axes, spots, spots, looks, 6):
+    if nameless := tradeoff.name_spots(axes, spots, spots, 6):
         raise ValueError(f"the picture of the front has no room for {', '.join(spot.method for spot in nameless)}")
     axes.set_xlabel("nanoseconds a question")
     axes.set_ylabel("answers not right within\n8 doubles of contact")

@@ -43,6 +43,12 @@ struct Candidate {
   std::size_t most_checked = std::numeric_limits<std::size_t>::max();
 };
 
+/// A part of the queries of a benchmark, by name.
+struct Share {
+  std::string name;
+  double share;
+};
+
 /// A benchmark: candidates that answer the same queries.
 struct Benchmark {
   std::string name;            ///< within its family; empty if it is the only one
@@ -51,6 +57,7 @@ struct Benchmark {
   std::size_t checked = 0;     ///< the number of answers of each candidate that are compared with `exact`
   std::string pool;            ///< benchmarks of a family with the same non-empty pool are also reported together
   std::vector<Candidate> candidates;
+  std::vector<Share> shares{};  ///< what is known of the queries beyond times
 };
 
 /// Returns a candidate that applies `ask` to a list of queries and compares the first answers with `truths`.

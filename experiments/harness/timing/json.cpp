@@ -40,6 +40,7 @@ Json json(const std::vector<Result>& results) {
                       {"contestants", Json::array()}};
     for (const Measured& m : result.candidates)
       if (!m.nanoseconds.empty()) benchmark["contestants"].push_back(candidate(m));
+    for (const Share& part : result.shares) benchmark["shares"][part.name] = part.share;
     list.push_back(std::move(benchmark));
   }
   return list;

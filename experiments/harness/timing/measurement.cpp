@@ -69,7 +69,7 @@ Quartiles quartiles(std::vector<double> values) {
 Result measure(const std::string& family, const Benchmark& benchmark, unsigned repetitions,
                const std::atomic<bool>& stop, const harness::Progress& progress, double most_seconds) {
   const auto& candidates = benchmark.candidates;
-  Result result{family, benchmark.name, benchmark.note, benchmark.unit, benchmark.pool, {}};
+  Result result{family, benchmark.name, benchmark.note, benchmark.unit, benchmark.pool, {}, benchmark.shares};
   for (const Candidate& c : candidates) {
     if (stop) break;
     result.candidates.push_back({c.name, affordable(c, most_seconds), {}, {}, c.comparison, {}});

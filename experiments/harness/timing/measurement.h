@@ -41,6 +41,7 @@ struct Measured {
 struct Result {
   std::string family, name, note, unit, pool;
   std::vector<Measured> candidates;
+  std::vector<Share> shares{};
 };
 
 /// The time that one candidate may take in one repetition of `bench`.

@@ -10,6 +10,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle, Patch
 from matplotlib.patches import Polygon as Outline
 
+from looks import in_order, look_of
 from pictures.style import STYLES, plt, save
 
 COLOURS = {"touches, rightly": "#ffffff", "misses, rightly": "#dddddd", "misses a contact": "#0072B2", "invents a contact": "#E69F00",
@@ -67,11 +68,11 @@ def draw_times(axes, rows, methods):
     timed = {method: [(float(row["offset"]), float(row["time_error"])) for row in rows
                       if row["method"] == method and row["time_error"] != "" and float(row["offset"]) > 0] for method in methods}
     timed = {method: own for method, own in timed.items() if own}
-    for i, (method, own) in enumerate(timed.items()):
-        colour, line, marker = STYLES[i % len(STYLES)]
-        offsets, errors = zip(*own)
-        axes.plot(offsets, [max(error, lowest) for error in errors], color=colour, linestyle=line, marker=marker, markersize=3,
-                  markerfacecolor=colour if i < len(STYLES) else "#ffffff", linewidth=1, label=method)
+    for method in in_order(timed):
+        look = look_of(method)
+        offsets, errors = zip(*timed[method])
+        axes.plot(offsets, [max(error, lowest) for error in errors], color=look.colour, linestyle=look.line, marker=look.marker,
+                  markersize=3, linewidth=1, label=method)
     axes.set_xscale("log", base=2)
     axes.set_yscale("log", base=2)
     axes.set_ylim(lowest / 2, 2)

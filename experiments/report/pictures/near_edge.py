@@ -9,8 +9,9 @@ import matplotlib.colors
 import numpy as np
 from matplotlib.patches import Patch
 
+from looks import in_order, look_of
 from names import DISTANCES, OWN_TEST, PLACEMENTS, THRESHOLDS, TITLES
-from pictures.style import STYLES, draw, plt, save
+from pictures.style import draw, plt, save
 
 
 def place(offset):
@@ -40,15 +41,16 @@ class Rates:
                 curve.append([int(row["offset"])] + [100 * float(row[name]) for name in ("rate", "lower", "upper")])
 
     def draw(self, axes, family, placement, threshold, test, markers=True):
-        for method, (colour, line, marker) in zip(self.methods, STYLES * len(self.methods)):
+        for method in in_order(self.methods):
+            look = look_of(method)
             curve = self.curves.get((family, placement, threshold, test, method))
             if curve is None:
                 continue
             offset, rate, lower, upper = np.array(curve).T
             x = [place(k) for k in offset]
-            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
-            axes.plot(x, rate, color=colour, linestyle=line, linewidth=1.2, label=method,
-                      marker=marker if markers else None, markersize=2.5)
+            axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
+            axes.plot(x, rate, color=look.colour, linestyle=look.line, linewidth=1.2, label=method,
+                      marker=look.marker if markers else None, markersize=2.5)
         ticks = [-2**32, -2**16, -8, 0, 8, 2**16, 2**32]
         axes.set_xticks([place(k) for k in ticks], ["$-2^{32}$", "$-2^{16}$", "−8", "0", "8", "$2^{16}$", "$2^{32}$"])
         axes.set_ylim(-3, 103)
@@ -214,16 +216,17 @@ def draw_onset(folder):
     for row, threshold in enumerate(thresholds):
         for column, (distance, words) in enumerate(DISTANCES.items()):
             axes = grid[row][column]
-            for method, (colour, line, marker) in zip(methods, STYLES * len(methods)):
+            for method in in_order(methods):
+                look = look_of(method)
                 here = {"threshold": threshold, "origin_distance": str(distance), "method": method}
                 curve = [r for r in rates if here.items() <= r.items()]
                 x = [-int(r["exponent"]) for r in curve]
                 rate, lower, upper = ([100 * float(r[name]) for r in curve] for name in ("rate", "lower", "upper"))
-                axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
-                axes.plot(x, rate, color=colour, linestyle=line, linewidth=1.2, label=method)
+                axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
+                axes.plot(x, rate, color=look.colour, linestyle=look.line, linewidth=1.2, label=method)
                 furthest = [float(r["climbed_share"]) for r in worst if here.items() <= r.items() and r["climbed_share"]]
                 if furthest:
-                    axes.plot(math.log2(max(furthest)), 0, marker=marker, markersize=5, color=colour, clip_on=False,
+                    axes.plot(math.log2(max(furthest)), 0, marker=look.marker, markersize=5, color=look.colour, clip_on=False,
                               linestyle="none", zorder=5)
             axes.set_xticks([-60, -50, -40, -30, -20, -10, 0], [f"$2^{{{k}}}$" if k else "1" for k in (-60, -50, -40, -30, -20, -10, 0)])
             axes.set_ylim(-3, 103)

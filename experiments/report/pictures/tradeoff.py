@@ -11,22 +11,19 @@ from matplotlib.lines import Line2D
 from matplotlib.path import Path as MarkerPath
 from matplotlib.textpath import TextPath
 
+from looks import in_order, look_of
 from names import OWN_TEST, PLACEMENTS, TITLES
 from pictures.near_edge import EVEN_STEPS, place, shade_even_steps
-from pictures.style import STYLES, draw, plt, save
+from pictures.style import draw, plt, save
 from shares import unless_whole
 
-# What their names begin with; a colour a kind of method, a marker a method of it.
-KINDS = [(("thesis",), "#D55E00", "thesis"), (("fast",), "#0072B2", "fast"), (("cgal",), "#009E73", "CGAL"),
-         (("boost", "fcl", "libccd", "bullet", "ode", "embree"), "#56B4E9", "engines"),
-         (("interval",), "#CC79A7", "intervals and exact"), (("",), "#000000", "intervals and exact")]
-MARKERS = "os^vDPX*<>"
 MEASURES = {
     "not-right": ("answers not right within 8 doubles of contact", "contact near the threshold"),
     "distance": ("error of the distance: 99 %, units in the last place", "the whole answer near the threshold"),
     "point": ("error of the closest point: 99 %, units in the last place", "the whole answer near the threshold"),
 }
-BELOW = 1e-30  # where a share of none is, below all that is drawn
+SUBJECTS = {"not-right": "wrong answers", "distance": "the error of the distance", "point": "the error of the closest point"}
+STRIP = 16  # how far below the least share that was seen those methods stand of which none was
 ROUNDED = 0.5  # the most by which a correctly rounded number is off, in units in the last place
 
 
@@ -35,50 +32,43 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def kind_of(method):
-    return next(i for i, (prefixes, _, _) in enumerate(KINDS) if method.startswith(prefixes))
+def handles(methods):
+    return [Line2D([], [], color=look_of(m).colour, marker=look_of(m).marker, linestyle="", markersize=5, label=m) for m in in_order(methods)]
 
 
-class Looks:
-    """Colour and marker of each method, in the order of the data."""
-
-    def __init__(self, methods):
-        self.methods = sorted(dict.fromkeys(methods), key=kind_of)
-        self.looks, counts = {}, {}
-        for method in self.methods:
-            kind = kind_of(method)
-            marker = MARKERS[counts.get(kind, 0) % len(MARKERS)]
-            counts[kind] = counts.get(kind, 0) + 1
-            self.looks[method] = (KINDS[kind][1], marker)
-
-    def handles(self, methods):
-        return [Line2D([], [], color=self.looks[m][0], marker=self.looks[m][1], linestyle="", markersize=5, label=m)
-                for m in self.methods if m in methods]
+def strip_of(rows):
+    """The height of the strip of methods that were never wrong; None where errors are not counted."""
+    if rows[0]["measure"] != "not-right":
+        return None
+    return min((float(row["error"]) for row in rows if float(row["error"]) > 0), default=1) / STRIP
 
 
 class Spot:
     """Where a method stands in a picture, and what is known of it beyond that."""
 
-    def __init__(self, row):
+    def __init__(self, row, strip):
         self.method, self.front = row["method"], row["front"]
         self.through = " (through a pipe)" if row.get("through") == "pipe" else ""
         self.x = float(row["nanoseconds"])
         self.quartiles = float(row["lower_quartile_ns"]), float(row["upper_quartile_ns"])
         error, lower, upper = float(row["finite_error"]), float(row["lower"]), float(row["upper"])
         self.not_finite, self.error = float(row["not_finite"]), float(row["error"])
+        self.samples = int(row["samples"])
         if row["measure"] == "not-right":
             self.never = error == 0
-            self.y, self.level = (upper, BELOW) if self.never else (error, error)
-            self.whisker = None if self.never else (lower, upper)
+            self.y = self.level = strip if self.never else error
+            self.whisker = None if self.never else (max(lower, strip * STRIP**0.6), upper)
         else:  # lower is the median, upper the worst that was seen
             self.never = upper == 0 and self.not_finite == 0
             self.y = self.level = max(error, ROUNDED)
             self.whisker = None if self.never else (self.y, max(upper, ROUNDED))
+        self.in_strip = self.never and strip is not None
 
     @property
     def name(self):
+        of = f" (0 of {self.samples:,})" if self.in_strip else ""
         overflow = f" ({unless_whole(self.not_finite, f'{100 * self.not_finite:.2g}')} % overflow)" if self.not_finite > 0 else ""
-        return self.method + self.through + overflow
+        return self.method + of + self.through + overflow
 
 
 def staircase(spots, time):
@@ -127,17 +117,19 @@ def ring(x, y, front, size):
                   markerfacecolor="none", markeredgewidth=0.8, zorder=2.5)
 
 
-def draw_front(axes, rows, looks, size, whiskers):
-    """The limits of the axes are set before: where nobody is as fast, the band reaches the top."""
-    spots = [Spot(row) for row in rows]
+def draw_front(axes, rows, every, size, whiskers):
+    """The limits of the axes are set before: where nobody is as fast, the band reaches the top. `rows` are those of `every`
+    that stand in this panel."""
+    strip = strip_of(every)
+    spots = [Spot(row, strip) for row in rows]
     draw_band(axes, spots)
     for spot in spots:
-        colour, marker = looks.looks[spot.method]
+        colour, marker = look_of(spot.method).colour, look_of(spot.method).marker
         here, pale = size if spot.front != "off" else 0.7 * size, 1 if spot.front != "off" else 0.45
         axes.plot(spot.quartiles, [spot.y, spot.y], color=colour, linewidth=1, alpha=pale, zorder=1)
         if whiskers and spot.whisker:
             axes.plot([spot.x, spot.x], spot.whisker, color=colour, linewidth=0.8, alpha=0.5 * pale, zorder=1)
-        if spot.never:
+        if spot.never and not spot.in_strip:
             arrow(axes, spot, colour, here)
         elif spot.not_finite > 0 and rows[0]["measure"] != "not-right":
             arrow(axes, spot, colour, here, upwards=True)
@@ -179,7 +171,7 @@ def crosses(begin, end, boxes):
     return any(not apart((*point, *point), box) for point in points for box in boxes)
 
 
-def name_spots(axes, spots, named, looks, size):
+def name_spots(axes, spots, named, size):
     """Draws a name, in letters of `size` points, beside each of the `named` spots: on a side, and as far up or down, where it covers
     nothing; the line to the spot crosses no earlier name if that can be. Returns those that have no room for theirs. The figure
     has been drawn."""
@@ -200,7 +192,7 @@ def name_spots(axes, spots, named, looks, size):
         middle = (box[1] + box[3]) / 2
         to_spot = {"arrowstyle": "-", "linewidth": 0.4, "color": "#999999", "shrinkA": 0, "shrinkB": 3} if abs(middle - y) > height else None
         axes.annotate(spot.name, (spot.x, spot.y), xytext=((box[0] - x) / scale, (middle - y) / scale), textcoords="offset points",
-                      va="center", fontsize=size, color=looks.looks[spot.method][0], arrowprops=to_spot)
+                      va="center", fontsize=size, color=look_of(spot.method).colour, arrowprops=to_spot)
     return without_room
 
 
@@ -214,88 +206,74 @@ def symbols(measure, rows):
     def marker(shape, size=5, **more):
         return Line2D([], [], color="#444444", linestyle="", marker=shape, markersize=size, **more)
 
-    spots = [Spot(row) for row in rows]
+    spots = [Spot(row, strip_of(rows)) for row in rows]
     lines = [((marker("o"), ring([], [], "on", 9.5)), "on the front"),
              ((marker("o"), ring([], [], "within-noise", 9.5)), "perhaps: within noise"),
              (Line2D([], [], color="#444444", linewidth=1), "quartiles of the time")]
-    never = [int(row["samples"]) for row, spot in zip(rows, spots) if spot.never]
+    never = [spot.samples for spot in spots if spot.never and not spot.in_strip]
     if never:
         open_marker = (marker(r"$\downarrow$", 15, markeredgewidth=0), marker("o", markerfacecolor="white"))
-        share = measure == "not-right"
-        lines.append((open_marker, ("never wrong in" if share else "all correctly rounded:") + f"\n{range_of(never)} polygons" +
-                      (":\n95 % upper limit" if share else "")))
+        lines.append((open_marker, f"all correctly rounded:\n{range_of(never)} polygons"))
     if measure != "not-right" and any(spot.not_finite > 0 for spot in spots):
         lines.append(((marker(r"$\uparrow$", 15, markeredgewidth=0), marker("o")), "of finite answers;\nothers overflow"))
     return lines
 
 
-def explanation(measure, rows, whiskers):
-    front = ("Ringed: on the front: every method at least as accurate is slower, quartiles apart. Broken ring: no method at least as accurate is "
-             "faster, quartiles apart, but some are within timing noise.\nGrey: the front by medians, and between those by lower and by upper quartiles; where no "
-             "wrong answer was seen it leaves the picture. Pale: all others.")
-    if measure == "not-right":
-        limits = ", with 95 % limits (Hoeffding)" if whiskers else ""
-        text = f"Filled: share of answers that are wrong, or \"don't know\"{limits}."
-        if any(float(row["not_finite"]) > 0 for row in rows):
-            text += " Overflow: share of all answers that are wrong because the method's distance or point is not finite."
-    else:
-        worst = ", the line ends at the worst" if whiskers else ""
-        text = (f"Filled: 99 % of the errors are at most this{worst}; 0.5: correctly rounded. Not here: methods that give no such number, or "
-                "mostly don't know it.")
-        if any(float(row["not_finite"]) > 0 for row in rows):
-            text += "\nArrow upwards: errors of the finite answers; the others overflow (beyond 1 % the method counts as infinitely wrong)."
-    return text + "\n" + front
-
-
 def set_limits(axes, rows):
-    """All spots are seen, though not the whole of their lines; room for names."""
-    spots = [Spot(row) for row in rows]
+    """All spots are seen, though not the whole of their lines; room for names, and for the strip."""
+    strip = strip_of(rows)
+    spots = [Spot(row, strip) for row in rows]
     low, high = min(s.y for s in spots), max(s.y for s in spots)
-    limits = (low / 4, 2) if rows[0]["measure"] == "not-right" else (low / 30, max(30 * high, 30))
+    limits = (low / 3, 2) if rows[0]["measure"] == "not-right" else (low / 30, max(30 * high, 30))
     axes.set_ylim(*limits)
     axes.set_xlim(min(s.quartiles[0] for s in spots) / 1.3, max(s.quartiles[1] for s in spots) * 1.3)
+    if strip is None:
+        return
+    edge = strip * STRIP**0.5
+    axes.axhspan(limits[0], edge, color="#eef6f2", linewidth=0, zorder=-1)
+    axes.axhline(edge, color="#777777", linewidth=0.8, zorder=-0.5)
+    ticks = [10.0**k for k in range(math.ceil(math.log10(edge)), 1)]
+    axes.set_yticks([strip, *ticks], ["none\nwrong", *(f"$10^{{{round(math.log10(t))}}}$" if t < 1 else "1" for t in ticks)])
 
 
 def placements_of(rows):
     return [placement for placement in PLACEMENTS if any(row["placement"] == placement for row in rows)]
 
 
-def legend(figure, looks, measure, rows, **where):
-    methods = looks.handles({row["method"] for row in rows})
-    lines = [*((handle, handle.get_label()) for handle in methods), *symbols(measure, rows)]
+def legend(figure, measure, rows, **where):
+    lines = [*((handle, handle.get_label()) for handle in handles(row["method"] for row in rows)), *symbols(measure, rows)]
     figure.legend(*zip(*lines), frameon=False, handler_map={tuple: HandlerTuple(1, 0)}, **where)
 
 
-def draw_pooled(rows, folder, measure, looks):
+def draw_pooled(rows, folder, measure):
     placements = placements_of(rows)
     figure, grid = plt.subplots(1, len(placements), figsize=(5.3 * len(placements) + 2.2, 6), sharex=True, sharey=True,
                                 squeeze=False)
-    figure.subplots_adjust(left=0.07, right=0.83, top=0.9, bottom=0.21, wspace=0.06)
+    figure.subplots_adjust(left=0.07, right=0.83, top=0.9, bottom=0.09, wspace=0.06)
     drawn = []
     for axes, placement in zip(grid[0], placements):
-        spots = draw_front(axes, [row for row in rows if row["placement"] == placement], looks, 6, True)
+        spots = draw_front(axes, [row for row in rows if row["placement"] == placement], rows, 6, True)
         axes.set_title(PLACEMENTS[placement])
         axes.set_xlabel(f"nanoseconds a question: {MEASURES[measure][1]}")
         drawn.append((axes, spots))
     set_limits(grid[0][0], rows)
     grid[0][0].set_ylabel(MEASURES[measure][0])
-    figure.suptitle("Run time against error: all families of polygons together", x=0.01, ha="left")
-    figure.text(0.01, 0.015, explanation(measure, rows, True), fontsize=8)
-    legend(figure, looks, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5, labelspacing=0.35)
+    figure.suptitle(f"Run time against {SUBJECTS[measure]}: all families of polygons together", x=0.01, ha="left")
+    legend(figure, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5, labelspacing=0.35)
     figure.canvas.draw()
     for axes, spots in drawn:
-        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], looks, 8)
+        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], 8)
     save(figure, folder, f"front-{measure}")
 
 
-def draw_families(rows, folder, measure, looks):
+def draw_families(rows, folder, measure):
     families, placements = list(dict.fromkeys(row["family"] for row in rows)), placements_of(rows)
     columns = min(5, len(families))
     bands = math.ceil(len(families) / columns)
     lines = bands * len(placements)
     size = (2.4 * max(columns, 4) + 0.8, 1.9 * lines + 3)
     figure, grid = plt.subplots(lines, columns, figsize=size, sharex=True, sharey=True, squeeze=False)
-    figure.subplots_adjust(left=0.65 / size[0], right=1 - 0.1 / size[0], top=1 - 1.75 / size[1], bottom=1.2 / size[1],
+    figure.subplots_adjust(left=0.65 / size[0], right=1 - 0.1 / size[0], top=1 - 1.75 / size[1], bottom=0.8 / size[1],
                            wspace=0.06, hspace=0.2)
     for axes in grid.flat:
         axes.set_visible(False)
@@ -303,14 +281,13 @@ def draw_families(rows, folder, measure, looks):
         for j, family in enumerate(families):
             axes = grid[i * bands + j // columns][j % columns]
             axes.set_visible(True)
-            draw_front(axes, [row for row in rows if row["placement"] == placement and row["family"] == family], looks, 4, False)
+            draw_front(axes, [row for row in rows if row["placement"] == placement and row["family"] == family], rows, 4, False)
             axes.set_title(f"{family}, {placement}", fontsize=8, pad=3)
     set_limits(grid[0][0], rows)
     figure.supylabel(MEASURES[measure][0], fontsize=9, x=0.008)
-    figure.text(0.5, 0.85 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
-    figure.text(0.01, 0.12 / size[1], explanation(measure, rows, False), fontsize=7.5)
-    figure.suptitle("Run time against error, by family", x=0.01, y=1 - 0.12 / size[1], ha="left", va="top")
-    legend(figure, looks, measure, rows, loc="upper left", ncol=7, fontsize=7, bbox_to_anchor=(0, 1 - 0.3 / size[1]))
+    figure.text(0.5, 0.2 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
+    figure.suptitle(f"Run time against {SUBJECTS[measure]}, by family", x=0.01, y=1 - 0.12 / size[1], ha="left", va="top")
+    legend(figure, measure, rows, loc="upper left", ncol=7, fontsize=7, bbox_to_anchor=(0, 1 - 0.3 / size[1]))
     save(figure, folder, f"front-{measure}-families")
 
 
@@ -319,8 +296,8 @@ def draw_offsets(rows, folder, placement):
     rows = [row for row in rows if row["family"] == "all" and row["placement"] == placement]
     thresholds = [t for t in TITLES if any(row["threshold"] == t for row in rows)]
     groups = {}
-    for method in sorted(dict.fromkeys(row["method"] for row in rows), key=kind_of):
-        groups.setdefault(KINDS[kind_of(method)][2], []).append(method)
+    for method in in_order(row["method"] for row in rows):
+        groups.setdefault(look_of(method).group, []).append(method)
     curves = {}
     for row in rows:
         curves.setdefault((row["threshold"], row["method"]), []).append(
@@ -329,13 +306,15 @@ def draw_offsets(rows, folder, placement):
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
     for number, (line, (title, methods)) in enumerate(zip(grid, groups.items())):
         for axes, threshold in zip(line, thresholds):
-            for method, (colour, style, marker) in zip(methods, STYLES * len(methods)):
+            for method in methods:
+                look = look_of(method)
+                line_of = {"color": look.colour, "linestyle": look.line, "linewidth": 1.1, "marker": look.marker, "markersize": 2.2}
                 if (threshold, method) not in curves:  # it has no such test
-                    axes.plot([], [], color=colour, linestyle=style, linewidth=1.1, marker=marker, markersize=2.2, label=method)
+                    axes.plot([], [], **line_of, label=method)
                     continue
                 x, rate, lower, upper = np.array(curves[threshold, method]).T
-                axes.fill_between(x, lower, upper, color=colour, alpha=0.12, linewidth=0)
-                axes.plot(x, rate, color=colour, linestyle=style, linewidth=1.1, marker=marker, markersize=2.2, label=method)
+                axes.fill_between(x, lower, upper, color=look.colour, alpha=0.12, linewidth=0)
+                axes.plot(x, rate, **line_of, label=method)
             axes.set_xticks([place(k) for k in (-2**32, -2**16, -8, 0, 8, 2**16, 2**32)],
                             ["$-2^{32}$", "", "−8", "0", "8", "", "$2^{32}$"])
             axes.set_ylim(-3, 103)
@@ -354,8 +333,7 @@ def draw_offsets(rows, folder, placement):
 def main(folder):
     front = read(folder / "front.csv")
     errors = read(folder / "errors.csv")
-    looks = Looks(row["method"] for row in errors)
     by_measure = {measure: rows for measure in MEASURES if (rows := [row for row in front if row["measure"] == measure])}
-    draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure, looks) for measure, rows in by_measure.items()),
+    draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure) for measure, rows in by_measure.items()),
           *((draw_offsets, errors, folder, placement) for placement in PLACEMENTS if any(row["placement"] == placement for row in errors)),
-          *((draw_pooled, [row for row in rows if row["family"] == "all"], folder, measure, looks) for measure, rows in by_measure.items())])
+          *((draw_pooled, [row for row in rows if row["family"] == "all"], folder, measure) for measure, rows in by_measure.items())])

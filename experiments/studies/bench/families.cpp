@@ -9,6 +9,7 @@ const std::vector<Family>& all_families() {
     for (Family& family : polygon_families()) list.push_back(std::move(family));
     list.push_back(batch_family());
     list.push_back(motion_family());
+    list.push_back(nearness_family());
     return list;
   }();
   return families;

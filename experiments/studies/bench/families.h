@@ -31,5 +31,6 @@ struct Family {
 [[nodiscard]] std::vector<Family> polygon_families();  ///< `polygons-N`, `off-plane` and `questions`
 [[nodiscard]] Family batch_family();
 [[nodiscard]] Family motion_family();
+[[nodiscard]] Family nearness_family();
 
 }  // namespace touchstone::bench

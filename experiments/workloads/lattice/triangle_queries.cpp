@@ -40,17 +40,21 @@ TriangleQuery random_query(Random& random) {
 
 Polygon polygon_of(const Triangle& triangle) { return Polygon({triangle.a, triangle.b, triangle.c}); }
 
-/// The nearest feature is a face, an edge or a vertex with equal probability: among random queries faces are rare.
-TriangleQuery near_query(Random& random) {
+TriangleQuery query_at_contact(Random& random) {
   const auto wanted = static_cast<Feature::Kind>(random.integer(0, 2));
   while (true) {
     TriangleQuery query = random_query(random);
     const Polygon polygon = polygon_of(query.triangle);
     if (fast::answer(query.ball, polygon).nearest.kind != wanted) continue;
-    const double distance = exact::answer(query.ball, polygon).distance;
-    query.ball.radius = distance * (random.coin() ? 1 + 0x1p-50 : 1 - 0x1p-50);
+    query.ball.radius = exact::answer(query.ball, polygon).distance;
     return query;
   }
+}
+
+TriangleQuery near_query(Random& random) {
+  TriangleQuery query = query_at_contact(random);
+  query.ball.radius *= random.coin() ? 1 + 0x1p-50 : 1 - 0x1p-50;
+  return query;
 }
 
 TriangleQuery sliver_query(Random& random) {
@@ -145,6 +149,12 @@ TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std
     case TriangleFamily::Extreme: return extreme_query(random);
   }
   return random_query(random);
+}
+
+TriangleQuery draw_query_at_contact(std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kStream = 100;  // apart from those of the families
+  Random random(seed, index, kStream);
+  return query_at_contact(random);
 }
 
 }  // namespace touchstone::workloads

@@ -34,4 +34,8 @@ enum class TriangleFamily {
 /// Requires rounding to nearest. Cost: about 1 us; HalfNear 30 us.
 [[nodiscard]] TriangleQuery draw_triangle_query(TriangleFamily family, std::uint64_t seed, std::uint64_t index);
 
+/// Draws query number `index` of `Random` with the double nearest to the exact distance as its radius. The nearest
+/// feature is a face, an edge or a vertex with equal probability, because faces are rare among random queries.
+[[nodiscard]] TriangleQuery draw_query_at_contact(std::uint64_t seed, std::uint64_t index);
+
 }  // namespace touchstone::workloads

@@ -189,8 +189,32 @@ TEST(BenchFamilies, AreAllThere) {
     EXPECT_FALSE(family.benchmarks.empty());
   }
   for (const char* name : {"polygons-8", "polygons-32", "polygons-128", "polygons-1024", "polygons-10000",
-                           "polygons-100000", "off-plane", "questions", "batches"})
+                           "polygons-100000", "off-plane", "questions", "batches", "nearness"})
     EXPECT_EQ(std::ranges::count(names, name), 1) << name;
+}
+
+// The nearer to contact, the more queries need a stage beyond doubles.
+TEST(BenchFamilies, NearnessTellsWhichStageDecides) {
+  Settings settings;
+  settings.samples = 300;
+  const auto nearness = std::ranges::find(all_families(), "nearness", &Family::name);
+  ASSERT_NE(nearness, all_families().end());
+  double before = 0;
+  for (const auto& draw : nearness->benchmarks) {
+    const timing::Benchmark benchmark = draw(settings);
+    double sum = 0;
+    for (const timing::Share& part : benchmark.shares) sum += part.share;
+    EXPECT_NEAR(sum, 1, 1e-9) << benchmark.name;
+    ASSERT_EQ(benchmark.shares.front().name, "double");
+    EXPECT_GE(benchmark.shares.front().share, before) << benchmark.name;
+    before = benchmark.shares.front().share;
+    for (const timing::Candidate& candidate : benchmark.candidates) {
+      if (candidate.name == "filtered" || candidate.name == "EPECK") {
+        EXPECT_EQ(candidate.count_wrong(300), 0U) << benchmark.name << ", " << candidate.name;
+      }
+    }
+  }
+  EXPECT_EQ(before, 1);
 }
 
 // Goals are part of what is measured.

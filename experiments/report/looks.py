@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The colour, line and marker of each method, the same in every picture of report, thesis page and paper.
+
+The colours are Okabe and Ito's, which all eyes tell apart, and a brown; methods of one colour differ by line and marker."""
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Look:
+    group: str
+    colour: str
+    line: str
+    marker: str
+
+
+BLACK, BLUE, SKY, GREEN, ORANGE, RED, PURPLE, BROWN, GREY = ("#000000", "#0072B2", "#56B4E9", "#009E73", "#E69F00", "#D55E00", "#CC79A7",
+                                                             "#7F6000", "#777777")
+
+# In the order of legends.
+LOOKS = {
+    "filtered": Look("certified", GREEN, "-", "o"),
+    "exact": Look("certified", BLACK, ":", "v"),
+    "rational": Look("certified", BLACK, "--", "^"),
+    "interval": Look("certified", BLACK, "-.", "D"),
+    "fast": Look("fast", BLUE, "-", "s"),
+    "fast-float": Look("fast", SKY, "--", "^"),
+    "fast-long-double": Look("fast", BLUE, "-.", "D"),
+    "fast-double-double": Look("fast", BLUE, ":", "P"),
+    "fast-mpfr-101": Look("fast", BLUE, "--", "X"),
+    "fast-mpfr-201": Look("fast", BLUE, "-.", "<"),
+    "ericson": Look("fast", SKY, "-.", "d"),
+    "ericson-absolute": Look("fast", SKY, ":", "p"),
+    "hull": Look("fast", BROWN, "-", "s"),
+    "convex-parts": Look("fast", BROWN, "--", "D"),
+    "thesis": Look("thesis", RED, "-", "X"),
+    "thesis-float": Look("thesis", RED, "--", "^"),
+    "thesis-0.9999": Look("thesis", RED, "-.", "<"),
+    "thesis-1": Look("thesis", RED, ":", ">"),
+    "thesis-signed": Look("thesis", ORANGE, "--", "*"),
+    "thesis-atan2": Look("thesis", ORANGE, ":", "v"),
+    "thesis-newell": Look("thesis", ORANGE, "-.", "D"),
+    "thesis-closed": Look("thesis", ORANGE, "-", "P"),
+    "cgal-double": Look("CGAL", PURPLE, "-", "o"),
+    "cgal-epick": Look("CGAL", PURPLE, "--", "s"),
+    "cgal-epeck": Look("CGAL", PURPLE, ":", "^"),
+    "cgal-double-distance": Look("CGAL", PURPLE, "-.", "v"),
+    "cgal-double-intersect": Look("CGAL", PURPLE, "-", "D"),
+    "cgal-epick-distance": Look("CGAL", PURPLE, "--", "P"),
+    "cgal-epick-intersect": Look("CGAL", PURPLE, ":", "X"),
+    "cgal-epeck-distance": Look("CGAL", PURPLE, "-.", "<"),
+    "cgal-epeck-intersect": Look("CGAL", PURPLE, "-", ">"),
+    "boost-geometry": Look("engines", GREY, "-", "o"),
+    "fcl": Look("engines", GREY, "--", "s"),
+    "libccd": Look("engines", GREY, ":", "^"),
+    "bullet": Look("engines", GREY, "-.", "v"),
+    "bullet-float": Look("engines", GREY, "-", "D"),
+    "ode": Look("engines", GREY, "--", "P"),
+    "embree": Look("engines", GREY, ":", "X"),
+}
+OF_THE_USER = Look("engines", "#555555", "--", "h")
+
+
+def look_of(method):
+    """Of an engine of the user, too."""
+    return LOOKS.get(method, OF_THE_USER)
+
+
+def in_order(methods):
+    """Each once, in the order of legends; engines of the user last."""
+    places = {name: place for place, name in enumerate(LOOKS)}
+    return sorted(dict.fromkeys(methods), key=lambda method: places.get(method, len(places)))
