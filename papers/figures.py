@@ -2,6 +2,7 @@
 """The figures of the paper, in its type and measures, drawn with what draws those of the studies."""
 import csv
 
+from looks import in_order, look_of
 from names import DISTANCES, TITLES
 from pictures import near_edge, stability, tradeoff
 from pictures.style import plt, save

@@ -31,8 +31,10 @@ AXES = {"aspect": ("slivers", "length / width"),
         "flush": ("subnormals flushed", "mode")}
 MODES = {"rounding", "flush"}  # axes whose levels are not in an order
 # Signs that stability computes with plain and with fused products.
-SIGNS = {"orientation": "on which side of a line of the plane a point is", "side": "on which side of an edge the foot is",
-         "line": "whether an edge's line comes within the radius", "plane": "whether the plane does"}
+SIGNS = {"orientation": "on which side of a line in the plane a point is: (b − a) × (c − a)",
+         "side": "on which side of an edge the foot is: ((b − a) × (c − a)) · n",
+         "line": "whether an edge's line comes within the radius: |(c − a) × (b − a)|² − r² |b − a|²",
+         "plane": "whether the plane does: ((c − a) · n)² − r² n · n"}
 NEARNESSES = {"one-double": "radius at the exact distance, or one double off",
               "close": "radius off by 2⁻³⁰ of the distance",
               "ample": "radius off by a quarter of the distance"}

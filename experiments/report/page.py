@@ -30,6 +30,10 @@ table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-top: 1px solid var(--line); }
 thead th { border-top: 0; color: var(--dim); font-weight: 600; vertical-align: bottom; }
 tbody th { font-weight: 400; }
+thead th:first-child, tbody th { position: sticky; left: 0; background: var(--paper); z-index: 1; }
+details { margin: 1rem 0; } summary { cursor: pointer; color: var(--link); }
+svg text { fill: currentColor; stroke: none; }
+@media (prefers-color-scheme: dark) { .picture img { filter: invert(.91) hue-rotate(180deg); } }
 .scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
 :target { outline: 3px solid var(--link); }
 @media (max-width: 34rem) { body { padding: .6rem; } }
@@ -162,6 +166,16 @@ def bar(fraction, shown):
     return f'<div class="bar" style="--share: {100 * min(max(fraction, 0), 1):.3g}%">{shown}</div>'
 
 
+def stacked(shares, colours, names):
+    """A bar of parts, whose shares are its title."""
+    edges, before = [], 0
+    for share, colour in zip(shares, colours):
+        edges.append(f"{colour} {100 * before:.4g}% {100 * (before + share):.4g}%")
+        before += share
+    said = ", ".join(f"{name} {percent_number(share)} %" for name, share in zip(names, shares) if share)
+    return f'<div class="stacked" role="img" aria-label="{escaped(said)}" title="{escaped(said)}" style="background: linear-gradient(to right, {", ".join(edges)})"></div>'
+
+
 def table(caption, head, rows, figures=()):
     """Cells are HTML; the first of each row is its head, the columns in `figures` stand to the right. Scrolls within itself."""
     def right(column):
@@ -173,6 +187,11 @@ def table(caption, head, rows, figures=()):
     return (f'<figure class="table"><figcaption>{caption}</figcaption><div class="scroll" tabindex="0" role="group" '
             f'aria-label="A table; scrolls sideways where it is '
             f'wider"><table><thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div></figure>')
+
+
+def folded(title, body):
+    """HTML that a reader opens."""
+    return f"<details><summary>{escaped(title)}</summary>{body}</details>"
 
 
 def document(title, description, style, body):

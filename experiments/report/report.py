@@ -13,8 +13,8 @@ import sys
 import studies
 from chapters import (bench, bench_scenes, cell, cell_area, merging, meshes, motions, near_edge, regress, soak, soak_moving, stability, thesis,
                       tradeoff, tunnelling)
-from chapters.opening import glance, never_failed, scheme, terms, verdict
-from page import code, count, document, escaped, rounded, words
+from chapters.opening import never_failed, scheme, terms, verdict
+from page import code, count, document, escaped, folded, rounded, table, words
 from replacing import replacing
 from results import DataError, study_in
 
@@ -33,48 +33,61 @@ code { font-size: .93em; } tbody th code, td code { white-space: nowrap; }
 th[scope=row] { min-width: 8rem; max-width: 22rem; }
 .bar { background: linear-gradient(to right, var(--bar) var(--share), transparent 0); min-width: 5.5rem; padding: 0 .25rem; border-radius: .15rem;
        -webkit-print-color-adjust: exact; print-color-adjust: exact; }
+.stacked { height: 1.1rem; min-width: 14rem; border-radius: .15rem; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 .short { border-left: 3px solid var(--link); padding-left: .8rem; }
-.made { border-left: 3px solid var(--line); padding-left: .8rem; margin: 1.2rem 0; font-size: .88rem; color: var(--dim); }
 pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: .3rem; }
-.made pre { color: var(--ink); max-height: 6rem; white-space: pre-wrap; overflow-wrap: anywhere; overflow-y: auto; margin: .3rem 0; }
-.absent { border: 1px dashed var(--line); padding: .2rem 1rem; border-radius: .5rem; }
+code.call { white-space: normal; overflow-wrap: anywhere; }
 dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
 iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
 .paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
-@media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); } }
+@media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); }
+  .table .scroll { width: max-content; min-width: 100%; max-width: min(96vw, 80rem); position: relative; left: 50%; transform: translateX(-50%); } }
 @media (max-width: 40rem) { .picture img { max-width: none; } svg.scheme { min-width: 36rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
-@media print { iframe.cell { display: none; } .paper { display: block; } .made pre { max-height: none; } .table { break-inside: auto; }
+@media print { iframe.cell { display: none; } .paper { display: block; } .table { break-inside: auto; }
   .table figcaption { break-after: avoid; } table { font-size: 8pt; }
   th[scope=row] { min-width: 0; } td.figure, th.figure { padding-left: .3rem; } .bar { min-width: 0; }
   .picture .scroll { margin-inline: 0; } .picture img { max-width: 100%; max-height: 17cm; width: auto; } }
 """
 
 
-def made(study):
-    """How a study was run."""
+def interrupted(study):
     run = study.run
-    warning = "" if study.complete else (f'<p class="no"><b>Interrupted</b>: {count(run["samples_done"])} of '
-                                         f'{count(run["samples_asked"])} samples '
-                                         "were done; numbers here are of those.</p>")
-    missing = f", {count(run['samples_missing'])} not found" if run["samples_missing"] else ""
-    return f"""{warning}<div class="made">How this was made: <pre tabindex="0"><code>{escaped(run["command"])}</code></pre>
-Seed {run["seed"]}; {count(run["samples_done"])} of {count(run["samples_asked"])} samples{missing}; {rounded(run["seconds"])} s
-with
-{run["processes"]} × {run["threads"]} threads; commit {code(run.get("commit") or "unknown")}; {escaped(run["compiler"])},
-{code(run["flags"])};
-{escaped(run["processor"])}, {run["cores"]} cores, {escaped(run["machine"])}; {escaped(run["date"])}. Data:
-<a href="{study.folder.name}/">{study.folder.name}/</a>.</div>"""
+    return "" if study.complete else (f'<p class="no"><b>Interrupted</b>: {count(run["samples_done"])} of {count(run["samples_asked"])} samples '
+                                      "were done; numbers here are of those.</p>")
 
 
-def absent(name, folder):
-    """In place of a study that was not run, or not to its end."""
-    study = studies.by_name(name)
-    calls = "\n".join(studies.shown(call, f"{folder.name}/{name}") for call in study.full)
-    begun = (folder / name).exists()
-    why = "It was begun, and has not come to its end." if begun else "This study was not run."
-    how = "./reproduce" if study.quick else "./reproduce --paper" if study.paper else "./reproduce --full"
-    return (f'<div class="absent"><p><b>{why}</b> {code(how)} runs it, or:</p><pre '
-            f'tabindex="0"><code>{escaped(calls)}</code></pre></div>')
+def made(found):
+    """How each study was run."""
+    rows = []
+    for name, study in found.items():
+        run = study.run
+        missing = f", {count(run['samples_missing'])} not found" if run["samples_missing"] else ""
+        rows.append([f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>', f'<code class="call">{escaped(run["command"])}</code>', str(run["seed"]),
+                     f"{count(run['samples_done'])} of {count(run['samples_asked'])}{missing}", f"{rounded(run['seconds'])} s, {run['processes']} × {run['threads']}",
+                     escaped(run["date"][:16].replace("T", " ")), f'<a href="{study.folder.name}/">{study.folder.name}/</a>'])
+
+    def lines(key, shown=escaped):
+        return "".join(f"<li>{shown(each)}</li>" for each in dict.fromkeys(str(study.run.get(key) or "unknown") for study in found.values()))
+
+    return ('<section><h2 id="made">How this was made</h2>'
+            + folded("The commands, seeds and times", table("The studies, each by one command; the same seed gives the same data, times aside.",
+                                                            ["study", "command", "seed", "samples", "time, processes × threads", "at (UTC)", "data"], rows))
+            + f"<ul>{lines('commit', lambda c: 'commit ' + code(c))}{lines('compiler')}{lines('flags', code)}{lines('processor')}{lines('machine')}</ul></section>")
+
+
+def not_run(results, missing):
+    """What the page lacks, with the commands; a study that was begun and not ended is told apart."""
+    if not missing:
+        return ""
+    items = ""
+    for name in missing:
+        study = studies.by_name(name)
+        calls = "\n".join(studies.shown(call, f"{results.name}/{name}") for call in study.full)
+        begun = " It was begun, and has not come to its end." if (results / name).exists() else ""
+        how = "./reproduce" if study.quick else "./reproduce --paper" if study.paper else "./reproduce --full"
+        items += f"<dt>{escaped(CHAPTERS[name].TITLE)}</dt><dd>{code(how)} runs it, or:{begun}<pre tabindex=\"0\"><code>{escaped(calls)}</code></pre></dd>"
+    return f'<section><h2 id="not-run">Not run</h2><p>Not run: {words([escaped(CHAPTERS[name].TITLE) for name in missing])}.</p>' + folded(
+        "The commands that run them", f"<dl>{items}</dl>") + "</section>\n"
 
 
 def read_all(results, found):
@@ -90,16 +103,13 @@ def read_all(results, found):
     return said
 
 
-def sections(results, found, said):
+def sections(found, said):
     text = ""
     for name, chapter in CHAPTERS.items():
-        text += f'<section><h2 id="{name}">{escaped(chapter.TITLE)}</h2>'
         if name in found:
             _, finding, body = said[name]
-            text += f'<p class="short">{finding}</p>{body}{made(found[name])}'
-        else:
-            text += absent(name, results)
-        text += "</section>\n"
+            text += (f'<section><h2 id="{name}">{escaped(chapter.TITLE)}</h2>{interrupted(found[name])}<p class="short">{finding}</p>{body}'
+                     "</section>\n")
     return text
 
 
@@ -145,12 +155,11 @@ def page(results):
     found = {name: study for name in CHAPTERS if (study := study_in(results / name))}
     if not found:
         raise DataError(f"{results}: does not contain the run.json of any study")
-    missing = [f'<a href="#{name}">{escaped(CHAPTERS[name].TITLE)}</a>' for name in CHAPTERS if name not in found]
-    not_run = f"<p>Not run: {words(missing)}.</p>" if missing else ""
+    missing = [name for name in CHAPTERS if name not in found]
     said = read_all(results, found)
     asked = {name: counts for name, (counts, _, _) in said.items()}
     titles = {name: CHAPTERS[name].TITLE for name in CHAPTERS}
-    contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a>{"" if name in found else " (not run)"}</li>' for name, title in titles.items())
+    contents = "".join(f'<li><a href="#{name}">{escaped(title)}</a></li>' for name, title in titles.items() if name in found)
     body = f"""<header><h1>Touchstone: does a ball touch a polygon, and how sure is the answer?</h1>
 <p class="lead">Collision programs ask millions of times whether a ball touches a flat face. They answer with floating-point
 numbers, which round; near contact
@@ -158,18 +167,14 @@ the rounding decides. This page measures how often different methods are wrong, 
 being wrong,
 with {code("filtered")}, which gives the answer of exact arithmetic.</p>
 <p class="dim">{commits(found)} Every number and picture is generated from the data beside this page.</p></header>
-<main><section class="verdict"><h2 id="verdict">Verdict</h2><p class="headline">{verdict.headline(asked)}</p><ul>
-{"".join(f"<li>{line}</li>" for line in verdict.lines(found, asked))}
-</ul></section>
-{not_run}
-{glance.table_of(found)}
-{never_failed.table_of(asked, titles)}
+<main>{verdict.box(found, asked)}
 <nav aria-label="Contents"><h2>Contents</h2><ol id="contents"><li><a href="#question">The question, and the words used
 here</a></li>{contents}
-<li><a href="#reproducing">Reproduce this page; test your own engine</a></li><li><a href="#methods">The
-methods</a></li></ol></nav>
-<section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{terms.TERMS}</section>
-{sections(results, found, said)}{reproducing(results)}{terms.methods(results)}</main>
+<li><a href="#made">How this was made</a></li><li><a href="#reproducing">Reproduce this page; test your own engine</a></li><li><a
+href="#methods">The methods</a></li></ol></nav>
+<section><h2 id="question">The question, and the words used here</h2>{scheme.PICTURE}{folded("The words used here", terms.TERMS)}</section>
+{never_failed.table_of(asked, titles)}
+{sections(found, said)}{not_run(results, missing)}{made(found)}{reproducing(results)}{terms.methods(results)}</main>
 """
     text = document("Touchstone: the report", "Where ball-polygon contact tests fail, how often, and how sure exact answers "
                                               "are.", STYLE, body)

@@ -16,7 +16,7 @@ import sys
 import time
 
 from replacing import replacing
-from studies import MESHES, OUTPUT, STUDIES, shown
+from studies import DRIVE, MESHES, OUTPUT, STUDIES, shown
 
 MARK = "reproduce.json"  # in a study's folder: how it was begun, by which program, and whether it has come to its end
 INTERRUPTED = 130
@@ -104,7 +104,8 @@ def run(program, study, path, mode, lock):
     for call in study.calls(mode):
         options = [existing] if "--output" in call else []
         words = [word for each in call for word in (meshes() if each == MESHES else [each.replace(OUTPUT, str(path))])]
-        if status := status_of([program, *words, *options], lock):
+        status = status_of([program, *words, *options], lock)
+        if status and not (status == 1 and DRIVE in call):
             return status
     folder.end()
     return 0

@@ -1,7 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench`: times of the certified path beside those of plain doubles and CGAL's kernels."""
-from page import code, count, escaped, multiple, percent, power, rounded, table, words
-from readings.bench import TRIANGLES, contests, polygons
+import math
+import re
+
+import chart
+from looks import look_of
+from page import code, count, escaped, folded, multiple, percent, power, rounded, table, words
+from readings.bench import STAGE_COLOURS as STAGES
+from readings.bench import TRIANGLES, contests, named, polygons
 
 TITLE = "Certainty, timed"
 OTHERS = ("EPICK", "EPECK")
@@ -20,16 +26,25 @@ def is_noisy(ratio):
     return ratio.get("too_noisy", False)
 
 
-def finding(study):
+def price(study):
+    """In words, against fast; empty if the times of this run are too noisy to tell."""
     every = contests(study)
     sizes = polygons(every)
     most = max(sizes)
     if any(is_noisy(c["filtered"]["ratio"]) for c in (every["random-triangles", ""], every["half-near", ""], sizes[most])):
-        return "<b>Time.</b> The times of this run are too noisy to tell what certainty costs."
-    return (f"<b>Time.</b> Contact of a ball and a triangle took {code('filtered')} {multiple(ratio_of(every['random-triangles', '']), 3)} the time "
+        return ""
+    return (f"contact of a ball and a triangle took {code('filtered')} {multiple(ratio_of(every['random-triangles', '']), 3)} the time "
             f"of {code('fast')} with balls anywhere and {multiple(ratio_of(every['half-near', '']), 3)} with half of them at "
-            f"{power('2', -50)} from contact; of a small ball and a prepared polygon of {count(most)} vertices "
+            f"{power('2', -50)} from contact; contact of a small ball and a prepared polygon of {count(most)} vertices "
             f"{multiple(ratio_of(sizes[most]))}.")
+
+
+def finding(study):
+    every = contests(study)
+    noisy = sum(is_noisy(c["filtered"]["ratio"]) for c in every.values() if "ratio" in c.get("filtered", {}))
+    told = sum("ratio" in c.get("filtered", {}) for c in every.values()) - noisy
+    return f"{count(told)} ratios of {code('filtered')} to {code('fast')} were measured" + (
+        f"; {count(noisy)} more are too noisy to tell." if noisy else ".")
 
 
 def is_quoted(contestants, name):
@@ -48,6 +63,72 @@ def line(about, contestants, others=OTHERS):
     return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
             quoted, aim, *(multiple(ratio_of(contestants, other)) if is_quoted(contestants, other) else "" for other in others),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
+
+
+CURVES = {"fast": ("fast", "-"), "filtered": ("filtered", "-"), "EPICK": ("cgal-epick", "--"), "EPECK": ("cgal-epeck", ":")}
+
+
+def spread(nanoseconds):
+    return nanoseconds["median"], nanoseconds["lower_quartile"], nanoseconds["upper_quartile"]
+
+
+def ticks_of(low, high):
+    """Powers of ten, and where there are few, their doubles and fives."""
+    steps = (1,) if high > 300 * low else (1, 2, 5)
+    return [(m * 10.0**k, f"{m * 10**k:,}") for k in range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1) for m in steps if low <= m * 10**k <= high]
+
+
+def nearness_picture(study):
+    """Cost against the distance of the radius from contact, and which stage decided."""
+    measured = {int(name.removeprefix("2^-")): c for name, c in named(study, "nearness").items()}
+    if not measured:
+        return ""
+    exponents = sorted(measured, reverse=True)
+    curves = [chart.Curve(name, look_of(look).colour, line, [(2.0**-k, *spread(measured[k]["contestants"][name]["nanoseconds"])) for k in exponents])
+              for name, (look, line) in CURVES.items() if all(name in measured[k]["contestants"] for k in exponents)]
+    values = [value for curve in curves for point in curve.points for value in point[1:]]
+    panel = chart.Panel(chart.LEFT, 46, 640, 230, [2.0**-k for k in exponents], [min(values) / 1.2, max(values) * 1.2])
+    ticks = [(2.0**-k, power("2", -k)) for k in exponents if k not in (50, 46)]
+    foot = panel.top + panel.height + 62
+    drawn = panel.frame([], ticks_of(min(values) / 1.2, max(values) * 1.2), "", "") + "".join(map(panel.curve, curves)) + chart.key(curves, chart.LEFT, 22, 150)
+    drawn += chart.text(14, panel.top + panel.height / 2, "nanoseconds a question", more=f'transform="rotate(-90 14 {panel.top + panel.height / 2})"')
+    shares = [[measured[k]["shares"][stage] for stage in STAGES] for k in exponents]
+    drawn += chart.columns(panel, [2.0**-k for k in exponents], shares, STAGES.values(), foot - 50, 70)
+    drawn += "".join(chart.text(panel.at(x, 1)[0], foot + 36, words) for x, words in ticks)
+    drawn += chart.text(chart.LEFT + 320, foot + 54, "how far the radius is from the exact distance, as a share of it")
+    drawn += "".join(f'<rect x="{chart.LEFT + 128 * i}" y="{foot + 66}" width="12" height="12" fill="{colour}" stroke="none"/>'
+                     + chart.text(chart.LEFT + 128 * i + 18, foot + 76, stage, "start") for i, (stage, colour) in enumerate(STAGES.items()))
+    drawn += chart.text(chart.LEFT - 12, foot - 10, "decided by", "end", 'font-size="10"')
+    near, far = measured[exponents[0]]["contestants"]["filtered"]["nanoseconds"]["median"], measured[exponents[-1]]["contestants"]["filtered"]["nanoseconds"]["median"]
+    return chart.figure(chart.LEFT + 670, foot + 84, "Nanoseconds a question against the distance of the radius from contact, for fast, filtered and two of CGAL's kernels; "
+                        "below, the shares of filtered's stages.", drawn,
+                        f"Cost against nearness: the same triangles, the radius ever nearer to the exact distance; medians and quartiles. Below: the slowest stage "
+                        f"that {code('filtered')} needed. <b>What follows:</b> {code('filtered')} takes {rounded(far, 3)} ns far from contact and {rounded(near, 3)} ns at it.")
+
+
+def break_even_picture(study):
+    """The time of a question when a polygon is asked n times, its preparation included."""
+    panels = {}
+    for vertices in (8, 32, 1024):
+        own = {1 if name == "asked once" else int(name.split()[1]): c["contestants"] for name, c in named(study, f"polygons-{vertices}").items()
+               if re.fullmatch(r"asked (once|\d+ times)", name)}
+        if len(own) > 1:
+            panels[vertices] = dict(sorted(own.items()))
+    if not panels:
+        return ""
+    drawn, said = "", []
+    for place, (vertices, own) in enumerate(panels.items()):
+        curves = [chart.Curve(name, look_of(name).colour, "-", [(n, *spread(c[name]["nanoseconds"])) for n, c in own.items()]) for name in ("fast", "filtered")]
+        values = [value for curve in curves for point in curve.points for value in point[1:]]
+        panel = chart.Panel(chart.LEFT + place * 250, 60, 180, 200, list(own), [min(values) / 1.3, max(values) * 1.3])
+        drawn += panel.frame([(n, str(n)) for n in own], ticks_of(min(values) / 1.3, max(values) * 1.3), f"{vertices:,} vertices", "questions to one polygon")
+        drawn += "".join(map(panel.curve, curves)) + (chart.key(curves, chart.LEFT, 22, 150) if place == 0 else "")
+        even = next((n for n, c in own.items() if c["filtered"]["nanoseconds"]["median"] <= c["fast"]["nanoseconds"]["median"]), None)
+        said.append(f"{count(vertices)} vertices: " + (f"not within {max(own)} questions" if even is None else f"by {even} questions"))
+    drawn += chart.text(14, 160, "nanoseconds a question", more='transform="rotate(-90 14 160)"')
+    return chart.figure(chart.LEFT + 250 * len(panels), 306, "Nanoseconds a question with preparation, against the number of questions to one polygon, for fast and filtered.", drawn,
+                        f"Break-even: time of a question, the polygon's preparation included, when it is asked so often. {code('filtered')} builds a hierarchy of edges when "
+                        f"the first question needs it. <b>What follows:</b> {code('filtered')} is the faster one for {'; '.join(said)}.")
 
 
 def motions_table(every):
@@ -69,4 +150,4 @@ core: {count(queries['asked'])} distinct questions of each kind, {count(len(quer
 are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
 asked about triangles where their questions are the same.</p>""" + table(
         "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
-        range(1, len(head))) + motions_table(every)
+        range(1, len(head))) + nearness_picture(study) + break_even_picture(study) + folded("Moving balls", motions_table(every))

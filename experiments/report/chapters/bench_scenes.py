@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench-scenes`: whole scenes, beside other libraries."""
 from names import BALLS, QUESTIONS
-from page import code, count, escaped, multiple, percent, picture, rounded, smaller, table, words
+from page import code, count, escaped, folded, multiple, percent, picture, rounded, smaller, table, words
 from readings.bench_scenes import OURS, Data
 
 TITLE = "Whole scenes"
@@ -16,7 +16,7 @@ def finding(study):
     most = max(data.largest(scene) for scene in data.scenes)
     wrong = [f"{escaped(library)} {percent(data.wrong(library)[0] / data.wrong(library)[1])}" for library in data.libraries
              if library != OURS and data.wrong(library)[0]]
-    return (f"<b>Whole scenes</b> of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in "
+    return (f"Scenes of up to {count(most)} triangles: {code(OURS)} differed from {code('exact')} in "
             f"{count(data.wrong(OURS)[0])} of {count(data.wrong(OURS)[1])} answers checked" + (f"; beside it, answers that "
                                                                                                f"differ: {words(wrong)}" if wrong else "") + ".")
 
@@ -39,7 +39,7 @@ thread.</p>"""
                 + (f"<br><small>{multiple(own[q]['nanoseconds'] / ours[q])}</small>" if library != OURS and q in ours else "")
                 + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
                 for q in questions)])
-        text += table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, "
+        numbers = table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, "
                       "and answers that differ.",
                       ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)], body,
                       range(1, len(questions) + 1))
@@ -58,4 +58,5 @@ thread.</p>"""
                                   "library, a panel for each "
                             "kind of ball and question.", f"Time of a query against the size of the scene "
                                                           f"“{escaped(scene)}”.{follows}")
+        text += folded(f"The numbers of {scene}", numbers)
     return text

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone cell`: the thesis's manufacturing cell, playing."""
-from page import code, count, escaped, percent, picture, rounded, smaller, table, upper_limit, words
+import json
+
+import chart
+from looks import look_of
+from page import code, count, escaped, folded, percent, picture, rounded, smaller, table, upper_limit, words
 from readings.asked import Asked
-from results import DataError, finite, natural
+from results import DataError, finite, maybe, natural
 
 TITLE = "The manufacturing cell, playing"
+DRIVEN, EXACTLY = "driven", "u-part"  # folders: a run with a U part that the thesis's method drives, and one by the exact answer
 
 
 def moves_of(study):
@@ -30,7 +35,7 @@ def said_of_methods(study):
 
 def finding(study):
     moves = moves_of(study)
-    return (f"<b>The cell of the thesis</b> runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} "
+    return (f"The cell of the thesis runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} "
             f"stops, every contact decided exactly; the joint's angle at each contact is enclosed between neighbouring "
             f"doubles. {said_of_methods(study)}")
 
@@ -53,6 +58,58 @@ def still(study):
     return "" if path is None else f'<div class="paper">{picture(path, "The cell in perspective, at home.", "The cell at home; on a screen it plays here.")}</div>'
 
 
+def path_of(study, run):
+    """The stops of a run with the U part, in its first turn of the base: the sphere's place in mm, and what it touches."""
+    rows = study.rows(f"{run}/trajectory.csv", stop=natural, phase=str, joint=str, sphere_x=finite, sphere_y=finite, sphere_z=finite, touched_face=str, material=str)
+    return [row for row in rows if (row["phase"], row["joint"]) == ("to-storage", "base")]
+
+
+def notched_face(study):
+    """The face of the part about which the thesis's method was wrong: case id, ball and outline, as the run wrote the case."""
+    path = study.folder / DRIVEN / "disagreements.jsonl"
+    try:
+        case = json.loads(path.read_text(encoding="utf-8").splitlines()[0])
+        return case["ball"], case["polygon"]["outer"]
+    except OSError as error:
+        raise DataError(f"{path}: {error.strerror}") from None
+    except (ValueError, LookupError, TypeError) as error:
+        raise DataError(f"{path}: its first case cannot be read: {error}") from None
+
+
+def consequence(study):
+    """Where a wrong answer changes what the robot does; empty if that was not run."""
+    if not (study.folder / DRIVEN).is_dir() or not (study.folder / EXACTLY).is_dir():
+        return ""
+    driven, exactly = (path_of(study, run) for run in (DRIVEN, EXACTLY))
+    ball, outline = notched_face(study)
+    gap = next(row["gap"] for row in study.rows(f"{DRIVEN}/moves.csv", phase=str, joint=str, gap=maybe(finite)) if row["gap"] is not None)
+    xs, ys = zip(*(point[:2] for point in outline))
+    low_x, low_y, scale = min(xs) - 15, min(ys) - 8, 6.0
+    height = (max(ys) + 4 - low_y) * scale
+
+    def at(x, y):
+        return f"{(x - low_x) * scale:.1f},{height - (y - low_y) * scale:.1f}"
+
+    def sphere(row, colour, words, below):
+        x, y = at(row["sphere_x"], row["sphere_y"]).split(",")
+        return (f'<circle cx="{x}" cy="{y}" r="{ball["radius"] * scale}" stroke="{colour}" stroke-width="2"/><circle cx="{x}" cy="{y}" r="2.5" fill="{colour}" stroke="none"/>'
+                + chart.text(float(x) + 48, float(y) + below, words, "start", f'style="fill: {colour}; paint-order: stroke; stroke: var(--paper); stroke-width: 5" font-weight="600"'))
+
+    def way(rows, colour, dash):
+        near = [at(row["sphere_x"], row["sphere_y"]) for row in rows if low_x < row["sphere_x"] < max(xs) + 15 and low_y < row["sphere_y"]]
+        return f'<polyline points="{" ".join(near)}" stroke="{colour}" stroke-width="1.5" stroke-dasharray="{dash}"/>'
+
+    thesis, exact = look_of("thesis"), look_of("exact")
+    drawn = (f'<polygon points="{" ".join(at(*point[:2]) for point in outline)}" fill="var(--soft)" stroke-width="1.5"/>'
+             + way(exactly, "currentColor", "2 3") + way(driven, thesis.colour, "") + sphere(exactly[-1], "currentColor", "exact: touches", 5)
+             + sphere(driven[-1], thesis.colour, "thesis: “contact”", 24))
+    return chart.figure(round((max(xs) + 15 - low_x) * scale), round(height), "Seen from above: the U part, the way of the sphere, and where it stops by the thesis's method, in the notch, and by the "
+                        "exact answer, at the part.", drawn,
+                        f"<b>A wrong answer that changes what the robot does.</b> The part is U-shaped, and the base turns until the sphere (circle) touches it. Driven by "
+                        f"{code('thesis')}, it stops in the notch, {rounded(gap)} mm from any material, and grips there; {count(len(exactly) - len(driven))} steps later it "
+                        "would have touched. The process then ends where the part, held wrongly, touches the vice. Driven by the exact answer it completes.")
+
+
 def chapter(study):
     moves = moves_of(study)
     contacts = [row for row in moves if row["until"] == "contact"]
@@ -61,13 +118,13 @@ def chapter(study):
                "beyond the exact contact."
                if contacts else "")
     text = """<p>The thesis of 2008 lets a robot carry a part between a storage and a milling machine, and stops each joint
-where a <i>virtual sphere</i> at the gripper touches a face. Below is that cell with our numbers: press Run. It plays without
-any program or network; the sphere turns orange where it touches.</p>"""
+where a <i>virtual sphere</i> at the gripper touches a face. That cell plays below,
+with our numbers, without any program or network.</p>"""
     page = study.folder / "cell.html"
-    text += iframe(page) + still(study)
+    text += folded("Play it here", iframe(page)) + still(study)
     text += '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
-    return text + table(
+    return text + consequence(study) + folded("The moves", table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],
         [[str(row["move"]), escaped(row["phase"]), escaped(row["joint"]), escaped(row["until"]), f"{row['degrees']:+g}°".replace("-", "−"),
-          f"{row['exact_deg']:+.6f}°".replace("-", "−")] for row in moves], (4, 5))
+          f"{row['exact_deg']:+.6f}°".replace("-", "−")] for row in moves], (4, 5)))

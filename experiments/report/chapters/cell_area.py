@@ -16,7 +16,7 @@ def asked(study):
 def finding(study):
     rows = study.rows("plan.csv", outcome=str)
     done = sum(row["outcome"] == "completed" for row in rows)
-    return f"<b>The storage.</b> At its height, the whole process runs with the storage at {count(done)} of {count(len(rows))} places of a grid."
+    return f"At its height, the whole process runs with the storage at {count(done)} of {count(len(rows))} places of a grid."
 
 
 def chapter(study):

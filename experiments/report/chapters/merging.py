@@ -22,7 +22,7 @@ def finding(study):
     rows = rows_of(study)
     faces, polygons = sum(row["faces"] for row in rows), sum(row["polygons"] for row in rows)
     differ, balls = (sum(row[f"{question}_{what}"] for row in rows for question in ("any", "all", "nearest")) for what in ("differ", "asked"))
-    text = f"<b>Merging.</b> {count(faces)} faces of {counted(len(rows), 'meshes', 'mesh')} become {count(polygons)} polygons, {rounded(faces / polygons)} faces each."
+    text = f"{count(faces)} faces of {counted(len(rows), 'meshes', 'mesh')} become {count(polygons)} polygons, {rounded(faces / polygons)} faces each."
     if balls:
         text += f" Scenes of either were asked {count(balls)} times, and " + (
             f"differed {count(differ)} times." if differ else f"never differed (&lt; {percent(upper_limit(balls))}).")

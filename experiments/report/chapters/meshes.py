@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone meshes`: every face of meshes of real machines."""
 from names import NAMED, of_method
-from page import bar, code, count, counted, escaped, percent, table, words
+from page import bar, code, count, counted, escaped, folded, percent, table, words
 from readings.meshes import Data, asked
 
 TRUTH = "exact"  # with which all are compared, itself included
@@ -14,7 +14,7 @@ def finding(study):
     faces = sum(data.faces.values())
     failing = [f"{of_method(m)} {percent(a.wrong / a.answers)}" for m, a in all_asked.items() if a.wrong and m in NAMED]
     never = [code(m) for m, a in all_asked.items() if not a.wrong and m != TRUTH]
-    text = (f"<b>Real machines.</b> On {counted(faces, 'triangles')} of {counted(len(data.faces), 'meshes', 'mesh')} of robot "
+    text = (f"On {counted(faces, 'triangles')} of {counted(len(data.faces), 'meshes', 'mesh')} of robot "
             f"arms and a milling centre, with balls at most two doubles from a threshold, of "
             f"{count(max(a.answers for a in all_asked.values()))} final answers were wrong: ")
     text += words(failing) if failing else "none of those asked"
@@ -53,8 +53,8 @@ def chapter(study):
 and one and two doubles to either side; and 5 with an ample radius, whose centre is moved by single doubles so that its
 <i>foot</i> (the point of the face's plane straight below it) crosses an edge. The truth is {code("exact")}: rational
 arithmetic on the doubles as they are. {counted(rejected, 'faces') if rejected else "Not one"}
-{"were" if rejected > 1 else "was"} rejected as no polygon.</p>{by_test}"""
+{"were" if rejected > 1 else "was"} rejected as no polygon.</p>"""
     if least:
         text += (f"<p>Of the methods that err at all, {code(least[1])} errs least, in {percent(least[0])}; "
-                 f"{code(ordered[-1][1])} most, in {percent(ordered[-1][0])}. By machine:</p>")
-    return text + by_machine
+                 f"{code(ordered[-1][1])} most, in {percent(ordered[-1][0])}.</p>")
+    return text + folded("By test, and by machine", by_test + by_machine)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone motions`: contact on the way, as methods and engines see it."""
 from names import EVENTS, WAYS
-from page import bar, code, count, number, percent, picture, share_of_size, smaller, table, upper_limit, words
+from page import bar, code, count, folded, number, percent, picture, share_of_size, smaller, table, upper_limit, words
 from readings.motions import Data, asked
 
 TITLE = "Moving balls: contact on the way"
@@ -24,7 +24,7 @@ def finding(study):
     never = [code(m) for m in data.methods if not data.all(m)["failed"]]
     wrong = [f"{code(m)} {percent(data.all(m)['failed'] / data.all(m)['samples'])}"
              for m in data.methods if data.all(m)["failed"]]
-    text = f"<b>Moving balls</b>, {count(max(data.all(m)['samples'] for m in data.methods))} motions across a threshold of the radius; motions with a wrong answer"
+    text = f"{count(max(data.all(m)['samples'] for m in data.methods))} motions across a threshold of the radius; motions with a wrong answer"
     return text + (f": {words(wrong)}" if wrong else ": none") + (f"; of {words(never)} none." if never and wrong else ".")
 
 
@@ -65,7 +65,7 @@ def pass_picture(study):
         path, "A ball passes an edge of a polygon and grazes it; below, a row for each method with its answers as the radius grows across "
               "the threshold, and the errors of its times.",
         "A grazing pass, seen along the edge of the polygon, and what each method says of it as the radius shrinks and grows across its "
-        "threshold by shares of the polygon's size. Grey and white: right. Blue: a contact that the method misses; orange: one that it "
+        "threshold by shares of the polygon's size. Without colour: right. Blue: a contact that the method misses; orange: one that it "
         "invents. To the right, the errors of the times that it gives for contacts, as way in shares of the size.")
 
 
@@ -77,7 +77,7 @@ the polygon's size, to either side. {code("exact")} says what is right. Engines 
 static test of the start), FCL its conservative advancement, both with their own settings; libccd and CGAL decide whether the capsule touches, and have no
 time. FCL’s issues 120 and 555 report that its conservative advancement misses contacts of meshes. CGAL’s exact kernel differs where rotated loops are
 not planar: it gets their triangles, whose vertices are not lifted.</p>"""
-    text += engines_table(data) + ways_table(data) + thresholds_table(data) + pass_picture(study)
+    text += pass_picture(study) + folded("By method, way and threshold", engines_table(data) + ways_table(data) + thresholds_table(data))
     absent = [name for name in NO_SWEEP if name not in data.methods]
     return text + (f"<p>{words(code(name) for name in absent)} cannot be asked: they have no test of a moving ball. Tight-Inclusion is not in "
                    "this comparison, because Debian has no package of it; it asks about vertices and edges without a radius.</p>" if absent else "")

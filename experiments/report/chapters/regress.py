@@ -4,7 +4,7 @@ import re
 
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
-from page import code, count, counted, escaped, power, table, words
+from page import code, count, counted, escaped, folded, power, table, words
 from readings.regress import asked, cases_of, polygons_of, rows_by_engine, rows_of
 
 TITLE = "Other engines on the same questions"
@@ -22,7 +22,7 @@ def finding(study):
     wrong = [f"{code(name)} {shown(share)}" for name, _, share, _, _ in others if not share.startswith("0 of")]
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
     cases = cases_of(rows)
-    text = f"<b>Other engines</b>, {count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "
+    text = f"{count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "
     text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
     return text + (f"; of {words(never)} none" if never and wrong else "") + "."
 
@@ -44,7 +44,7 @@ receive polygons triangulated. The cases are the same as those of the baseline i
     if absent:
         text += (f"<p>Not in this build, because their libraries were missing: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")
-    return text + table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset "
+    return text + folded("By family of polygons", table(f"By family of polygons: wrong answers of {int(rows[0]['cases']):,}, and the largest relative offset "
                         "of one (at 0: only where the radius is the double nearest to the distance).", head,
                         [[code(name), *(shown(cell.replace("at offset 0 alone", "at 0")) for cell in cells)] for name, *cells in lines],
-                        range(1, len(head)))
+                        range(1, len(head))))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone soak`: filtered against exact on adversarial cases."""
-from page import bar, code, count, escaped, percent, table, upper_limit
+from page import code, count, escaped, percent, stacked, table, upper_limit
+from readings.bench import STAGE_COLOURS as COLOURS
 from readings.soak import asked, rows_of
 
 TITLE = "The certified path under attack"
@@ -14,7 +15,7 @@ def finding(study):
         return f'<b class="no">{count(a.wrong)} answers of {count(a.answers)} differed from the exact ones: see differences.jsonl.</b>'
     whole = sum(row["cases"] for row in rows_of(study) if row["family"] != "all" and row["way"] == "answer")
     rest = f", in the whole answer, which {count(whole)} of them were asked for, at most {percent(upper_limit(whole))}" if whole else ""
-    return (f"<b>Adversarial cases.</b> Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} "
+    return (f"Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} "
             f"cases: in contact at most {percent(upper_limit(a.trials))} of such cases do{rest} (95 %).")
 
 
@@ -24,13 +25,12 @@ def stages_table(study):
     body = []
     for family in families:
         own = [row for row in rows if row["family"] == family]
-        asked_here = sum(row["cases"] for row in own)
-        body.append([escaped(family), count(asked_here), *(bar(sum(row[stage] for row in own) / asked_here,
-                                                               percent(sum(row[stage] for row in own) / asked_here)) if asked_here else "0"
-                                                           for stage in STAGES), str(sum(row["differences"] for row in own))])
-    return table(
-        "Families of cases, and the slowest stage that an answer went to. A family that ends in integers is one on which "
-        "doubles could not have told the truth.", ["family", "answers", *STAGES.values(), "differ"], body, range(1, len(STAGES) + 3))
+        answers = sum(row["cases"] for row in own)
+        shares = [sum(row[stage] for row in own) / answers if answers else 0 for stage in STAGES]
+        body.append([escaped(family), count(answers), stacked(shares, COLOURS.values(), STAGES.values()), str(sum(row["differences"] for row in own))])
+    key = ", ".join(f'<span style="color: {COLOURS[stage]}">■</span>\u00a0{words}' for stage, words in STAGES.items())
+    return table(f"Families of cases, and the slowest stage that an answer went to: {key}. A family that ends in integers is one on which doubles could "
+                 "not have told the truth.", ["family", "answers", "decided by", "differ"], body, (1, 3))
 
 
 def chapter(study):

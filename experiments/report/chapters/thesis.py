@@ -3,10 +3,10 @@
 from page import code, count, escaped, number, percent, picture, smaller, table, words
 from results import maybe, natural
 from results import number as any_number
-from thesis_page import CHAPTERS, anchor, bases, chapter_of, name_of
+from thesis_page import bases, name_of
 
 TITLE = "The figures of the thesis of 2008"
-SHOWN = ("E.1", "E.2", "4.8", "5.24")  # in this page; all are on the thesis's own
+SHOWN = ("E.1",)  # in this page; all are on the thesis's own
 
 
 class Data:
@@ -44,7 +44,7 @@ def differing(data):
 
 def finding(study):
     data = Data(study)
-    return (f"<b>The thesis, reproduced.</b> Of {len(data.entries)} figures, tables and known errors, "
+    return (f"Of {len(data.entries)} figures, tables and known errors, "
             f"numbers agree as follows: {words(bases(data.stated))}"
             + (f" (not: {differing(data)})." if data.differing else "."))
 
@@ -86,12 +86,6 @@ Without signs, that is wrong for non-convex outlines"""
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
     text += "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)
-    for chapter_id, title in CHAPTERS:
-        members = [entry for entry in data.entries if chapter_of(entry) == chapter_id]
-        if members:
-            text += table(escaped(title), ["figure or table", "caption", "status", "numbers that agree"],
-                          [[f'<a href="thesis/index.html#{anchor(e)}">{escaped(name_of(e))}</a>', escaped(e["caption"]),
-                            escaped(e["status"]), agreement(data, e)] for e in members], (3,))
     return text
 
 

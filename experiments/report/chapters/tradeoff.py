@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone tradeoff`: run time against error."""
+from methods import asks_the_question
 from names import PLACEMENTS
-from page import bar, code, count, counted, multiple, percent, picture, smaller, table, words
+from page import bar, code, count, counted, folded, multiple, percent, picture, smaller, table, words
 from readings.tradeoff import Data, asked
 
 TITLE = "What being right costs"
@@ -17,17 +18,21 @@ def times(ratio):
     return "not timed" if ratio is None else multiple(ratio)
 
 
+def price(study):
+    """In words, against fast; empty where it was not timed."""
+    data = Data(study)
+    if not all(data.ratio("filtered", p, b) for p in data.placements for b in ("near", "anywhere")):
+        return ""
+    return f"on the same questions (planar to rotated polygons), {code('filtered')} took " + words(
+        f"{words((times(data.ratio('filtered', p, balls)) for p in data.placements), 'to')} the time of {code('fast')} {where}"
+        for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))) + "."
+
+
 def finding(study):
     data = Data(study)
-    parts = []
-    for method in ("filtered", "exact"):
-        if method in data.methods and all(data.ratio(method, p, b) for p in data.placements for b in ("near", "anywhere")):
-            parts.append(f"{code(method)} took " + words(
-                f"{words((times(data.ratio(method, p, balls)) for p in data.placements), 'to')} {where}"
-                for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))))
-    if not parts:
-        return "<b>What being right costs</b> was not measured: neither filtered nor exact was timed beside fast."
-    return f"<b>What being right costs.</b> Of the time of {code('fast')} on the same questions (planar to rotated polygons): " + "; ".join(parts) + "."
+    never = [row["method"] for row in data.front if (row["measure"], row["placement"]) == ("not-right", data.placements[-1]) and not row["error"]]
+    return (f"Never wrong on {NAMES[data.placements[-1]]} polygons: {words(map(code, never))}." if never else
+            f"Every method was wrong on {NAMES[data.placements[-1]]} polygons.")
 
 
 def rates_table(data):
@@ -35,30 +40,23 @@ def rates_table(data):
     for method in data.methods:
         cells = []
         for placement in data.placements:
-            row = data.rate(method, placement)
-            cells.append("no final answer" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
+            row = data.rate(method, placement) if asks_the_question(method, placement) else None
+            cells.append("" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
                          f"0 <small>(&lt; {percent(row['upper'])})</small>")
         for balls in ("near", "anywhere"):
             cells += [times(data.ratio(method, placement, balls)) for placement in data.placements]
         rows.append([code(method), *cells])
     heads = [f"not right, {NAMES[p]}" for p in data.placements]
     heads += [f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements]
-    return table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit "
-                 f"after Hoeffding, of some {range_of(row['samples'] for row in data.front)} polygons), and the time of a "
-                 "question as a multiple of fast’s.", ["method", *heads], rows, range(1, len(heads) + 1))
+    return folded("The rate and the time of every method", table("Final answers within 8 doubles of contact that are wrong or “don’t know” (where none was: the 95 % limit "
+                 f"after Hoeffding, of {range_of(row['samples'] for row in data.front)} polygons), and the time of a "
+                 "question as a multiple of fast’s. Empty: the method gives no final answer, or is asked about unlifted triangles, which is "
+                 "another question.", ["method", *heads], rows, range(1, len(heads) + 1)))
 
 
-MEASURES = {
-    "not-right": ("Wrong or undecided answers within 8 doubles of contact, against the time of a question",
-                  "share of answers that are not right"),
-    "distance": ("Error of the distance, against the time of a whole answer", "error of the distance, in units of its last "
-                                                                              "place"),
-}
-
-
-def front_picture(study, data, measure):
-    path = smaller(study.folder, f"front-{measure}")
-    rows = [row for row in data.front if row["measure"] == measure]
+def front_picture(study, data):
+    path = smaller(study.folder, "front-not-right")
+    rows = [row for row in data.front if row["measure"] == "not-right"]
     if path is None or not rows:
         return ""
     parts = []
@@ -67,13 +65,12 @@ def front_picture(study, data, measure):
         perhaps = [row["method"] for row in rows if row["placement"] == placement and row["front"] == "within-noise"]
         parts.append(f"{PLACEMENTS[placement]}: on the front {words(map(code, on)) if on else 'no method for certain'}"
                      + (f", {len(perhaps)} more within timing noise" if perhaps else ""))
-    about, axis = MEASURES[measure]
-    return picture(path, f"Two scatter plots, exactly planar and rotated polygons: {axis} against nanoseconds per question, a "
-                         "point for each of "
-                   f"{len({row['method'] for row in rows})} methods; methods on the Pareto front are ringed.",
-                   f"{about}; a colour for each kind of method, a marker for each method of a kind. Lower is more often right, "
-                   f"further left is faster; a method is on the front if every method at least as accurate is slower. <b>"
-                   f"Result:</b> {'; '.join(parts)}.")
+    return picture(path, "Two scatter plots, exactly planar and rotated polygons: the share of answers that are not right against nanoseconds per "
+                         f"question, a point for each of {len({row['method'] for row in rows})} methods; methods on the Pareto front are ringed.",
+                   "Wrong or undecided answers within 8 doubles of contact, against the time of a question; vertical lines are 95 % limits. Lower is more "
+                   "often right, further left is faster. At the foot stand methods of which no wrong answer was seen, with the number of polygons. A "
+                   "method is on the front (ringed) if every method at least as accurate is slower, quartiles apart; with a broken ring, noise may keep "
+                   f"it from there. Grey: the front by medians and by quartiles. <b>Result:</b> {'; '.join(parts)}.")
 
 
 def chapter(study):
@@ -82,4 +79,4 @@ def chapter(study):
 {counted(study.run['samples_asked'], 'polygons')} of each family and threshold for the errors, and take turns on the same
 lists of distinct questions for the times. Times on a shared machine are noisy: their quartiles are
 drawn, and the front names the methods that noise may keep from it.</p>"""
-    return text + front_picture(study, data, "not-right") + rates_table(data) + front_picture(study, data, "distance")
+    return text + front_picture(study, data) + rates_table(data)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone tunnelling`: what steps miss, and what the exact sweep costs instead."""
-from page import bar, count, multiple, percent, picture, rounded, share_of_size, smaller, table, upper_limit
+from page import bar, count, folded, multiple, percent, picture, rounded, share_of_size, smaller, table, upper_limit
 from readings.tunnelling import CONTACT, FIRST, Data, asked
 
 TITLE = "Steps that pass through: tunnelling"
@@ -14,7 +14,7 @@ def finding(study):
     data = Data(study)
     small, steps = next(radius for radius in data.radii if radius), data.steps[-4]
     large = data.radii[-3]
-    text = (f"<b>Steps:</b> a ball whose radius is {share_of_size(small)} of the polygon's size, moved by {count(steps)} steps over one size, misses "
+    text = (f"A ball whose radius is {share_of_size(small)} of the polygon's size, moved by {count(steps)} steps over one size, misses "
             f"{percent(data.at[small, steps]['rate'])} of its contacts; one of {share_of_size(large)}, by "
             f"{count(data.steps[2])} steps, {percent(data.at[large, data.steps[2]]['rate'])}.")
     if CONTACT in data.cost:
@@ -57,4 +57,4 @@ places. {count(study.run["samples_done"])} ways lead through or past random poly
         text += picture(path, "Curves of the share of missed contacts against the number of steps, a curve for each radius; beside it, the time of "
                               "a motion by steps and by the exact sweep.",
                         "Left: contacts that steps miss; bars are 95 % limits. Right: a measurement on this machine, the median time of a motion.")
-    return text + misses_table(data) + cost_table(data)
+    return text + folded("The numbers", misses_table(data) + cost_table(data))

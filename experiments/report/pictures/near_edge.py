@@ -61,11 +61,13 @@ class Rates:
     def thresholds(self, placement):
         return [t for t in THRESHOLDS if any(key[:3] == ("all", placement, t) for key in self.curves)]
 
-    def legend(self, figure):
-        """The methods of the panel with most of them: an engine may lack a test."""
+    def legend(self, figure, below):
+        """Under the title, which ends so many inches below the top: the methods of the panel with most of them, since an engine may
+        lack a test."""
         handles, labels = max((axes.get_legend_handles_labels() for axes in figure.axes), key=lambda pair: len(pair[1]))
         if labels:
-            figure.legend(handles, labels, loc="upper right", ncol=min(4, len(labels)), frameon=False)
+            figure.legend(handles, labels, loc="upper left", ncol=min(8, len(labels)), frameon=False,
+                          bbox_to_anchor=(0, 1 - below / figure.get_figheight()))
 
 
 def axis_label(threshold):
@@ -73,25 +75,24 @@ def axis_label(threshold):
     return f"offset of {moved},\nin doubles"
 
 
+def decided_at(threshold):
+    """The test of a threshold: the final answer where the radius crosses it, else the foot's, which an ample ball hides from that."""
+    return OWN_TEST[threshold] if threshold.startswith("foot") else "contact"
+
+
 def draw_rates(rates, folder, placement):
-    """Above, the test whose threshold is crossed; below, the final answer."""
     thresholds = rates.thresholds(placement)
-    figure, grid = plt.subplots(2, len(thresholds), figsize=(2.6 * len(thresholds), 5.6), sharex=True, sharey=True,
-                                squeeze=False, layout="constrained")
-    for column, threshold in enumerate(thresholds):
-        for row, test in enumerate((OWN_TEST[threshold], "contact")):
-            axes = grid[row][column]
-            rates.draw(axes, "all", placement, threshold, test)
-            name = "final answer" if test == "contact" else f"{test} test"
-            axes.set_title(f"{TITLES[threshold]}:\n{name}" if row == 0 else name)
-            if row == 1:
-                axes.set_xlabel(axis_label(threshold))
-    for row in grid:
-        row[0].set_ylabel("wrong answers, %")
+    figure, grid = plt.subplots(1, len(thresholds), figsize=(2.6 * len(thresholds), 3.7), sharex=True, sharey=True, squeeze=False,
+                                layout="constrained")
+    for axes, threshold in zip(grid[0], thresholds):
+        test = decided_at(threshold)
+        rates.draw(axes, "all", placement, threshold, test)
+        axes.set_title(f"{TITLES[threshold]}:\n{'final answer' if test == 'contact' else 'is the foot inside?'}")
+        axes.set_xlabel(axis_label(threshold))
+    grid[0][0].set_ylabel("wrong answers, %")
     figure.supxlabel(EVEN_STEPS, fontsize=8)
-    figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n",
-                    x=0.01, ha="left")
-    rates.legend(figure)
+    figure.suptitle(f"Wrong answers near thresholds: {PLACEMENTS[placement]}; all families; bands: 95 % limits\n\n", x=0.01, ha="left")
+    rates.legend(figure, 0.25)
     save(figure, folder, f"rates-{placement}")
 
 
@@ -109,8 +110,8 @@ def draw_families(rates, folder, placement):
                 axes.set_title(family)
         grid[row][0].set_ylabel(f"{TITLES[threshold]}:\n{OWN_TEST[threshold]} test, %", fontsize=7.5)
     figure.supxlabel("offset of the radius (or of a centre coordinate), in doubles: " + EVEN_STEPS, fontsize=9)
-    figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n", x=0.01, ha="left")
-    rates.legend(figure)
+    figure.suptitle(f"Wrong answers by family: {PLACEMENTS[placement]}\n\n", x=0.01, ha="left")
+    rates.legend(figure, 0.25)
     save(figure, folder, f"rates-{placement}-families")
 
 
@@ -147,6 +148,8 @@ SPOTS = {"face": ("a point inside an L", "the centre straight above it"),
          "vertex": ("a vertex of an L", "the centre straight above it (foot); beyond the vertex, which is nearest (final answer)"),
          "reflex-vertex": ("the reflex vertex of an L", "the centre straight above it (foot); above the notch, where both edges are\n"
                            "equally near (final answer: a reflex vertex is nearest only to what is straight above or below)")}
+# Rows that all look like the truth, or, since all centres round to one float, are of one colour.
+TELLS_NOTHING = ("truth", "exact", "filtered", "fast-float")
 TESTS = {"foot": "foot", "contact": "final answer"}
 
 
@@ -156,7 +159,7 @@ def draw_maps(folder, spot):
     if not columns:
         return
     maps = [read_map(folder / f"map-{spot}-{test}-{distance}.csv") for test, distance, _ in columns]
-    names = list(maps[0])
+    names = [name for name in maps[0] if name not in TELLS_NOTHING] or ["truth"]
     dpi, pixels_a_double = 150, 3
     size = maps[0]["truth"].shape[0]
     side = size * pixels_a_double / dpi
@@ -177,16 +180,16 @@ def draw_maps(folder, spot):
             if row == 0:
                 axes.set_title(f"{TESTS[test]},\n{words}")
             if column == 0:
-                axes.set_ylabel(f"{name}\n\n" + ("centre, another\ncoordinate" if row == 0 else "\n"), fontsize=8.5)
+                axes.set_ylabel(name, fontsize=9)
             if row == len(names) - 1 and column == 0:
-                axes.set_xlabel(f"centre, a coordinate:\n{size} doubles", fontsize=8.5)
+                axes.set_xlabel(f"{size} doubles", fontsize=8.5)
     about, middle = SPOTS[spot]
     figure.text(0.1 / width, 1 - 0.12 / height, f"About {about}: {size} x {size} doubles,\n"
                 "one pixel a double of either coordinate of the centre", va="top", fontsize=11)
     figure.text(0.1 / width, 1 - 0.52 / height, f"In the middle: {middle}", va="top", fontsize=9)
     for i, test in enumerate(dict.fromkeys(test for test, _, _ in columns)):
         parts = [(WRONG if name != "truth" else TRUTH, part) for (its_test, _, _), letters in zip(columns, maps)
-                 for name, part in letters.items() if its_test == test]
+                 for name, part in letters.items() if its_test == test and name in ("truth", *names)]
         entries = [(colour, words[list(TESTS).index(test)]) for kind in (TRUTH, WRONG)
                    for letter, (colour, *words) in kind.items()
                    if any(its_kind is kind and (part == letter).any() for its_kind, part in parts)]

@@ -7,12 +7,15 @@ import math
 
 import numpy as np
 
+from looks import in_order, look_of
 from names import AXES, MODES, NEARNESSES
-from pictures.style import STYLES, draw, plt, save
+from page import level
+from pictures.style import draw, plt, save
 
 # Where products underflow, bounds have an absolute part, which a line cannot show.
 UNDERFLOWING = ("small", "mixed", "flush")
 SIGNS = ["vertex", "along", "beyond", "line", "front", "plane", "side", "above"]
+MAPPED = ("close", "ample")  # nearnesses; within one double nearly all fail
 BLUE, RED, GREY = "#0072B2", "#D55E00", "#999999"
 
 
@@ -38,21 +41,7 @@ def panels(names, height=2.0):
 
 
 def short(name):
-    return {"1000": "1e3", "10000": "1e4"}.get(name, name)
-
-
-class Styles:
-    """The same style for a method in every picture: by its place among all that were asked."""
-
-    def __init__(self, methods):
-        self.methods = list(methods)
-
-    def of(self, method):
-        if method not in self.methods:
-            self.methods.append(method)
-        place, count = self.methods.index(method), len(STYLES)
-        # Beyond the list colours come again, with other lines and markers.
-        return STYLES[place % count][0], *STYLES[(place + place // count) % count][1:]
+    return level({"1000": "1e3", "10000": "1e4"}.get(name, name))
 
 
 def label_levels(axes, names):
@@ -72,33 +61,42 @@ def legend_in(axes, source, extra=()):
                 frameon=False, fontsize=9)
 
 
-def draw_failures(folder, rows, nearness, styles):
-    rows = [row for row in rows if row["nearness"] == nearness and row["test"] == "contact"]
-    names, methods = distinct(rows, "axis"), distinct(rows, "method")
-    figure, flat = panels(names)
-    for i, (axes, name) in enumerate(zip(flat, names)):
-        levels = distinct([row for row in rows if row["axis"] == name], "level")
-        for m, method in enumerate(methods):
-            colour, line, marker = styles.of(method)
-            curve = [row for row in rows if row["axis"] == name and row["method"] == method]
-            # Beside each other, so that limits can be told apart.
-            x = np.array([levels.index(row["level"]) for row in curve]) + 0.4 * ((m + 0.5) / len(methods) - 0.5)
-            rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
-            axes.vlines(x, lower, upper, color=colour, linewidth=0.8)
-            axes.plot(x, rate, color=colour, linestyle="none" if name in MODES else line, marker=marker, markersize=3,
-                      linewidth=1, label=method)
-        axes.set_title(AXES[name][0], fontsize=8.5)
-        axes.set_xlabel(AXES[name][1], fontsize=8)
-        axes.set_ylim(-4, 104)
-        axes.grid(color="#dddddd", linewidth=0.5)
-        label_levels(axes, levels)
-        if i % 6 == 0:
-            axes.set_ylabel("samples failed, %")
-        else:
-            axes.tick_params(labelleft=False)
-    legend_in(flat[len(names)], flat[0])
-    figure.suptitle(f"Wrong final answers (contact or none): {NEARNESSES[nearness]}; bars: 95 % limits", x=0.01, ha="left")
-    save(figure, folder, f"failures-{nearness}")
+def span(name, levels):
+    """An axis in words, and its mildest and worst level."""
+    title, unit = AXES[name]
+    return f"{title}: {unit} from {short(levels[0])} to {short(levels[-1])}".replace("\n", " ")
+
+
+def draw_failures(folder, rows):
+    """A map a method and nearness: a row an axis, its levels from mild to bad."""
+    rows = [row for row in rows if row["test"] == "contact" and row["axis"] not in MODES and row["nearness"] in MAPPED]
+    names, methods = distinct(rows, "axis"), in_order(distinct(rows, "method"))
+    levels = {name: distinct([row for row in rows if row["axis"] == name], "level") for name in names}
+    if not names:
+        return
+    figure, grid = plt.subplots(len(MAPPED), len(methods), figsize=(4.2 + 1.3 * len(methods), len(MAPPED) * (0.2 * len(names) + 0.7) + 0.3),
+                                sharex=True, sharey=True, squeeze=False, layout="constrained")
+    shares = {(row["nearness"], row["method"], row["axis"], row["level"]): float(row["rate"]) for row in rows}
+    colours = plt.get_cmap("YlOrRd").with_extremes(under="#ffffff")
+    for line, nearness in zip(grid, MAPPED):
+        for axes, method in zip(line, methods):
+            for y, name in enumerate(names):
+                edges = np.linspace(0, 1, len(levels[name]) + 1)
+                values = np.array([[shares.get((nearness, method, name, level), np.nan) for level in levels[name]]])
+                drawn = axes.pcolormesh(edges, [y - 0.42, y + 0.42], values, cmap=colours, vmin=1e-9, vmax=1, edgecolors="#bbbbbb", linewidth=0.3)
+            axes.set_ylim(len(names) - 0.5, -0.5)
+            axes.set_xlim(0, 1)
+            axes.set_xticks([0, 1], ["mild", "bad"], fontsize=7.5)
+            axes.set_yticks(range(len(names)), [span(name, levels[name]) for name in names], fontsize=7.5)
+            axes.tick_params(length=0)
+            axes.spines[:].set_visible(False)
+        line[0].set_title(f"{NEARNESSES[nearness]}:", loc="right", x=-0.08, fontsize=8.5)
+        for axes, method in zip(line, methods):
+            axes.set_title(method, fontsize=8.5)
+    bar = figure.colorbar(drawn, ax=grid, shrink=0.5, aspect=30, ticks=[0, 0.5, 1])
+    bar.set_ticklabels(["few", "50 %", "all"])
+    bar.set_label("polygons with a wrong answer (empty: none)", fontsize=8)
+    save(figure, folder, "failures")
 
 
 LEAST, MOST = -18.0, 17.0  # where errors of 0 and of infinity stand, as exponents of ten
@@ -111,7 +109,7 @@ def height_of(error):
     return MOST if math.isinf(value) else min(max(math.log10(value), LEAST + 1), MOST - 1)
 
 
-def draw_errors(folder, rows, quantity, styles):
+def draw_errors(folder, rows, quantity):
     rows = [row for row in rows if row["quantity"] == quantity]
     names, methods = distinct(rows, "axis"), distinct(rows, "method")
     if not names:
@@ -119,13 +117,13 @@ def draw_errors(folder, rows, quantity, styles):
     figure, flat = panels(names)
     for i, (axes, name) in enumerate(zip(flat, names)):
         levels = distinct([row for row in rows if row["axis"] == name], "level")
-        for method in methods:
-            colour, line, marker = styles.of(method)
+        for method in in_order(methods):
+            look = look_of(method)
             curve = [row for row in rows if row["axis"] == name and row["method"] == method]
             x = [levels.index(row["level"]) for row in curve]
             for key, width, label in (("relative_median", 1.4, method), ("relative_max", 0.6, None)):
-                axes.plot(x, [height_of(row[key]) for row in curve], color=colour, linestyle=line, linewidth=width,
-                          marker=marker if label else None, markersize=3, label=label)
+                axes.plot(x, [height_of(row[key]) for row in curve], color=look.colour, linestyle=look.line, linewidth=width,
+                          marker=look.marker if label else None, markersize=3, label=label)
         axes.set_title(AXES[name][0], fontsize=8.5)
         axes.set_xlabel(AXES[name][1], fontsize=8)
         axes.set_ylim(LEAST - 1, MOST + 1)
@@ -224,24 +222,20 @@ def draw_tightness(folder, rows):
     save(figure, folder, "tightness")
 
 
-def draw_onset(folder, rows, styles):
+def draw_onset(folder, rows):
     distances, methods = distinct(rows, "origin_distance"), distinct(rows, "method")
     figure, grid = plt.subplots(1, len(distances) + 1, figsize=(11, 3.6), layout="constrained", squeeze=False,
                                 width_ratios=[1] * len(distances) + [0.35])
     for axes, distance in zip(grid[0], distances):
-        for method in methods:
-            colour, line, marker = styles.of(method)
+        for method in in_order(methods):
+            look = look_of(method)
             curve = [row for row in rows if row["origin_distance"] == distance and row["method"] == method]
             x = [-int(row["offset_exponent"]) for row in curve]
             rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
-            axes.fill_between(x, lower, upper, color=colour, alpha=0.15, linewidth=0)
-            axes.plot(x, rate, color=colour, linestyle=line, marker=marker, markersize=3, linewidth=1.2, label=method)
+            axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
+            axes.plot(x, rate, color=look.colour, linestyle=look.line, marker=look.marker, markersize=3, linewidth=1.2, label=method)
         axes.set_title("triangles at the origin" if float(distance) == 0 else f"triangles {float(distance):.0e} sizes away"
                        .replace("e+06", "e6"))
-        known = 51 if float(distance) == 0 else 36
-        axes.axvline(known, color=GREY, linewidth=1, linestyle="--", zorder=0)
-        axes.annotate(f"known: {known}", (known, 50), xytext=(4, 0), textcoords="offset points", ha="left", fontsize=8,
-                      color="#666666")
         axes.set_xlabel("offset of the radius from the distance, $2^{-k}$ of it: k")
         axes.grid(color="#dddddd", linewidth=0.5)
     grid[0][0].set_ylabel("triangles with a wrong\ncontact at either offset, %")
@@ -253,11 +247,9 @@ def draw_onset(folder, rows, styles):
 
 def main(folder):
     failures, errors = rows_of(folder / "failures.csv"), rows_of(folder / "errors.csv")
-    styles = Styles(distinct(failures, "method"))
     conditions = rows_of(folder / "conditions.csv")
-    draw([*((draw_failures, folder, failures, nearness, styles) for nearness in NEARNESSES
-            if any(row["nearness"] == nearness for row in failures)),
-          *((draw_errors, folder, errors, quantity, styles) for quantity in ("distance", "point")),
+    draw([(draw_failures, folder, failures),
+          *((draw_errors, folder, errors, quantity) for quantity in ("distance", "point")),
           *((draw_conditions, folder, conditions, stage, words) for stage, words in CONDITIONS.items()),
           (draw_tightness, folder, rows_of(folder / "tightness.csv")),
-          (draw_onset, folder, rows_of(folder / "onset.csv"), styles)])
+          (draw_onset, folder, rows_of(folder / "onset.csv"))])

@@ -12,6 +12,7 @@ from matplotlib.path import Path as MarkerPath
 from matplotlib.textpath import TextPath
 
 from looks import in_order, look_of
+from methods import asks_the_question
 from names import OWN_TEST, PLACEMENTS, TITLES
 from pictures.near_edge import EVEN_STEPS, place, shade_even_steps
 from pictures.style import draw, plt, save
@@ -256,7 +257,8 @@ def draw_pooled(rows, folder, measure):
         axes.set_title(PLACEMENTS[placement])
         axes.set_xlabel(f"nanoseconds a question: {MEASURES[measure][1]}")
         drawn.append((axes, spots))
-    set_limits(grid[0][0], rows)
+    for axes in grid.flat:
+        set_limits(axes, rows)
     grid[0][0].set_ylabel(MEASURES[measure][0])
     figure.suptitle(f"Run time against {SUBJECTS[measure]}: all families of polygons together", x=0.01, ha="left")
     legend(figure, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5, labelspacing=0.35)
@@ -283,7 +285,8 @@ def draw_families(rows, folder, measure):
             axes.set_visible(True)
             draw_front(axes, [row for row in rows if row["placement"] == placement and row["family"] == family], rows, 4, False)
             axes.set_title(f"{family}, {placement}", fontsize=8, pad=3)
-    set_limits(grid[0][0], rows)
+    for axes in grid.flat:
+        set_limits(axes, rows)
     figure.supylabel(MEASURES[measure][0], fontsize=9, x=0.008)
     figure.text(0.5, 0.2 / size[1], f"nanoseconds a question: {MEASURES[measure][1]}", fontsize=9, ha="center")
     figure.suptitle(f"Run time against {SUBJECTS[measure]}, by family", x=0.01, y=1 - 0.12 / size[1], ha="left", va="top")
@@ -331,7 +334,7 @@ def draw_offsets(rows, folder, placement):
 
 
 def main(folder):
-    front = read(folder / "front.csv")
+    front = [row for row in read(folder / "front.csv") if asks_the_question(row["method"], row["placement"])]
     errors = read(folder / "errors.csv")
     by_measure = {measure: rows for measure in MEASURES if (rows := [row for row in front if row["measure"] == measure])}
     draw([*((draw_families, [row for row in rows if row["family"] != "all"], folder, measure) for measure, rows in by_measure.items()),

@@ -11,19 +11,32 @@ TRIANGLES = {  # family of balls and triangles: in words
     "far": "10⁶ sizes from the origin", "extreme": "extreme exponents"}
 
 
-def contests(study):
-    """By (family, name): the contestants by name, each as bench.json has it."""
+STAGE_COLOURS = {"double": "#9fd8c4", "permanent": "#4cb391", "double-double": "#00795a", "fixed-integer": "#7a5195", "unlimited": "#ef5675"}
+
+
+def read(study):
+    """Each contest as bench.json has it, but its contestants by name."""
     path = study.folder / "bench.json"
     try:
-        found = {(contest["family"], contest["name"]): {c["name"]: c for c in contest["contestants"]}
-                 for contest in json.loads(path.read_text(encoding="utf-8"))["contests"]}
+        return [contest | {"contestants": {c["name"]: c for c in contest["contestants"]}}
+                for contest in json.loads(path.read_text(encoding="utf-8"))["contests"]]
     except OSError as error:
         raise DataError(f"{path}: {error.strerror}") from None
     except (ValueError, KeyError, TypeError) as error:
         raise DataError(f"{path}: {type(error).__name__}: {error}") from None
+
+
+def contests(study):
+    """By (family, name): the contestants by name."""
+    found = {(contest["family"], contest["name"]): contest["contestants"] for contest in read(study)}
     if missing := [family for family in TRIANGLES if (family, "") not in found]:
-        raise DataError(f"{path}: no contest {', '.join(missing)}")
+        raise DataError(f"{study.folder / 'bench.json'}: no contest {', '.join(missing)}")
     return found
+
+
+def named(study, family):
+    """The contests of a family, by name."""
+    return {contest["name"]: contest for contest in read(study) if contest["family"] == family}
 
 
 def polygons(all_contests):

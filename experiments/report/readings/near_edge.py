@@ -49,8 +49,8 @@ class Data:
 
 
 def asked(study):
-    """All tests, at all offsets. A sample has the same outline at all thresholds and in both placements."""
+    """Final answers, at all offsets. A sample has the same outline at all thresholds and in both placements."""
     data = Data(study)
     outlines = max(row["samples"] for row in data.bands)
-    return by_method([dict(row, answers=row["trials"], wrong=row["failures"]) for row in data.bands],
+    return by_method([dict(row, answers=row["trials"], wrong=row["failures"]) for row in data.bands if row["test"] == "contact"],
                      dict.fromkeys(data.methods, outlines), "outlines")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run time and error of methods near contact."""
+from methods import asks_the_question
 from names import PLACEMENTS
 from readings.asked import by_method
 from results import finite, natural, number
@@ -39,4 +40,4 @@ def asked(study):
     outlines = {}
     for row in data.bands:
         outlines[row["method"]] = max(outlines.get(row["method"], 0), row["samples"])
-    return by_method(data.bands, outlines, "outlines")
+    return by_method([row for row in data.bands if asks_the_question(row["method"], row["placement"])], outlines, "outlines")

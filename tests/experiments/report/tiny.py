@@ -9,13 +9,15 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "papers"))
 
-from miniature import BENCH
+from miniature import BENCH, contest
+
+STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
 
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
-    "near-edge": ["rates-lattice-frame", "rates-rotated", "maps-vertex", "maps-reflex-vertex", "onset"],
-    "stability": ["failures-close", "failures-ample", "onset", "tightness"],
-    "tradeoff": ["front-not-right", "front-distance"],
+    "near-edge": ["rates-rotated", "maps-reflex-vertex"],
+    "stability": ["failures", "onset"],
+    "tradeoff": ["front-not-right"],
     "bench-scenes": ["queries-torus"],
     "motions": ["grazing-pass"],
     "tunnelling": ["tunnelling"],
@@ -61,6 +63,9 @@ def write(program, source, results):
     mesh.write_text(MESH)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
+    for folder, drive in (("u-part", []), ("driven", ["--drive", "thesis"])):  # which ends with status 1
+        call = ["cell", "run", str(source / "experiments/cell/cells/aristo.json"), "--preset", "U-part", "--methods", "filtered,thesis", *drive]
+        assert subprocess.run([program, *call, "--output", str(results / "cell" / folder)], capture_output=True).returncode == len(drive) / 2
     run(program, "cell", "export", str(source / "experiments/cell/cells/aristo.json"), str(results / "cell/cell.html"), "--methods", "filtered")
     for path in (results / "near-edge").glob("map-*.csv"):
         path.write_text("".join(path.read_text().splitlines(keepends=True)[:200]))  # enough of one
@@ -76,7 +81,9 @@ def write(program, source, results):
         (results / folder / f"{stem}.svg").write_text(SVG)
     # The bench itself prepares polygons of 100,000 vertices, which takes minutes.
     (results / "bench").mkdir()
-    (results / "bench/bench.json").write_text(json.dumps(BENCH))
+    (results / "bench/bench.json").write_text(json.dumps({"contests": [
+        *BENCH["contests"], *(contest("nearness", f"2^-{k}") | {"shares": dict.fromkeys(STAGES, 0.2)} for k in (52, 24, 1)),
+        *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times"))]}))
     run_record = json.loads((results / "soak/run.json").read_text(encoding="utf-8"))
     (results / "bench/run.json").write_text(json.dumps(run_record | {"command": "touchstone bench"}))
     write_page(thesis, entries, numbers, json.loads((thesis / "run.json").read_text(encoding="utf-8")))

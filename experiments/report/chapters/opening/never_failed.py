@@ -11,19 +11,10 @@ def sums(asked, method):
     return sum(a.answers for a in own), sum(a.wrong for a in own), sum(a.trials for a in own)
 
 
-def sentence(asked):
-    answers, wrong, trials = sums(asked, CERTIFIED)
-    if not answers:
-        return f"<b>What never failed</b>: {code(CERTIFIED)} was not asked in any study that was run."
-    if wrong:
-        return (f'<b class="no">{code(CERTIFIED)} was wrong in {count(wrong)} of {count(answers)} answers</b>, against its '
-                'guarantee: see the '
-                "table below.")
-    studies = sum(CERTIFIED in counts for counts in asked.values())
-    return (f"<b>What never failed:</b> {code(CERTIFIED)}, in {count(answers)} answers about {count(trials)} polygons, "
-            f"outlines, faces and cases of {counted(studies, 'studies', 'study')}. The share of such cases that it answers wrongly is at "
-            f"most {percent(upper_limit(trials))} (95 % limit). This is a measurement; in addition, the bounds behind its answers are "
-            "proved by a proof tool, in every test run.")
+def warning(asked):
+    """What to read first, if what must not fail did."""
+    answers, wrong, _ = sums(asked, CERTIFIED)
+    return [f'<b class="no">{code(CERTIFIED)} was wrong in {count(wrong)} of {count(answers)} answers</b>, against its guarantee: see the table below.'] if wrong else []
 
 
 def others(asked):
@@ -48,8 +39,7 @@ def table_of(asked, titles):
     also = f" Also never wrong: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
     return "<section><h2>What never failed, and how sure that is</h2>" + table(
-        f"{code(CERTIFIED)} in every study that asked it. Answers about the same polygon depend on each other, so the limit "
-        f"counts polygons (or outlines that they share, faces, cases): if more than this share of such were answered wrongly, at least one would have "
-        "been seen, with 95 % "
-        "confidence.",
+        f"Answers of {code(CERTIFIED)} about contact that were compared with exact ones. Answers about the same polygon depend on each "
+        "other, so the limit counts polygons (or outlines that they share, faces, cases). It holds for polygons that are drawn as that "
+        "study draws them; studies are not added up. The bounds behind the answers are proved as well, in every test run.",
         ["study", "answers", "about", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"

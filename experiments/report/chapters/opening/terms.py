@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The words of the report, and what each method is."""
-from page import code, escaped
+from page import code, escaped, folded
 from results import DataError
 
 TERMS = """
@@ -42,4 +42,5 @@ def methods(results):
         if not name or not about.strip():
             raise DataError(f"{path}: line {number}: no name and summary of a method")
         entries.append(f"<dt>{code(name)}</dt><dd>{escaped(about.strip())}</dd>")
-    return f'<section><h2 id="methods">The methods</h2><p>Each answers the same questions about the same balls and polygons.</p><dl class="methods">{"".join(entries)}</dl></section>'
+    return ('<section><h2 id="methods">The methods</h2><p>Each answers the same questions about the same balls and polygons.</p>'
+            + folded("The list", f'<dl class="methods">{"".join(entries)}</dl>') + "</section>")
