@@ -24,8 +24,8 @@ sys.path.append(str(PAPERS))
 sys.path.append(str(ROOT / "experiments/report"))
 
 from results import DataError, study_in  # noqa: E402
-from values import (bench, bench_scenes, corpus, meshes, motions, near_edge, regress, soak, soak_moving, stability,  # noqa: E402
-                    thesis, tradeoff, tunnelling)
+from values import (bench, bench_scenes, corpus, meshes, motions, near_edge, proofs, regress, soak, soak_moving,  # noqa: E402
+                    stability, thesis, tradeoff, tunnelling)
 from values.latex import decimal, escaped, table  # noqa: E402
 
 STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of \val
@@ -90,7 +90,7 @@ def digest(paths):
 def command_of(run):
     """Without its output, and with a long list of files cut short."""
     words = re.sub(r" --(output|json|baseline) ('[^']*'|\S+)", "", run["command"])
-    return re.sub(r"('[^']*' ){3,}", "MESH... ", words)
+    return re.sub(r"((?:'[^']*'|\S+)\.(?:stl|obj|off|ply|gltf|glb)\b'? ){3,}", "MESH... ", words)
 
 
 def data_table(studies, digests):
@@ -106,7 +106,8 @@ def write_inputs(results, output):
     studies = read_studies(results)
     values = {f"run/{key}": value for key, value in run_values(studies)}
     values |= {f"corpus/{key}": value for key, value in corpus.values()}
-    tables = {}
+    values |= {f"proofs/{key}": value for key, value in proofs.values()}
+    tables = dict(proofs.tables())
     for name, (module, prefix) in STUDIES.items():
         studies[name].files |= ALSO_READ.get(name, set())
         try:
@@ -114,6 +115,7 @@ def write_inputs(results, output):
             tables |= dict(module.tables(studies[name]))
         except (ArithmeticError, AttributeError, LookupError, StopIteration, TypeError, ValueError) as error:
             raise DataError(f"{results / name}: {type(error).__name__}: {error}") from None
+    refuse_noise(values)
     for folder in ("tables", "figures"):
         (output / folder).mkdir(parents=True, exist_ok=True)
     import figures  # when the numbers are right: it is slow to come
@@ -122,10 +124,17 @@ def write_inputs(results, output):
     tables["data"] = data_table(studies, digests)
     for name, text in tables.items():
         (output / "tables" / f"{name}.tex").write_text(text)
-    (output / "values.tex").write_text("".join(f"\\defineval{{{key}}}{{{value}}}%\n" for key, value in values.items()))
+    (output / "values.tex").write_text("".join(f"\\defineval{{{key}}}{{{value}}}%\n" for key, value in values.items() if value is not None))
     record = {"files": {name: sorted(study.files) for name, study in studies.items()}, "sums": digests, "sources": digest(sources())}
     (output / "data.json").write_text(json.dumps(record, indent=1) + "\n")
     return studies
+
+
+def refuse_noise(values):
+    """The text may not quote a ratio of times that its run shows to be noise; its value is None."""
+    text = "".join(path.read_text() for path in (PAPERS / "sections").glob("*.tex"))
+    if noisy := [key for key in sorted(set(re.findall(r"\\val\{([^}]*)\}", text))) if key in values and values[key] is None]:
+        raise DataError(f"too noisy to quote: {', '.join(noisy)}; measure again on an idle machine")
 
 
 def data_digests(results, files):
@@ -135,13 +144,15 @@ def data_digests(results, files):
 def sources():
     """What the paper is made of besides the data: its text, what reads and draws the data, and files that it counts."""
     text = [path for kind in ("*.tex", "*.bib", "*.py") for path in PAPERS.rglob(kind)]
-    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), ROOT / "robust/filtered/detail/bounds.h"]
+    return [*text, *(ROOT / "experiments/report").rglob("*.py"), *corpus.files(), *proofs.files(), *(PAPERS / "listings").glob("*.txt"),
+            ROOT / "robust/filtered/detail/bounds.h"]
 
 
 def run_latex(output, studies):
     for path in (PAPERS / "touchstone.tex", PAPERS / "references.bib"):
         shutil.copy(path, output)
-    shutil.copytree(PAPERS / "sections", output / "sections", dirs_exist_ok=True)
+    for folder in ("sections", "listings"):
+        shutil.copytree(PAPERS / folder, output / folder, dirs_exist_ok=True)
     date = max(study.run["date"] for study in studies.values())
     epoch = subprocess.run(["date", "-d", date, "+%s"], check=True, capture_output=True, text=True).stdout.strip()
     environment = os.environ | {"SOURCE_DATE_EPOCH": epoch, "FORCE_SOURCE_DATE": "1", "max_print_line": "1000"}

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The figures of the paper, in its type and measures, drawn with what draws those of the studies."""
 import csv
+import json
+import math
+
+import numpy as np
 
 from looks import in_order, look_of
 from names import DISTANCES, TITLES
@@ -95,11 +99,75 @@ def draw_front(study, output):
     save(figure, output, "front", ("pdf",))
 
 
-FIGURES = {"near-edge": (draw_near_edge, draw_map), "stability": (draw_onset,), "tradeoff": (draw_front,)}
+def draw_question(output):
+    """A ball over a U, seen obliquely: its foot, and the nearest edge."""
+    outline = np.array([(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)], float)
+    centre, radius = np.array([1.42, 2.1, 0.95]), 1.1
+    turn, tilt = math.radians(-62), math.radians(30)
+    right = np.array([-math.sin(turn), math.cos(turn), 0])
+    up = np.array([-math.sin(tilt) * math.cos(turn), -math.sin(tilt) * math.sin(turn), math.cos(tilt)])
+
+    def seen(point):
+        point = np.append(point, 0)[:3] if len(point) == 2 else point
+        return point @ right, point @ up
+
+    figure, axes = plt.subplots(figsize=(0.8 * WIDTH, 2.5), layout="constrained")
+    axes.add_patch(plt.Polygon([seen(p) for p in outline], facecolor="#e8e8e8", edgecolor="#333333", linewidth=1.2))
+    foot, nearest = np.array([*centre[:2], 0]), np.array([1, centre[1], 0])
+    axes.add_patch(plt.Circle(seen(centre), radius, facecolor="#56B4E933", edgecolor="#0072B2", linewidth=1.2))
+    around = [seen(foot + math.sqrt(radius**2 - centre[2] ** 2) * np.array([math.cos(a), math.sin(a), 0])) for a in np.linspace(0, 2 * math.pi, 80)]
+    axes.plot(*zip(*around), color="#0072B2", linewidth=0.8, linestyle=":")
+    for end, style in ((foot, "--"), (nearest, "-")):
+        axes.plot(*zip(seen(centre), seen(end)), color="#D55E00" if end is nearest else "#333333", linewidth=1, linestyle=style)
+    for point, words, offset in ((centre, "$c$", (4, 3)), (foot, "$q$", (5, -9)), (nearest, "closest point", (-62, -11))):
+        axes.plot(*seen(point), "o", color="black", markersize=3)
+        axes.annotate(words, seen(point), xytext=offset, textcoords="offset points")
+    axes.annotate("$d$", seen((centre + nearest) / 2), xytext=(-9, 2), textcoords="offset points", color="#D55E00")
+    axes.annotate("$r$", seen(centre + np.array([0, 0, radius / 2])), xytext=(-9, 2), textcoords="offset points", color="#0072B2")
+    axes.plot(*zip(seen(centre), seen(centre + radius * up)), color="#0072B2", linewidth=0.8)
+    axes.annotate("polygon", seen((2.5, 0.4)), ha="center", va="center")
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    axes.autoscale_view()
+    save(figure, output, "question", ("pdf",))
+
+
+STAGE_COLOURS = {"double": "#9fd8c4", "permanent": "#4cb391", "double-double": "#00795a", "fixed-integer": "#7a5195", "unlimited": "#ef5675"}
+TIMED = {"fast": "fast", "filtered": "filtered", "EPICK": "cgal-epick", "EPECK": "cgal-epeck"}
+
+
+def draw_nearness(study, output):
+    contests = [c for c in json.loads((study / "bench.json").read_text())["contests"] if c["family"] == "nearness"]
+    exponents = [-int(c["name"].removeprefix("2^-")) for c in contests]
+    figure, (above_, below) = plt.subplots(2, 1, figsize=(0.85 * WIDTH, 3.4), height_ratios=[2.2, 1], sharex=True, layout="constrained")
+    for name, method in TIMED.items():
+        times = [next(c["nanoseconds"] for c in contest["contestants"] if c["name"] == name) for contest in contests]
+        look = look_of(method)
+        above_.plot(exponents, [t["median"] for t in times], color=look.colour, linestyle=look.line, marker=look.marker, markersize=3, linewidth=1.2, label=name)
+        above_.fill_between(exponents, [t["lower_quartile"] for t in times], [t["upper_quartile"] for t in times], color=look.colour, alpha=0.2, linewidth=0)
+    above_.set_yscale("log")
+    above_.set_ylabel("nanoseconds a query")
+    above_.grid(color="#dddddd", linewidth=0.5)
+    above_.legend(frameon=False, ncol=4, loc="lower center", bbox_to_anchor=(0.5, 1))
+    foot = np.zeros(len(contests))
+    for stage, colour in STAGE_COLOURS.items():
+        share = np.array([contest["shares"][stage] for contest in contests])
+        below.bar(exponents, share, bottom=foot, color=colour, width=1.4, label=stage)
+        foot += share
+    below.set_ylabel("decided by")
+    below.set_yticks([0, 1], ["0", "all"])
+    below.set_xticks([-52, -40, -30, -20, -10, 0], [f"$2^{{{k}}}$" if k else "1" for k in (-52, -40, -30, -20, -10, 0)])
+    below.set_xlabel("distance of the radius from contact, as a share of it")
+    below.legend(frameon=False, ncol=5, loc="upper center", bbox_to_anchor=(0.5, -0.45))
+    save(figure, output, "nearness", ("pdf",))
+
+
+FIGURES = {"near-edge": (draw_near_edge, draw_map), "stability": (draw_onset,), "tradeoff": (draw_front,), "bench": (draw_nearness,)}
 
 
 def draw(results, output):
     with plt.rc_context(TYPE):
+        draw_question(output)
         for study, drawings in FIGURES.items():
             for drawing in drawings:
                 drawing(results / study, output)

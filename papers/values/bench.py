@@ -1,42 +1,75 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
-from readings.bench import contests, polygons
+from readings.bench import contests, named, polygons
 from values.latex import count, percent, table, times
 
 TRIANGLES = {  # family: in words
-    "random-triangles": "random triangles", "half-near": r"half of them at $2^{-50}$",
+    "random-triangles": "random triangles", "half-near": r"half of the balls at $2^{-50}$",
     "lattice-tangent": "exactly tangent, on lattices", "slivers": r"slivers of aspect $10^{-8}$",
     "far": r"$10^6$ sizes from the origin", "extreme": "extreme exponents"}
 
 
+ASKED_ONCE = {"asked once": 1, "asked 2 times": 2, "asked 8 times": 8, "asked 32 times": 32, "asked 128 times": 128}
+
+
+def quoted(ratio):
+    """None of a ratio whose spread within its run says that it tells nothing: text that quotes it is an error."""
+    return None if ratio.get("too_noisy") else times(ratio["median"])
+
+
+def nearness(study):
+    found = {int(name.removeprefix("2^-")): contest for name, contest in named(study, "nearness").items()}
+    median = {k: contest["contestants"]["filtered"]["nanoseconds"]["median"] for k, contest in found.items()}
+    yield "near", f"{median[max(found)]:.0f}"
+    yield "far", f"{median[min(found)]:.0f}"
+    yield "onset", f"$2^{{-{min(k for k, contest in found.items() if contest['shares']['double'] < 0.99)}}}$"
+
+
 def values(study):
     every = contests(study)
+    for family in ("random-triangles", "half-near"):
+        for kernel in ("EPICK", "EPECK"):
+            predicate, distance = (every[family, ""][name]["nanoseconds"]["median"] for name in (f"{kernel}, compare", kernel))
+            if predicate < 0.95 * distance:
+                raise ValueError(f"{kernel}'s compare_squared_distance is faster, against the text")
+    for key, value in nearness(study):
+        yield f"nearness/{key}", value
     yield "queries", count(every["random-triangles", ""]["filtered"]["asked"])
     yield "repetitions", str(len(every["random-triangles", ""]["filtered"]["ratio"]["repetitions"]))
     for family in TRIANGLES:
         for name, contestant in every[family, ""].items():
             if "ratio" in contestant:
-                yield f"{family}/{name}/ratio", times(contestant["ratio"]["median"])
+                yield f"{family}/{name}/ratio", quoted(contestant["ratio"])
     for vertices, contestants in polygons(every).items():
         yield f"polygons-{vertices}/vertices", count(vertices)
-        yield f"polygons-{vertices}/filtered/ratio", times(contestants["filtered"]["ratio"]["median"])
+        yield f"polygons-{vertices}/filtered/ratio", quoted(contestants["filtered"]["ratio"])
         if contestants["filtered"].get("wrong", {"count": 0})["count"]:
             raise ValueError(f"filtered is wrong about polygons of {vertices} vertices")
 
 
 def row(words, contestants):
     ratio, goal = contestants["filtered"]["ratio"], contestants["filtered"].get("goal")
-    wrong = contestants["fast"].get("wrong")
-    aim = "" if goal is None else rf"$\le{goal['at_most']:g}$ {'met' if goal['met'] else 'missed'}"
+    wrong, tree = contestants["fast"].get("wrong"), contestants.get("fast, same tree", {}).get("ratio")
+    noisy = ratio.get("too_noisy", False)
+    aim = "" if goal is None or noisy else rf"$\le{goal['at_most']:g}$ {'met' if goal['met'] else 'missed'}"
     nanoseconds = lambda name: count(round(contestants[name]["nanoseconds"]["median"]))
     return [words, nanoseconds("fast"), nanoseconds("filtered"),
-            times(ratio["median"]), f"{times(min(ratio['repetitions']))} to {times(max(ratio['repetitions']))}", aim,
+            "too noisy" if noisy else f"{times(ratio['median'])} ({times(min(ratio['repetitions']))}--{times(max(ratio['repetitions']))})", aim,
+            "" if tree is None else "too noisy" if tree.get("too_noisy") else times(1 / tree["median"]),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
+
+
+def preparation_rows(study):
+    for vertices in (8, 32, 1024):
+        found = {ASKED_ONCE[name]: contest["contestants"]["filtered"]["ratio"] for name, contest in named(study, f"polygons-{vertices}").items() if name in ASKED_ONCE}
+        if found:
+            yield [count(vertices), *("" if n not in found else quoted(found[n]) or "too noisy" for n in ASKED_ONCE.values())]
 
 
 def tables(study):
     every = contests(study)
     rows = [row(words, every[family, ""]) for family, words in TRIANGLES.items()]
     rows += [None, *(row(f"polygons of {count(vertices)} vertices", c) for vertices, c in polygons(every).items())]
-    head = ["nanoseconds a question", r"\method{fast}", r"\method{filtered}", "ratio", "seen", "goal", r"\method{fast} wrong"]
+    head = ["nanoseconds a query", r"\method{fast}", r"\method{filtered}", "ratio", "goal", "same tree", r"\method{fast} wrong"]
     yield "bench", table("@{}lrrrrrr@{}", head, rows)
+    yield "preparation", table("rrrrrr", ["vertices", "1 query", *(f"{n}" for n in list(ASKED_ONCE.values())[1:])], list(preparation_rows(study)))

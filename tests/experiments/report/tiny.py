@@ -9,9 +9,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "papers"))
 
-from miniature import BENCH, contest
-
-STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
+from miniature import BENCH
 
 MESH = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 PICTURES = {
@@ -81,9 +79,7 @@ def write(program, source, results):
         (results / folder / f"{stem}.svg").write_text(SVG)
     # The bench itself prepares polygons of 100,000 vertices, which takes minutes.
     (results / "bench").mkdir()
-    (results / "bench/bench.json").write_text(json.dumps({"contests": [
-        *BENCH["contests"], *(contest("nearness", f"2^-{k}") | {"shares": dict.fromkeys(STAGES, 0.2)} for k in (52, 24, 1)),
-        *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times"))]}))
+    (results / "bench/bench.json").write_text(json.dumps(BENCH))
     run_record = json.loads((results / "soak/run.json").read_text(encoding="utf-8"))
     (results / "bench/run.json").write_text(json.dumps(run_record | {"command": "touchstone bench"}))
     write_page(thesis, entries, numbers, json.loads((thesis / "run.json").read_text(encoding="utf-8")))
