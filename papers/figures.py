@@ -10,6 +10,7 @@ from looks import in_order, look_of
 from names import DISTANCES, TITLES
 from pictures import near_edge, stability, tradeoff
 from pictures.style import plt, save
+from readings.bench import STAGE_COLOURS
 
 WIDTH = 6.1  # inches of text
 plt.rcParams.update({"pdf.fonttype": 42})
@@ -132,7 +133,6 @@ def draw_question(output):
     save(figure, output, "question", ("pdf",))
 
 
-STAGE_COLOURS = {"double": "#9fd8c4", "permanent": "#4cb391", "double-double": "#00795a", "fixed-integer": "#7a5195", "unlimited": "#ef5675"}
 TIMED = {"fast": "fast", "filtered": "filtered", "EPICK": "cgal-epick", "EPECK": "cgal-epeck"}
 
 

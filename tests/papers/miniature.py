@@ -57,8 +57,8 @@ FILES = {
         "bands.csv": table("family placement threshold test method samples wrong unsure answers",
                            ("all", "rotated", ["face", "edge"], "contact", "fast", 4, 1, 0, 8),
                            ("all", "rotated", ["face", "edge"], "contact", "filtered", 4, 0, 0, 8)),
-        "timings.csv": table("family placement balls question method median_ns",
-                             (["star", "u"], "rotated", ["near", "away"], "contact", ["fast", "filtered"], 100)),
+        "timings.csv": table("family placement balls question method lower_quartile_ns median_ns upper_quartile_ns",
+                             (["star", "u"], "rotated", ["near", "away"], "contact", ["fast", "filtered"], 90, 100, 110)),
         "front.csv": table("measure family placement method nanoseconds lower_quartile_ns upper_quartile_ns error lower upper finite_error "
                            "not_finite samples front",
                            ("not-right", "all", "rotated", ["fast", "fast-long-double", "fast-double-double", "fast-mpfr-101"], 100, 90, 110, 0.2,

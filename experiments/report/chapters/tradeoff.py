@@ -14,17 +14,19 @@ def range_of(numbers):
     return count(low) if low == high else f"{count(low)} to {count(high)}"
 
 
-def times(ratio):
-    return "not timed" if ratio is None else multiple(ratio)
+def times(data, method, placement, balls):
+    """Of the time of fast."""
+    ratio = data.ratio(method, placement, balls)
+    return "not timed" if ratio is None else "too noisy to tell" if data.is_noisy(method, placement, balls) else multiple(ratio)
 
 
 def price(study):
-    """In words, against fast; empty where it was not timed."""
+    """In words, against fast; empty where it was not timed, or is too noisy to tell."""
     data = Data(study)
-    if not all(data.ratio("filtered", p, b) for p in data.placements for b in ("near", "anywhere")):
+    if not all(data.ratio("filtered", p, b) and not data.is_noisy("filtered", p, b) for p in data.placements for b in ("near", "anywhere")):
         return ""
     return f"on the same questions (planar to rotated polygons), {code('filtered')} took " + words(
-        f"{words((times(data.ratio('filtered', p, balls)) for p in data.placements), 'to')} the time of {code('fast')} {where}"
+        f"{words((times(data, 'filtered', p, balls) for p in data.placements), 'to')} the time of {code('fast')} {where}"
         for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))) + "."
 
 
@@ -44,7 +46,7 @@ def rates_table(data):
             cells.append("" if row is None else bar(row["error"], percent(row["error"])) if row["error"] else
                          f"0 <small>(&lt; {percent(row['upper'])})</small>")
         for balls in ("near", "anywhere"):
-            cells += [times(data.ratio(method, placement, balls)) for placement in data.placements]
+            cells += [times(data, method, placement, balls) for placement in data.placements]
         rows.append([code(method), *cells])
     heads = [f"not right, {NAMES[p]}" for p in data.placements]
     heads += [f"time {where}, {NAMES[p]}" for where in ("near contact", "anywhere") for p in data.placements]
