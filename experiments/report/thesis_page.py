@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page of `touchstone thesis`: every figure and table with its status, numbers and picture, in one file."""
-from page import document, escaped, inlined, number, smaller
+from page import document, escaped, folded, inlined, number, smaller
 from replacing import replacing
 
 CHAPTERS = (("2", "Chapter 2: literature"), ("3", "Chapter 3: methodology"), ("4", "Chapter 4: the collision detection algorithm"),
@@ -15,6 +15,7 @@ article h3 { margin: 0 0 .3rem; }
 article img { margin: .8rem auto 0; }
 article figure { margin: 0; }
 .page { color: var(--dim); font-size: .88rem; font-weight: 400; } .status { font-weight: 600; }
+.chosen { color: #8a5a00; } @media (prefers-color-scheme: dark) { .chosen { color: #e8b44c; } }
 table { width: 100%; margin-top: .6rem; } tbody th { width: 46%; }
 th:last-child, td:last-child { white-space: nowrap; padding-right: 0; } td { hyphens: manual; }
 nav ul, .summary ul { padding-left: 1.2rem; }
@@ -35,10 +36,13 @@ def anchor(entry):
     return entry["id"].replace(" ", "-")
 
 
-def picture(folder, entry):
-    """The smaller of both files, within the page."""
+def picture(folder, entry, shown):
+    """The smaller of both files, within the page; a picture that an earlier entry showed is named. `shown`: entries by their bytes."""
     if not entry["picture"]:
         return ""
+    earlier = shown.setdefault(smaller(folder, entry["picture"]).read_bytes(), entry)
+    if earlier is not entry:
+        return f'<p>The picture is that of <a href="#{anchor(earlier)}">{name_of(earlier)}</a>.</p>'
     return (f'<figure><img decoding="async" alt="{escaped(entry["shows"])}" src="{inlined(smaller(folder, entry["picture"]))}">'
             f'<figcaption>{escaped(entry["shows"])} (<a href="{entry["picture"]}.svg">SVG</a>, '
             f'<a href="{entry["picture"]}.png">PNG</a>)</figcaption></figure>')
@@ -69,12 +73,12 @@ def numbers_table(rows):
             f"<tbody>{body}</tbody></table>")
 
 
-def article(folder, entry, rows):
+def article(folder, entry, rows, shown):
     page = f' <span class="page">p. {entry["page"]}</span>' if entry["page"] else ""
-    tone = "yes" if entry["status"] == "reproduced" else "no" if entry["status"] == "differs" else ""
+    tone = {"reproduced": "yes", "differs": "no", "reproduced with chosen values": "chosen"}.get(entry["status"], "")
     return (f'<article id="{anchor(entry)}"><h3>{name_of(entry)}: {escaped(entry["caption"])}{page}</h3>'
             f'<div class="status {tone}">{escaped(entry["status"])}</div>'
-            f'<p>{escaped(entry["text"])}</p>{picture(folder, entry)}{numbers_table(rows)}</article>')
+            f'<p>{escaped(entry["text"])}</p>{picture(folder, entry, shown)}{numbers_table(rows)}</article>')
 
 
 BASES = {"fitted": "angles that captions state, for which the layout was solved", "input": "numbers of captions that the cell was built with",
@@ -119,13 +123,13 @@ def write_page(folder, entries, numbers, run):
                      f'{number(row["ours"])} {escaped(row["unit"])}, stated {number(row["stated"])} [{row["label"]}]</li>'
                      for row in differing)
     labels = "".join(f"<li><b>[{label}]</b> {text}</li>" for label, text in LABELS.items())
-    sections, index = "", ""
+    sections, index, shown = "", "", {}
     for chapter, title in CHAPTERS:
         members = [entry for entry in entries if chapter_of(entry) == chapter]
         index += f'<h3>{title}</h3><ul class="index">' + "".join(
             f'<li><a href="#{anchor(entry)}">{name_of(entry)}</a>: {escaped(entry["status"])}</li>' for entry in members) + "</ul>"
         sections += f'<section><h2 id="chapter-{chapter}">{title}</h2>' + "".join(
-            article(folder, entry, own.get(entry["id"], [])) for entry in members) + "</section>"
+            article(folder, entry, own.get(entry["id"], []), shown) for entry in members) + "</section>"
     body = f"""<header><h1>The figures of a 2008 thesis, as numbers</h1>
 <p>H. Arshad, <cite>A Collision Detection Algorithm for Virtual Robot-Centered Flexible Manufacturing Cell</cite>, PhD thesis,
 Universiti Putra Malaysia, 2008. Its front matter, with every caption, is public; its chapters from page 8 on are not. Captions are
@@ -139,7 +143,7 @@ and {sum(chapter_of(e) == "E" for e in entries)} of known errors of its method:<
 <p>Where a number comes from:</p><ul>{labels}</ul>
 <p>Shares of random samples have Clopper-Pearson limits. {run["samples_asked"]:,} balls of each outline and radius, seed
 {run["seed"]}; run.json says how to have the same again.</p></div>
-<nav aria-label="All figures and tables">{index}</nav></header>
+<nav aria-label="All figures and tables">{folded("All figures and tables", index)}</nav></header>
 <main>{sections}</main>
 """
     title = "The figures of a 2008 thesis, as numbers"
