@@ -113,7 +113,8 @@ std::vector<const cases::Method*> find_moving_methods(const methods::Selection& 
     if (answers_moving(*method))
       found.push_back(method);
     else if (std::ranges::find(left_out, method) == left_out.end())
-      throw std::invalid_argument("the method \"" + std::string(method->name()) + "\" cannot answer about moving balls");
+      throw std::invalid_argument("the method \"" + std::string(method->name()) +
+                                  "\" cannot answer about moving balls");
   return found;
 }
 
