@@ -61,9 +61,10 @@ class TriangleMotionDoubles {
     return event;
   }
 
-  /// Sets the first event among the possible ones. Returns whether it is certain which one that is, or that no
-  /// event happens.
-  [[nodiscard]] bool find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
+  /// Sets the first event among the possible ones, or any event if `any`. Returns Yes if it is certain which one that
+  /// is, and No if it is certain that no event happens.
+  template <bool any = false>
+  [[nodiscard]] FilterResult find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
     bool unsure = false;
     const auto consider = [&](Feature::Kind kind, std::size_t i, const Entry<DoubleDouble>& event) {
       unsure = unsure || event.unsure(1) != 0;
@@ -74,7 +75,10 @@ class TriangleMotionDoubles {
       if ((possible.interiors >> i & 1) != 0) consider(Feature::Kind::Edge, i, interior_event(moving(i)));
       if ((possible.starts >> i & 1) != 0) consider(Feature::Kind::Vertex, i, start_event(moving(i)));
     }
-    return !unsure && (!first.any() || first.certain());
+    if (any && first.any()) return FilterResult::Yes;
+    if (unsure) return FilterResult::Unsure;
+    if (!first.any()) return FilterResult::No;
+    return first.certain() ? FilterResult::Yes : FilterResult::Unsure;
   }
 
  private:
