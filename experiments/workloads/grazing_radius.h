@@ -17,4 +17,9 @@ namespace touchstone::workloads {
 /// double. Cost: 64 questions.
 [[nodiscard]] double grazing_radius(const Motion& motion, const std::function<bool(const Motion&)>& touches);
 
+/// Returns the same, given an estimate that is not negative. Cost: 2 questions if the estimate is correct, and 4 for
+/// each factor of 2 in the number of doubles by which it is off.
+[[nodiscard]] double grazing_radius(const Motion& motion, const std::function<bool(const Motion&)>& touches,
+                                    double estimate);
+
 }  // namespace touchstone::workloads

@@ -10,6 +10,7 @@
 #include "robust/detail/sound_arithmetic.h"
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
+#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
 namespace {
@@ -177,6 +178,14 @@ Relation relation(const Ball& ball, const PreparedPolygon& polygon) {
   const Query query(ball, polygon);
   if (plane_side(query) != PlaneSide::Intersects) return Relation::Separate;
   return relation(query, nearest_feature(query, foot(query)).second);
+}
+
+std::optional<Touched> touched(const Ball& ball, const PreparedPolygon& polygon) {
+  const Query query(ball, polygon);
+  if (plane_side(query) != PlaneSide::Intersects) return std::nullopt;
+  const auto [feature, distance] = nearest_feature(query, foot(query));
+  if (relation(query, distance) == Relation::Separate) return std::nullopt;
+  return Touched{feature, closest_point(query, feature)};
 }
 
 PlaneSide plane_side(const Ball& ball, const PreparedPolygon& polygon) {

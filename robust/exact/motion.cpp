@@ -10,6 +10,7 @@
 #include "robust/exact/detail/lifted.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/detail/smaller_root.h"
+#include "robust/exact/detail/touched.h"
 
 namespace touchstone::exact {
 namespace {
@@ -123,9 +124,28 @@ std::optional<Event> vertex_event(const Moving& moving, std::size_t i) {
   return Event{{Feature::Kind::Vertex, i}, *time};
 }
 
+/// Returns whether the ball stays on one side of the supporting plane.
+bool stays_off_plane(const Moving& moving) {
+  const auto& [s, change] = moving.height;
+  const Number end = s + change, reach_squared = moving.radius_squared * moving.polygon.normal_squared;
+  return CGAL::sign(s) == CGAL::sign(end) && CGAL::square(s) > reach_squared && CGAL::square(end) > reach_squared;
+}
+
+/// Returns whether there is any event. Looks first for the kinds that cost least.
+bool any_event(const Moving& moving) {
+  if (stays_off_plane(moving)) return false;
+  const std::size_t count = moving.polygon.vertices.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (vertex_event(moving, i)) return true;
+  for (std::size_t i = 0; i < count; ++i)
+    if (edge_event(moving, i)) return true;
+  return face_event(moving).has_value();
+}
+
 /// Returns the first event. Of several at the same time it takes the face, then an edge, then the lowest index: the
 /// ball is at distance r from all of them, so these are the features nearest to it.
 std::optional<Event> first_event(const Moving& moving) {
+  if (stays_off_plane(moving)) return std::nullopt;
   std::optional<Event> first = face_event(moving);
   const auto consider = [&first](std::optional<Event> event) {
     if (event && (!first || compare(event->time, first->time) == CGAL::SMALLER)) first = std::move(event);
@@ -218,13 +238,13 @@ std::optional<Event> first_event(const Motion& motion, const PreparedPolygon& po
 
 bool contact(const Motion& motion, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
-  return contact(required(motion).ball, polygon) || first_event(motion, polygon);
+  return contact(required(motion).ball, polygon) || any_event(Moving(motion, lifted(polygon)));
 }
 
 FirstContact first_contact(const Motion& motion, const PreparedPolygon& polygon) {
   const FloatingPointState nearest;
-  if (const Answer start = answer(required(motion).ball, polygon); start.contact())
-    return {FirstContactKind::Start, 0, false, start.nearest, start.point};
+  if (const auto start = touched(required(motion).ball, polygon))
+    return {FirstContactKind::Start, 0, false, start->nearest, start->point};
   const Moving moving(motion, lifted(polygon));
   const auto event = first_event(moving);
   if (!event) return {};

@@ -41,7 +41,7 @@ LEFT = {
 LEFT_OF_SCENES = {
     "rounded_sum": "what `Permanent` guarantees, and C++ over GMP", "culling_ball": AFTER_STEPS,
     "own_frame": "inequalities of norms, by hand; " + COUNTED, "distance_bound": AFTER_STEPS + ". `kWide`: " + COUNTED,
-    **dict.fromkeys(("culling_motion", "swept"), "an argument about roundings, in its comment; tests against rationals"),
+    "culling_motion": AFTER_STEPS + ". `kStill`: C++ over GMP", "swept": AFTER_STEPS + ". `kTiny`: " + COUNTED,
     "held_vertex": COUNTED, "rounded_plane": AFTER_STEPS + ". Above 64 vertices, sums are bounded as a whole, by hand",
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "experiments/harness/timing/output.h"
-#include "experiments/statistics/percent.h"
 
 namespace touchstone::timing {
 namespace {
@@ -21,11 +20,7 @@ std::string deviation(const Quartiles& q) { return fmt::format("+-{:.0f}%", 50 *
 
 std::string goal_text(const Goal& goal) { return fmt::format("{} {:.3g}", goal.at_most ? "<=" : ">=", goal.ratio); }
 
-std::string wrong_text(const Wrong& wrong) {
-  if (wrong.count == 0) return fmt::format("0 of {}", wrong.of);
-  return fmt::format("{}% of {}", statistics::percent_to_digits(statistics::share_of(wrong.count, wrong.of), 3),
-                     wrong.of);
-}
+std::string wrong_text(const Wrong& wrong) { return fmt::format("{} of {}", wrong.count, wrong.of); }
 
 std::string line(const std::string& name, const std::string& asked, const std::string& ns, const std::string& deviation,
                  const std::string& ratio, const std::string& goal, const std::string& wrong) {

@@ -7,6 +7,7 @@
 #include "experiments/workloads/adversarial/balls.h"
 #include "experiments/workloads/grazing_radius.h"
 #include "experiments/workloads/ulp.h"
+#include "geometry/contact/fast_motion.h"
 #include "robust/filtered/motion.h"
 
 namespace touchstone::adversarial {
@@ -45,10 +46,16 @@ Vector3d half_way(Random& random, const Case& drawn) {
   }
 }
 
-double grazing(Random& random, const Motion& motion, const Polygon& polygon) {
-  const filtered::PreparedPolygon prepared(polygon);
-  const double radius =
-      workloads::grazing_radius(motion, [&](const Motion& asked) { return filtered::contact(asked, prepared); });
+double grazing(Random& random, const Motion& motion, const Case& drawn) {
+  const fast::PreparedPolygon<double> rounded(drawn.polygon);
+  const double estimate =
+      workloads::grazing_radius(motion, [&](const Motion& asked) { return fast::contact(asked, rounded); });
+  const auto threshold = [&](const auto& face) {
+    return workloads::grazing_radius(
+        motion, [&](const Motion& asked) { return filtered::contact(asked, face); }, estimate);
+  };
+  const auto triangle = drawn.triangle();
+  const double radius = triangle ? threshold(*triangle) : threshold(filtered::PreparedPolygon(drawn.polygon));
   return workloads::move_radius_by_doubles(radius, random.integer(-1, 1));
 }
 
@@ -62,7 +69,7 @@ Motion draw_motion(const Case& drawn, std::uint64_t seed, std::uint64_t index) {
   if (place != 1) motion.ball.center -= half;
   if (place != 2) motion.to += half;
   if (find_fault(motion)) return {drawn.ball, drawn.ball.center};
-  if (random.integer(0, 3) == 0) motion.ball.radius = grazing(random, motion, drawn.polygon);
+  if (random.integer(0, 3) == 0) motion.ball.radius = grazing(random, motion, drawn);
   return motion;
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/shapes/motion.h"
 #include "robust/filtered/detail/numbers/pack.h"
 #include "robust/scene/detail/culling_ball.h"
+#include "robust/scene/detail/way.h"
 
 /// Finds the boxes of a tree that a moving ball may touch.
 namespace touchstone::scene {
@@ -15,10 +16,16 @@ inline namespace TOUCHSTONE_TARGET {
 
 namespace culling {
 
-/// Lengths of a motion, in units of the largest number L of centres and reach: by so much more does the ball reach
-/// along each axis, to cover the rounding of times. A centre that moves by less than kStill along an axis has no times
-/// for it. Of sides within 4 L the roundings are less than 2^-47 L.
-inline constexpr double kMargin = 0x1p-44, kStill = 0x1p-30;
+/// Lengths of a motion, in units of the largest number of centres and reach: by kMargin more does the ball reach along
+/// each axis, to cover the rounding of times and ends. A centre that moves by less than kStill along an axis has no
+/// times for it, so that times are finite. Proved in tests/robust/proofs/culling_motion_test.cpp.
+inline constexpr double kMargin = 21 * 0x1p-53, kStill = 0x1p-30;
+
+/// Returns a centre's coordinate plus the ball's side, in units of the centre's change along the axis.
+template <class T>
+TOUCHSTONE_INLINE T offset(const T& center, const T& side, const T& inverse) {
+  return (center + side) * inverse;
+}
 
 /// Returns the time at which a side of the ball is at a side of a box: the centre's coordinate moves with speed
 /// 1 / inverse, and at time 0 the ball's side is at -offset / inverse.
@@ -59,7 +66,8 @@ class CullingMotion {
       if (!everywhere && std::abs(change) > culling::kStill * largest) {
         const double inverse = 1 / change, side = std::copysign(reach + margin_, change);
         inverse_[axis] = inverse;
-        entry_[axis] = -(center_[axis] + side) * inverse, exit_[axis] = -(center_[axis] - side) * inverse;
+        entry_[axis] = -culling::offset(center_[axis], side, inverse);
+        exit_[axis] = -culling::offset(center_[axis], -side, inverse);
       } else {
         // No infinite side times the inverse is NaN, no finite one is more than 2^-90.
         inverse_[axis] = 0x1p-400, entry_[axis] = -1, exit_[axis] = 2;
@@ -75,7 +83,7 @@ class CullingMotion {
     end_ = time;
     for (int axis = 0; axis < 3; ++axis) {
       const double first = center_[axis], change = to_[axis] - first;
-      const double last = time < 1 ? first + time * change + std::copysign(margin_, change) : to_[axis];
+      const double last = time < 1 ? place_at(first, time, change) + std::copysign(margin_, change) : to_[axis];
       low_[axis] = std::min(first, last), high_[axis] = std::max(first, last);
     }
   }

@@ -8,10 +8,26 @@
 #include "geometry/shapes/motion.h"
 #include "geometry/shapes/triangle.h"
 #include "robust/filtered/detail/numbers/pack.h"
+#include "robust/scene/detail/way.h"
 
 /// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
 namespace touchstone::scene {
 inline namespace TOUCHSTONE_TARGET {
+
+namespace swept {
+
+/// By how much the radius of a shortened motion is larger: kMargin times the largest coordinate or radius, to cover the
+/// roundings of the end and of the radius itself, and kTiny to cover underflow. Proved in
+/// tests/robust/proofs/culling_motion_test.cpp.
+inline constexpr double kMargin = 15 * 0x1p-53, kTiny = 0x1p-1073;
+
+/// Returns the radius of a shortened motion, given the largest coordinate or radius.
+template <class T>
+TOUCHSTONE_INLINE T wider(const T& radius, const T& margin, const T& largest, const T& tiny) {
+  return radius + margin * largest + tiny;
+}
+
+}  // namespace swept
 
 /// The space that a moving ball sweeps until some time: its motion, and the box around it. Only ever too large.
 class Swept {
@@ -23,8 +39,9 @@ class Swept {
     const Eigen::Vector3d &first = whole_.ball.center, &last = whole_.to, change = last - first;
     if (!(change.lpNorm<Eigen::Infinity>() <= std::numeric_limits<double>::max())) return;
     const double largest = std::max(first.lpNorm<Eigen::Infinity>(), last.lpNorm<Eigen::Infinity>());
-    motion_.to = first + time * change;
-    motion_.ball.radius = whole_.ball.radius + kMargin * std::max(largest, whole_.ball.radius) + kTiny;
+    motion_.to = place_at(first, time, change);
+    motion_.ball.radius =
+        swept::wider(whole_.ball.radius, swept::kMargin, std::max(largest, whole_.ball.radius), swept::kTiny);
     set_box();
   }
   [[nodiscard]] const Motion& motion() const { return motion_; }
@@ -42,9 +59,6 @@ class Swept {
   }
 
  private:
-  /// Times the largest coordinate or radius: far more than the roundings of the end. Underflow adds at most 2^-1072.
-  static constexpr double kMargin = 0x1p-44, kTiny = 0x1p-1060;
-
   TOUCHSTONE_INLINE void set_box() {
     for (int axis = 0; axis < 3; ++axis) {
       low_[axis] = std::min(motion_.ball.center[axis], motion_.to[axis]);

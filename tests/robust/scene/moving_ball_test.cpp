@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What scenes answer about moving balls, against brute force over all faces.
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfenv>
 #include <cmath>
 #include <memory>
@@ -10,6 +12,8 @@
 #include <vector>
 
 #include "experiments/workloads/random.h"
+#include "robust/filtered/motion.h"
+#include "robust/scene/detail/first_contact_search.h"
 #include "tests/robust/scene/adversarial_scenes.h"
 #include "tests/robust/scene/faces_on_way.h"
 #include "tests/robust/support/environment.h"
@@ -271,6 +275,122 @@ TEST(MovingBallInScene, ComparesTimesAtDifferentPlacesExactly) {
   EXPECT_EQ(first->face, (FaceId{0, 1}));
   EXPECT_EQ(first->contact.time, 1);
   EXPECT_EQ(first->contact.momentary, true);
+}
+
+/// Needles whose tips lie on the lower half of the sphere of radius 9 about the origin, at all 49 places of integers,
+/// `first` places further in their order. A ball of radius 9 that falls along z touches all tips as it comes to the
+/// origin, and only the tips.
+std::vector<Triangle> needles_at_once(std::size_t first) {
+  std::vector<Triangle> needles;
+  for (int x = -9; x <= 9; ++x)
+    for (int y = -9; y <= 9; ++y)
+      for (int z = -9; z < 0; ++z) {
+        const Eigen::Vector3d tip(x, y, z), end(2 * x, 2 * y, 2 * z - 8);
+        if (tip.squaredNorm() == 81) needles.push_back({tip, end, end + Eigen::Vector3d(-y, x + 1, 0) / 8});
+      }
+  std::rotate(needles.begin(), needles.begin() + static_cast<std::ptrdiff_t>(first), needles.end());
+  return needles;
+}
+
+/// Calls f(scene, words) with scenes of these triangles: as triangles and as polygons, standing and as a quarter turn
+/// about z and a translation by 2^20 take them there.
+template <class F>
+void for_each_standing(const std::vector<Triangle>& triangles, const F& f) {
+  Pose quarter;
+  quarter.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  quarter.translation = Eigen::Vector3d(0x1p20, 0, 0);
+  const auto back = [](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.y(), 0x1p20 - p.x(), p.z()); };
+  for (const bool as_polygons : {false, true})
+    for (const bool under_pose : {false, true}) {
+      scene::Faces faces;
+      for (Triangle t : triangles) {
+        if (under_pose) t = {back(t.a), back(t.b), back(t.c)};
+        if (as_polygons)
+          faces.polygons.push_back(Polygon({t.a, t.b, t.c}));
+        else
+          faces.triangles.push_back(t);
+      }
+      Scene scene;
+      if (under_pose)
+        scene.add("turned", faces, quarter);
+      else
+        scene.add("standing", faces);
+      f(scene, std::string(as_polygons ? "polygons" : "triangles") + (under_pose ? ", turned" : ""));
+    }
+}
+
+// Many faces in many boxes at exactly the same time, in different orders. The times 1/3 and 2/3 round down and up, 1/2
+// and 1 do not round.
+TEST(MovingBallInScene, NamesTheLowestOfManyFacesTouchedAtOnce) {
+  ASSERT_EQ(needles_at_once(0).size(), 49U);
+  for (std::size_t first = 0; first < 49; first += 3)
+    for_each_standing(needles_at_once(first), [&](const Scene& scene, const std::string& what) {
+      for (const auto& [above, below] : {std::pair(1, 2), {2, 1}, {1, 1}, {3, 0}, {64, 128}, {1024, 512}}) {
+        const Motion falls({{0, 0, static_cast<double>(above)}, 9}, {0, 0, -static_cast<double>(below)});
+        const auto found = scene.first_contact(falls);
+        ASSERT_TRUE(found) << what;
+        EXPECT_EQ(found->face, (FaceId{0, 0})) << what << ", from " << first << ", falling " << above;
+        EXPECT_EQ(found->contact.time, static_cast<double>(above) / (above + below)) << what;
+        EXPECT_EQ(found->contact.feature.kind, Feature::Kind::Vertex) << what;
+      }
+    });
+}
+
+// Into a corner of three walls, whose boxes are flat: the ball comes to each box exactly when it touches the wall in
+// it. Each wall stands there often enough to fill boxes of its own.
+TEST(MovingBallInScene, NamesTheLowestOfThreeWallsInACorner) {
+  for (int lowest = 0; lowest < 3; ++lowest) {
+    std::vector<Triangle> walls;
+    for (int wall = lowest; wall < lowest + 3; ++wall)
+      for (int copy = 0; copy < 9; ++copy) {
+        const auto at = [wall](double u, double v) {
+          Eigen::Vector3d point(0, 0, 0);
+          point[(wall + 1) % 3] = u, point[(wall + 2) % 3] = v;
+          return point;
+        };
+        walls.push_back({at(0.5, 0.5), at(8, 0.5), at(0.5, 8)});
+      }
+    for_each_standing(walls, [&](const Scene& scene, const std::string& what) {
+      for (const auto& [before, behind] : {std::pair(1.0, 2.0), {2.0, 1.0}, {3.0, 1.0}, {2.5, 0.5}, {16.0, 5.0}}) {
+        const Eigen::Vector3d ones(1, 1, 1);
+        const auto found = scene.first_contact(Motion({(1 + before) * ones, 1}, (1 - behind) * ones));
+        ASSERT_TRUE(found) << what;
+        EXPECT_EQ(found->face, (FaceId{0, 0})) << what << ", lowest " << lowest << ", from " << before;
+        EXPECT_EQ(found->contact.time, before / (before + behind)) << what;
+      }
+    });
+  }
+}
+
+// A motion is shortened to a time at which the first face has been touched: 1/3 is more than its nearest double.
+TEST(FirstContactSearch, EndsNoEarlierThanTheFirstContact) {
+  const Motion falls({{0, 0, 3}, 1}, {0, 0, -3});
+  const Triangle floor{{-4, -4, 0}, {4, -4, 0}, {0, 8, 0}};
+  const filtered::PreparedPolygon polygon(Polygon({floor.a, floor.b, floor.c}));
+  for (const bool as_polygon : {false, true}) {
+    scene::FirstContactSearch search(falls);
+    EXPECT_EQ(search.end(), 1);
+    const FirstContact contact = filtered::first_contact(falls, polygon);
+    as_polygon ? search.meet(polygon, 0, contact) : search.meet(floor, 0, contact);
+    EXPECT_GE(3 * mpq_class(search.end()), 1);
+    EXPECT_LT(search.end(), 0.34);
+    // A face at the same time counts still.
+    as_polygon ? search.meet(floor, 1, contact) : search.meet(polygon, 1, contact);
+    EXPECT_EQ(search.first()->face, (FaceId{0, 0}));
+  }
+}
+
+// Many faces that are touched at the start, at time 0.
+TEST(MovingBallInScene, NamesTheLowestOfManyFacesTouchedAtTheStart) {
+  for (std::size_t first = 0; first < 49; first += 3)
+    for_each_standing(needles_at_once(first), [&](const Scene& scene, const std::string& what) {
+      for (const double down : {0.0, 1.0, 100.0}) {
+        const auto found = scene.first_contact(Motion({{0, 0, 0}, 9}, {0, 0, -down}));
+        ASSERT_TRUE(found) << what;
+        EXPECT_EQ(found->face, (FaceId{0, 0})) << what << ", from " << first;
+        EXPECT_EQ(found->contact.kind, FirstContactKind::Start) << what;
+      }
+    });
 }
 
 // Of the faces touched at the start the lowest counts, whichever the walk meets first, and none that is touched later.

@@ -152,6 +152,24 @@ TEST(OwnFrame, SeesEveryMotionThatTouchesAndNoOther) {
   EXPECT_LT(far.inner, 0);
 }
 
+// The farther end is known less well, whichever it is: the ball that moves is as large as the larger of those seen at
+// the ends, and the one that surely touches as small as the smaller of them.
+TEST(OwnFrame, SeesAMotionAsTheWorseOfItsEnds) {
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const auto frame = OwnFrame::of(pose, 1, 1);
+  ASSERT_TRUE(frame);
+  const Eigen::Vector3d near(0.5, 0, 0), far(0, 0x1p20, 0x1p10);
+  const scene::SeenBall at_near = frame->seen(Ball{near, 2}), at_far = frame->seen(Ball{far, 2});
+  ASSERT_LT(at_near.outer.radius, at_far.outer.radius);
+  ASSERT_GT(at_near.inner, at_far.inner);
+  for (const Motion& motion : {Motion({near, 2}, far), Motion({far, 2}, near)}) {
+    const scene::SeenMotion seen = frame->seen(motion);
+    EXPECT_EQ(seen.outer.ball.radius, at_far.outer.radius);
+    EXPECT_EQ(seen.inner, at_far.inner);
+  }
+}
+
 // Each of these vertices is nearly as far off as its length may be: a tenth less would miss it.
 TEST(OwnFrame, SeesTheWorstStretch) {
   for (const double more : {0x1p-23, -0x1p-23, 0x1p-30, -0x1p-30}) {

@@ -6,7 +6,10 @@
 
 namespace touchstone::filtered {
 
-/// Returns the first contact of a moving ball with a triangle, computed by `exact`.
+/// @{
+/// Returns the contact, or the first contact, of a moving ball with a triangle, computed by `exact`.
+[[nodiscard]] bool exact_motion_contact(const MotionTriangleView& view);
 [[nodiscard]] FirstContact exact_first_contact(const MotionTriangleView& view);
+/// @}
 
 }  // namespace touchstone::filtered

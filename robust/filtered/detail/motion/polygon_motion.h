@@ -107,31 +107,17 @@ FrameMotionResult frame_motion_filter(const FrameMotion& motion, const Entry<Pac
   return {FilterResult::Yes, first.feature()};
 }
 
-/// Returns the first contact with the feature that is certainly touched first on the way; nothing if its rounding is
-/// not certain.
-template <class Counts>
-std::optional<FirstContact> contact_with(const Motion& motion, const PreparedPolygon::Parts& parts,
-                                         const Feature& feature, Counts& counts) {
-  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
-  if (!doubles.usable()) return std::nullopt;
-  return TouchedPoint(doubles, feature, event_time(doubles, feature)).rounded_contact();
-}
-
-/// Returns the first contact in double-doubles, given that the ball does not touch at its start and that the first
-/// stage is not sure about any feature but the face; nothing if it is not certain.
-template <class Counts>
-std::optional<FirstContact> first_contact_in_doubles(const Motion& motion, const FrameMotion& in_frame,
-                                                     const PreparedPolygon::Parts& parts, Counts& counts) {
-  if (meets_face(in_frame, in_frame.plane().entry, *parts.edges) != FilterResult::No) return std::nullopt;
-  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
-  if (!doubles.usable()) return std::nullopt;
+/// Looks for the first event of an edge or a vertex in double-doubles. Looks for any event if `any`.
+template <bool any, class Counts>
+FilterResult doubles_filter(const FrameMotion& in_frame, const EdgeIndex& edges,
+                            const PolygonMotionDoubles<Counts>& doubles, FirstCandidate<DoubleDouble>& first) {
   bool unsure = false;
-  FirstCandidate<DoubleDouble> first;
   SweptDisc disc(in_frame);
-  walk(*parts.edges, disc, [&](const EdgeTree::Leaf& leaf, unsigned near) {
+  walk(edges, disc, [&](const EdgeTree::Leaf& leaf, unsigned near) {
+    if (any ? first.any() : unsure) return;
     const MovingEdge<Pack> in_lanes = moving_edges(leaf, in_frame);
     const unsigned interiors = near & ~interior_event(in_lanes).none, starts = near & ~start_event(in_lanes).none;
-    for (unsigned possible = interiors | starts; possible != 0 && !unsure; possible &= possible - 1) {
+    for (unsigned possible = interiors | starts; possible != 0; possible &= possible - 1) {
       const int lane = __builtin_ctz(possible);
       const std::size_t edge = leaf.edge[lane];
       const MovingEdge<DoubleDouble> moving = doubles.moving(edge);
@@ -144,20 +130,54 @@ std::optional<FirstContact> first_contact_in_doubles(const Motion& motion, const
     }
     disc.end_at(first.latest());
   });
-  if (unsure) return std::nullopt;
-  if (!first.any()) return FirstContact{};
-  if (!first.certain()) return std::nullopt;
-  return TouchedPoint(doubles, first.feature(), {first.time(), first.error()}).rounded_contact();
+  if (any && first.any()) return FilterResult::Yes;
+  if (unsure) return FilterResult::Unsure;
+  if (!first.any()) return FilterResult::No;
+  return first.certain() ? FilterResult::Yes : FilterResult::Unsure;
+}
+
+/// The knowledge of the first stage about a motion that may touch.
+struct FirstStage {
+  int start = 0;                     ///< the certain sign of the distance less r at the start
+  std::optional<Feature> feature{};  ///< touched first on the way, if it is certain
+};
+
+/// Returns whether the ball touches at its start, which the first stage may know.
+template <class Counts>
+bool touches_at_start(const Motion& motion, const PreparedPolygon::Parts& parts, const FirstStage& known,
+                      Counts& counts) {
+  if (known.start == 0) return contact(motion.ball, parts, counts);
+  counts.count(Stage::Double);
+  return known.start < 0;
+}
+
+/// Returns the first contact in double-doubles, given that the ball does not touch at its start; nothing if it is not
+/// certain.
+template <class Counts>
+std::optional<FirstContact> first_contact_in_doubles(const Motion& motion, const FrameMotion& in_frame,
+                                                     const PreparedPolygon::Parts& parts,
+                                                     const std::optional<Feature>& feature, Counts& counts) {
+  if (!feature && meets_face(in_frame, in_frame.plane().entry, *parts.edges) != FilterResult::No) return std::nullopt;
+  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
+  if (!doubles.usable()) return std::nullopt;
+  if (feature) return TouchedPoint(doubles, *feature, event_time(doubles, *feature)).rounded_contact();
+  FirstCandidate<DoubleDouble> first;
+  switch (doubles_filter<false>(in_frame, *parts.edges, doubles, first)) {
+    case FilterResult::Yes:
+      return TouchedPoint(doubles, first.feature(), {first.time(), first.error()}).rounded_contact();
+    case FilterResult::No: return FirstContact{};
+    default: return std::nullopt;
+  }
 }
 
 /// Returns the first contact where the first stage does not suffice. `in_frame` is null if the motion is out of the
 /// frame's range.
 template <class Counts>
 __attribute__((noinline)) FirstContact later_first_contact(const Motion& motion, const PreparedPolygon::Parts& parts,
-                                                           const FrameMotion* in_frame,
-                                                           const std::optional<Feature>& feature, Counts& counts) {
+                                                           const FrameMotion* in_frame, const FirstStage& known,
+                                                           Counts& counts) {
   const FloatingPointState nearest;
-  if (!feature && contact(motion.ball, parts, counts)) {
+  if (touches_at_start(motion, parts, known, counts)) {
     const Answer start =
         ask<&PolygonQuery<Counts>::answer,
             static_cast<Answer (*)(const Ball&, const exact::PreparedPolygon&)>(exact::answer), Answer>(motion.ball,
@@ -165,16 +185,45 @@ __attribute__((noinline)) FirstContact later_first_contact(const Motion& motion,
     return {FirstContactKind::Start, 0, false, start.nearest, start.point};
   }
   if (motion.at_rest()) return {};
-  std::optional<FirstContact> found;
-  if (in_frame != nullptr)
-    found = feature ? contact_with(motion, parts, *feature, counts)
-                    : first_contact_in_doubles(motion, *in_frame, parts, counts);
-  if (found) {
-    counts.count(Stage::DoubleDouble);
-    return *found;
+  if (in_frame != nullptr) {
+    if (const auto found = first_contact_in_doubles(motion, *in_frame, parts, known.feature, counts)) {
+      counts.count(Stage::DoubleDouble);
+      return *found;
+    }
   }
   counts.count(Stage::BigInteger);
   return exact::first_contact(motion, parts.exact());
+}
+
+/// Returns whether there is contact on the way, in double-doubles.
+template <class Counts>
+FilterResult contact_in_doubles(const Motion& motion, const FrameMotion& in_frame, const PreparedPolygon::Parts& parts,
+                                Counts& counts) {
+  const PolygonMotionDoubles<Counts> doubles(motion, parts, counts);
+  if (!doubles.usable()) return FilterResult::Unsure;
+  FirstCandidate<DoubleDouble> first;
+  const FilterResult boundary = doubles_filter<true>(in_frame, *parts.edges, doubles, first);
+  if (boundary != FilterResult::No) return boundary;
+  return meets_face(in_frame, in_frame.plane().entry, *parts.edges);
+}
+
+/// Returns whether the ball touches where the first stage does not suffice. `in_frame` as above.
+template <class Counts>
+__attribute__((noinline)) bool later_motion_contact(const Motion& motion, const PreparedPolygon::Parts& parts,
+                                                    const FrameMotion* in_frame, const FirstStage& known,
+                                                    Counts& counts) {
+  const FloatingPointState nearest;
+  if (touches_at_start(motion, parts, known, counts)) return true;
+  if (motion.at_rest()) return false;
+  if (in_frame != nullptr) {
+    const FilterResult result = contact_in_doubles(motion, *in_frame, parts, counts);
+    if (result < FilterResult::Unsure) {
+      counts.count(Stage::DoubleDouble);
+      return result == FilterResult::Yes;
+    }
+  }
+  counts.count(Stage::BigInteger);
+  return exact::contact(motion, parts.exact());
 }
 
 /// Returns whether the first stage may answer in the caller's floating-point state, and the motion in the frame if so.
@@ -189,45 +238,46 @@ template <class Counts>
 void polygon_first_contact(const Motion& motion, const PreparedPolygon::Parts& parts, FirstContact& result,
                            Counts& counts) {
   const auto in_frame = frame_motion(motion, parts);
-  std::optional<Feature> feature;
+  FirstStage known;
   if (in_frame) [[likely]] {
     const PlaneEntry<Pack> plane = in_frame->plane();
-    FilterResult known = FilterResult::No;
+    FilterResult contact = FilterResult::No;
     if ((plane.misses & 1) == 0) {
-      const int start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
-      known = FilterResult::Unsure;
-      if (start > 0) {
+      known.start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
+      contact = FilterResult::Unsure;
+      if (known.start > 0) {
         const FrameMotionResult way = frame_motion_filter<false>(*in_frame, plane.entry, *parts.edges);
-        known = way.contact, feature = way.feature;
+        contact = way.contact, known.feature = way.feature;
       }
     }
-    if (known == FilterResult::No) {
+    if (contact == FilterResult::No) {
       counts.count(Stage::Double);
       result = {};
       return;
     }
   }
-  result = later_first_contact(motion, parts, in_frame ? &*in_frame : nullptr, feature, counts);
+  result = later_first_contact(motion, parts, in_frame ? &*in_frame : nullptr, known, counts);
 }
 
 template <class Counts>
 bool polygon_motion_contact(const Motion& motion, const PreparedPolygon::Parts& parts, Counts& counts) {
   const auto in_frame = frame_motion(motion, parts);
+  FirstStage known;
   if (in_frame) [[likely]] {
     const PlaneEntry<Pack> plane = in_frame->plane();
-    FilterResult known = FilterResult::No;
+    FilterResult contact = FilterResult::No;
     if ((plane.misses & 1) == 0) {
-      const int start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
-      known = start < 0   ? FilterResult::Yes
-              : start > 0 ? frame_motion_filter<true>(*in_frame, plane.entry, *parts.edges).contact
-                          : FilterResult::Unsure;
+      known.start = certain_distance_sign(in_frame->start, *parts.frame, *parts.edges);
+      contact = known.start < 0   ? FilterResult::Yes
+                : known.start > 0 ? frame_motion_filter<true>(*in_frame, plane.entry, *parts.edges).contact
+                                  : FilterResult::Unsure;
     }
-    if (known < FilterResult::Unsure) [[likely]] {
+    if (contact < FilterResult::Unsure) [[likely]] {
       counts.count(Stage::Double);
-      return known == FilterResult::Yes;
+      return contact == FilterResult::Yes;
     }
   }
-  return later_first_contact(motion, parts, in_frame ? &*in_frame : nullptr, {}, counts).contact();
+  return later_motion_contact(motion, parts, in_frame ? &*in_frame : nullptr, known, counts);
 }
 
 }  // namespace TOUCHSTONE_TARGET

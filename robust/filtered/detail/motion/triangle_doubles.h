@@ -34,6 +34,10 @@ class TriangleMotionDoubles {
   }
   [[nodiscard]] double unscaled(double length) const { return unit_ != nullptr ? unit_->unscaled(length) : length; }
   [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
+  [[nodiscard]] const Bounded<DoubleDouble>& normal_length() const {
+    if (!normal_length_) normal_length_.emplace(root(dot(normal_, normal_)));
+    return *normal_length_;
+  }
   [[nodiscard]] double center(int axis) const { return view_.center(axis); }
   [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const { return {view_.vertex[i][axis], 0}; }
   /// Returns the coordinate of a vertex as given; zero as +0.
@@ -61,9 +65,10 @@ class TriangleMotionDoubles {
     return event;
   }
 
-  /// Sets the first event among the possible ones. Returns whether it is certain which one that is, or that no
-  /// event happens.
-  [[nodiscard]] bool find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
+  /// Sets the first event among the possible ones, or any event if `any`. Returns Yes if it is certain which one that
+  /// is, and No if it is certain that no event happens.
+  template <bool any = false>
+  [[nodiscard]] FilterResult find_first(const PossibleEvents& possible, FirstCandidate<DoubleDouble>& first) const {
     bool unsure = false;
     const auto consider = [&](Feature::Kind kind, std::size_t i, const Entry<DoubleDouble>& event) {
       unsure = unsure || event.unsure(1) != 0;
@@ -74,7 +79,10 @@ class TriangleMotionDoubles {
       if ((possible.interiors >> i & 1) != 0) consider(Feature::Kind::Edge, i, interior_event(moving(i)));
       if ((possible.starts >> i & 1) != 0) consider(Feature::Kind::Vertex, i, start_event(moving(i)));
     }
-    return !unsure && (!first.any() || first.certain());
+    if (any && first.any()) return FilterResult::Yes;
+    if (unsure) return FilterResult::Unsure;
+    if (!first.any()) return FilterResult::No;
+    return first.certain() ? FilterResult::Yes : FilterResult::Unsure;
   }
 
  private:
@@ -87,6 +95,7 @@ class TriangleMotionDoubles {
   const MotionTriangleView view_;
   const LengthUnit* const unit_;
   BoundedVector<DoubleDouble> edges_[3], velocity_, normal_;
+  mutable std::optional<Bounded<DoubleDouble>> normal_length_;
 };
 
 }  // namespace TOUCHSTONE_TARGET

@@ -16,13 +16,6 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// Returns the first contact, computed by `exact`.
-template <class Counts>
-FirstContact exact_first_contact(const MotionTriangleView& view, Counts& counts) {
-  counts.count(Stage::BigInteger);
-  return filtered::exact_first_contact(view);
-}
-
 /// Returns the first contact of a ball that touches at its start. Requires round to nearest.
 template <class Counts>
 FirstContact start_contact(const MotionTriangleView& view, Counts& counts) {
@@ -50,16 +43,16 @@ struct MotionFilterResult {
   /// @}
 };
 
-/// Looks for the first contact in doubles.
-TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
+/// Looks for the first contact in doubles. `contact_at_start()` returns what they know about the contact at time 0.
+template <class Start>
+TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view, const Start& contact_at_start) {
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLongestMotion)) [[unlikely]]
     return {FilterResult::OutOfRange};
   const TriangleMotionLanes lanes(vertex, view);
   const PlaneEntry<Pack> plane = lanes.plane();
   if ((plane.misses & TriangleEvents::all) != 0) return {FilterResult::No};
-  TriangleSigns signs;
-  const FilterResult start = triangle_filter({view.vertex, view.motion}, signs);
+  const FilterResult start = contact_at_start();
   if (start != FilterResult::No) return {start, start};
   const TriangleEvents events{start_event(lanes.moving), interior_event(lanes.moving), face_event(lanes, plane.entry)};
   const PossibleEvents possible = events.possible();
@@ -82,8 +75,53 @@ TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& vie
   return {FilterResult::Yes, start, candidate.feature(), possible, earliest, latest};
 }
 
+TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
+  return motion_filter(view, [&view] {
+    TriangleSigns signs;
+    return triangle_filter({view.vertex, view.motion}, signs);
+  });
+}
+
 // If the largest number is smaller than this, lengths are scaled.
 inline constexpr double kOrdinary = 0x1p20 / bounds::kLongestMotion;
+
+/// A motion and a triangle in double-doubles, scaled if they have to be.
+class ScaledMotionDoubles {
+ public:
+  ScaledMotionDoubles(const MotionTriangleView& given, bool out_of_range) {
+    const double largest = largest_number(given);
+    if (out_of_range || largest < kOrdinary) scaled_.emplace(given, largest);
+    if (!scaled_)
+      doubles_.emplace(given, nullptr);
+    else if (scaled_->exact())
+      doubles_.emplace(scaled_->view(), &scaled_->unit());
+  }
+  /// Returns nothing if scaling loses a bit.
+  [[nodiscard]] const std::optional<TriangleMotionDoubles>& doubles() const { return doubles_; }
+
+ private:
+  std::optional<ScaledTriangle<MotionTriangleView>> scaled_;
+  std::optional<TriangleMotionDoubles> doubles_;
+};
+
+/// Returns the first contact on the way in double-doubles; nothing if it is not certain.
+inline std::optional<FirstContact> first_contact_in_doubles(const MotionTriangleView& view,
+                                                            const MotionFilterResult& known) {
+  if (known.feature) {
+    const TriangleMotionDoubles doubles(view, nullptr);
+    return TouchedPoint(doubles, *known.feature, event_time(doubles, *known.feature)).rounded_contact();
+  }
+  const ScaledMotionDoubles scaled(view, known.contact == FilterResult::OutOfRange);
+  const auto& doubles = scaled.doubles();
+  if (!doubles) return std::nullopt;
+  FirstCandidate<DoubleDouble> first;
+  switch (doubles->find_first(known.possible, first)) {
+    case FilterResult::Yes:
+      return TouchedPoint(*doubles, first.feature(), {first.time(), first.error()}).rounded_contact();
+    case FilterResult::No: return FirstContact{};
+    default: return std::nullopt;
+  }
+}
 
 /// Returns the first contact where the first stage does not suffice.
 template <class Counts>
@@ -99,54 +137,69 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
     if (known.at_start == FilterResult::No) counts.count(Stage::Double);
     return {};
   }
-  std::optional<ScaledTriangle<MotionTriangleView>> scaled;
-  MotionTriangleView view = given;
-  if (!known.feature) {
-    const double largest = largest_number(given);
-    if (largest < kOrdinary || known.contact == FilterResult::OutOfRange) {
-      scaled.emplace(given, largest);
-      if (!scaled->exact()) return exact_first_contact(given, counts);
-      view = scaled->view();
-    }
+  if (const auto found = first_contact_in_doubles(given, known)) {
+    counts.count(Stage::DoubleDouble);
+    return *found;
   }
-  const TriangleMotionDoubles doubles(view, scaled ? &scaled->unit() : nullptr);
-  std::optional<FirstContact> found;
-  if (known.feature) {
-    found = TouchedPoint(doubles, *known.feature, event_time(doubles, *known.feature)).rounded_contact();
-  } else {
-    FirstCandidate<DoubleDouble> first;
-    if (!doubles.find_first(known.possible, first)) return exact_first_contact(given, counts);
-    found = first.any() ? TouchedPoint(doubles, first.feature(), {first.time(), first.error()}).rounded_contact()
-                        : FirstContact{};
-  }
-  if (!found) return exact_first_contact(given, counts);
-  counts.count(Stage::DoubleDouble);
-  return *found;
+  counts.count(Stage::BigInteger);
+  return exact_first_contact(given);
+}
+
+/// Returns whether double-doubles exclude a contact that doubles leave open.
+template <class Counts>
+__attribute__((noinline)) bool misses_in_doubles(const MotionTriangleView& view, const CapsuleSigns& signs,
+                                                 Counts& counts) {
+  const FloatingPointState nearest;
+  return !at_rest(view) && unsure_capsule(view, signs, counts) == FilterResult::No;
 }
 
 template <class Counts>
 void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Counts& counts) {
-  const MotionFilterResult known = motion_filter(view);
-  if (known.contact == FilterResult::No) {
-    counts.count(Stage::Double);
+  // Signs alone exclude most contacts at a third of the price of times.
+  CapsuleSigns signs;
+  const FilterResult capsule = capsule_filter(view, signs);
+  if (capsule == FilterResult::Unsure && misses_in_doubles(view, signs, counts)) {
     contact = {};
-  } else {
-    contact = later_first_contact(view, known, counts);
+    return;
   }
+  if (capsule != FilterResult::No) {
+    const MotionFilterResult known = capsule == FilterResult::OutOfRange ? MotionFilterResult{capsule}
+                                     : signs.at_start == FilterResult::Yes
+                                         ? MotionFilterResult{FilterResult::Yes, FilterResult::Yes}
+                                         : motion_filter(view, [&signs] { return signs.at_start; });
+    if (known.contact != FilterResult::No) {
+      contact = later_first_contact(view, known, counts);
+      return;
+    }
+  }
+  counts.count(Stage::Double);
+  contact = {};
 }
 
 /// Returns whether the ball touches where the first stage does not suffice.
 template <class Counts>
 __attribute__((noinline)) bool later_motion_contact(const MotionTriangleView& view, FilterResult result,
                                                     const CapsuleSigns& signs, Counts& counts) {
+  const FloatingPointState nearest;
+  const BallTriangleView at_start{view.vertex, view.motion};
+  // All signs of a way of length 0 are 0.
+  if (at_rest(view)) return contact(at_start, counts);
   if (result == FilterResult::Unsure) {
-    const FloatingPointState nearest;
-    // All signs of a way of length 0 are 0.
-    if (at_rest(view)) return contact(BallTriangleView{view.vertex, view.motion}, counts);
     const FilterResult known = unsure_capsule(view, signs, counts);
     if (known < FilterResult::Unsure) return known == FilterResult::Yes;
+  } else if (contact(at_start, counts)) {
+    return true;
   }
-  return later_first_contact(view, {result}, counts).contact();
+  const ScaledMotionDoubles scaled(view, result == FilterResult::OutOfRange);
+  FirstCandidate<DoubleDouble> first;
+  const FilterResult known =
+      scaled.doubles() ? scaled.doubles()->template find_first<true>({}, first) : FilterResult::Unsure;
+  if (known < FilterResult::Unsure) {
+    counts.count(Stage::DoubleDouble);
+    return known == FilterResult::Yes;
+  }
+  counts.count(Stage::BigInteger);
+  return exact_motion_contact(view);
 }
 
 template <class Counts>

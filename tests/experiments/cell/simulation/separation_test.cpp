@@ -136,6 +136,23 @@ TEST_F(SeparationTest, IsZeroWhereThePlanWantsContactAndNowhereElse) {
   }
 }
 
+// A part that only the base turns stays as high as it is. Here the shoulder and the elbow take the sphere through the
+// lowest place of its arc, where it is nearer to the floor than at both stops.
+TEST(Separation, KnowsThatWhatIsAboveMayComeDown) {
+  const cell::Workcell workcell = aristo();
+  const Process home = cell::simulate(workcell, {.last = cell::Phase::ToStorage});
+  for (const auto& [joint, from] : {std::pair(cell::kShoulder, 60.0), std::pair(cell::kElbow, -120.0)}) {
+    Process process;
+    process.stops = {home.stops.front(), home.stops.front()};
+    process.stops.front().commanded[joint] = from;
+    process.stops.back().commanded[joint] = from + 60;
+    process.transfers = {home.transfers.front()};
+    for (const auto& least : cell::separation_of(workcell, process).least)
+      EXPECT_LE(least.bounds.lower, distance_at(workcell, process, least.mover, least.element, 0, 30) + 1e-9)
+          << to_string(least.mover) << ' ' << least.element << ", from " << from << " degrees";
+  }
+}
+
 TEST(CycleTime, IsThatOfTheSlowestJointThatTurns) {
   const cell::Workcell workcell =
       aristo({R"(robot.speeds={"base": 50, "shoulder": 40, "elbow": 20, "wrist_pitch": 10})"});

@@ -125,6 +125,12 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
   EXPECT_NE(timing::goals({result}).find("1 of 1 goals met\n"), std::string::npos);
 }
 
+TEST(BenchOutput, WrongAnswersAreCounted) {
+  const timing::Result result = measure("test", duel(), 2, kNeverStop, kSilent);
+  EXPECT_NE(timing::table(result).find("  0 of 10\n"), std::string::npos) << timing::table(result);
+  EXPECT_NE(timing::table(result).find("  3 of 10\n"), std::string::npos) << timing::table(result);
+}
+
 TEST(BenchOutput, ANoisyRatioMeetsNoGoalAndMissesNone) {
   timing::Result result{"test",
                         "",

@@ -50,6 +50,28 @@ TEST(GrazingRadius, IsTheLeastDoubleThatTouches) {
   EXPECT_LT(std::nextafter(root, 0.0) * std::nextafter(root, 0.0), 2);
 }
 
+// An estimate, however wrong, changes the number of questions only.
+TEST(GrazingRadius, IsTheSameFromEveryEstimate) {
+  const Polygon square({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}});
+  int questions = 0;
+  const auto touches = [&](const Motion& motion) {
+    ++questions;
+    EXPECT_GE(motion.ball.radius, 0);
+    return exact::contact(motion, square);
+  };
+  const double largest = std::numeric_limits<double>::max();
+  for (const Motion& motion : {Motion{{{-1, -1, -4}, 7}, {-1, -1, 4}}, Motion{{{2, 2, 3}, 7}, {2, 2, -3}},
+                               Motion{{{2, 2, 3}, 7}, {2, 2, 0x1p-1074}}}) {
+    const double radius = workloads::grazing_radius(motion, touches);
+    for (const double estimate : {0.0, 0x1p-1074, radius, std::nextafter(radius, 0.0), std::nextafter(radius, largest),
+                                  radius + 0x1p-40, radius / 2, 1e300, largest})
+      EXPECT_EQ(workloads::grazing_radius(motion, touches, estimate), radius) << estimate;
+    questions = 0;
+    workloads::grazing_radius(motion, touches, radius);
+    EXPECT_LE(questions, 2);
+  }
+}
+
 TEST(Threshold, SeparatesTwoDoublesAndIsNamedByWhatHappensThere) {
   std::set<Event> events;
   std::set<Feature::Kind> features;
