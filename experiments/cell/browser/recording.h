@@ -49,9 +49,9 @@ struct Recording {
 
 /// The options of runs that do not depend on the setting.
 struct SimulatorOptions {
-  double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
-  std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
-  Rule rule;
+  double overhang = 8;                             ///< of the balls that cover the arm, as in BallCover
+  std::vector<const cases::Method*> methods = {};  ///< asked about every face, besides the exact answer
+  Rule rule = {};
   std::shared_ptr<const Plant> plant = {};  ///< of which the cell is one piece's; none if it is all there is
   std::size_t piece = 0;                    ///< the number of that piece
 };

@@ -53,7 +53,7 @@ class Elements {
       remove.addEventListener("click", () => this.change(`${element.key}=null`));
       last.append(remove);
     }
-    row.append(node("td", element.kind === "zone" ? "virtual object" : element.kind), node("th", element.name, {scope: "row"}), fields, last);
+    row.append(node("td", element.kind === "zone" ? "virtual object" : element.kind), node("th", element.name, {scope: "row"}), last, fields);
     return row;
   }
   field(element, {path, value}, live) {

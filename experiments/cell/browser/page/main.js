@@ -453,7 +453,9 @@ async function main() {
     player.load(run.stops);
     if (end < 0) show(0);
     showSetting();
+    const wished = +location.hash.slice(1);  // #137: the page begins at this stop
     if (run.stuck) showStuck();
+    else if (wished > 0) player.go(wished);
   }
 
   if (!answers.live) {

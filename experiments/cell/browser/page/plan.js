@@ -42,7 +42,7 @@ class Plan {
     const station = cell.machine, machinePose = standing(station.home + station.angle, station.radius, 0, station.turn);
     const machineParts = cell.parts.filter((p) => p.carrier === "machine").map(hullOf);
     const corners = machineParts.flat().map((p) => posed(machinePose, [...p, 0]));
-    const far = 1.05 * Math.max(cell.bounds.longest / 4, ...corners.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y))));
+    const far = 1.05 * Math.max(cell.bounds.longest / 4, ...[...corners, ...cell.parts.filter((p) => p.carrier === "obstacle").flatMap(hullOf)].map(([x, y]) => Math.max(Math.abs(x), Math.abs(y))));
     this.far = far;
     svg.setAttribute("viewBox", `${-far} ${-far} ${2 * far} ${2 * far}`);
     svg.replaceChildren();

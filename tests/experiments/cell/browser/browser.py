@@ -552,6 +552,7 @@ def check_elements(page, address):
     expect(page.text("moves") == moves or page.find("#failure").is_displayed(), "an obstacle changes the run")
     change(page, "box-2: move x", 300)
     change(page, "box-2: move y", -300)
+    change(page, "box-2: move z", 200)
     expect("box-2" in page.text("failure"), f"an obstacle on the way: {page.text('failure')!r}")
     expect(page.red() > 50, "the obstacle is not coloured")
     page.picture("obstacle")
