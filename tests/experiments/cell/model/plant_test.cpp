@@ -55,6 +55,7 @@ TEST(Plant, AFileOfOneIsAPlantOfOne) {
   EXPECT_EQ(plant.robots.size() + plant.storages.size() + plant.machines.size() + plant.pieces.size(), 4U);
   const Cell cell = cell::cell_of(plant, 0);
   EXPECT_TRUE(cell.obstacles.empty());
+  EXPECT_EQ(names(cell.storage.parts), std::vector<std::string>{"deck"});  // not the piece that is handled
   EXPECT_TRUE(cell.zones.empty());
   EXPECT_EQ(cell.storage.name, "storage");
   EXPECT_EQ(cell.labels, plant.labels);
