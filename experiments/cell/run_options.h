@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/cell/browser/recording.h"
+#include "experiments/cell/model/plant.h"
 #include "experiments/harness/command.h"
 #include "experiments/methods/selection.h"
 
@@ -12,7 +13,7 @@ namespace touchstone::cell {
 
 /// The options of `touchstone cell run`, `serve` and `export` about the cell and its runs.
 struct RunOptions {
-  std::string file, meshes, preset, drive;
+  std::string file, meshes, preset, drive, piece;
   std::vector<std::string> changes;
   bool sphere_alone = false;
   methods::Selection methods{{"filtered", "fast", "fast-float", "thesis", "thesis-float", "thesis-0.9999", "thesis-1",
@@ -25,12 +26,15 @@ void add_cell_options(harness::Command& command, RunOptions& options);
 /// Adds these and the methods.
 void add_run_options(harness::Command& command, RunOptions& options);
 
-/// Reads the cell with the preset, then the changes applied. Throws what read_cell and preset throw.
+/// Reads the file with the preset, then the changes applied. Throws what read_plant and preset throw.
+[[nodiscard]] Plant plant_of(const RunOptions& options);
+/// Returns the cell of the chosen piece, by default of the first one. Throws BadCell for an unknown name.
 [[nodiscard]] Cell cell_of(const RunOptions& options);
 /// Throws what find_methods throws.
 [[nodiscard]] Rule rule_of(const RunOptions& options);
 
-/// Reads the cell and builds its model. Throws what cell_of, rule_of, find_methods and build_model throw.
-[[nodiscard]] browser::Simulator simulator_of(const RunOptions& options);
+/// Reads the cell, with the options' changes before these, and builds its model. Throws what cell_of, rule_of,
+/// find_methods and build_model throw.
+[[nodiscard]] browser::Simulator simulator_of(RunOptions options, const browser::Variation& variation = {});
 
 }  // namespace touchstone::cell

@@ -36,15 +36,16 @@ int run(const ServeOptions& options) {
   std::vector<browser::Variant> presets;
   if (chosen.preset.empty())
     for (const auto& [name, changes] : read_presets(chosen.file))
-      presets.push_back({name, [chosen, name = name] {
+      presets.push_back({name, [chosen, name = name](const browser::Variation& variation) {
                            RunOptions variant = chosen;
                            variant.preset = name;
-                           return simulator_of(variant);
+                           return simulator_of(variant, variation);
                          }});
   std::optional<browser::Routes> routes;
   browser::HttpServer server(options.host, options.port,
                              [&](const browser::HttpRequest& request) { return routes->answer(request); }, {});
-  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()), std::move(presets));
+  routes.emplace(simulator, browser::KnownHosts(options.host, server.loopback()), std::move(presets),
+                 [chosen](const browser::Variation& variation) { return simulator_of(chosen, variation); });
   if (!server.loopback())
     fmt::print(stderr, "touchstone: --host {}: other machines can also reach this server\n", options.host);
   fmt::print("{}: {} (Ctrl-C ends it)\n", simulator.cell().name, server.url());

@@ -100,8 +100,8 @@ void add_areas(const Study& study, EntryList& entries) {
       "test takes more area outside for inside than the hull that it is to avoid.",
       std::move(areas),
       "For eight outlines and the gripper, a bar: the area wrongly called inside as a share of the outline's "
-      "own; under it "
-      "a small drawing of the outline.");
+      "own; beside it, grey, the same for "
+      "its convex hull; under both a small drawing of the outline.");
 }
 
 void add_false_hits(const Study& study, EntryList& entries) {

@@ -37,10 +37,12 @@ void add_diagrams_and_photographs(const Study& study, EntryList& entries) {
       "A photograph of the milling machine, without a number in its caption. Ours is a model with chosen sizes: "
       "Table 5.2.",
       {});
-  entries.add("5.16", Status::NotComputable,
-              "A screen of the thesis's program, which is not public. What its configuration window is for is under "
-              "Fig. 5.17.",
-              {});
+  entries.add("5.16", Status::WithChosen,
+              "The screen of the thesis's program is not public. Ours is the page of `touchstone cell serve`, with the "
+              "same cell and case 1. What its configuration window is for is under Fig. 5.17.",
+              {},
+              "The page of the cell: the run in perspective and beside it a close view of the gripper, which puts the "
+              "material into the machine; the answer at this stop; the plan, in which the storage can be dragged.");
 
   const auto& [first, second] = study.cases;
   entries.add("6.3", Status::Photograph,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "experiments/cell/browser/drawing.h"
+#include "experiments/cell/browser/elements_json.h"
 #include "experiments/cell/simulation/arm.h"
 #include "experiments/cell/simulation/cycle_time.h"
 
@@ -59,7 +60,11 @@ std::string side_of(const Polygon& face) {
 }
 
 Json station_json(const Station& station) {
-  return {{"home", station.home}, {"angle", station.angle}, {"radius", station.radius}, {"height", station.height}};
+  return {{"home", station.home},
+          {"angle", station.angle},
+          {"radius", station.radius},
+          {"height", station.height},
+          {"turn", station.turn}};
 }
 
 Json setting_json(const Cell& cell, const std::string& drive) {
@@ -153,8 +158,19 @@ std::string cell_json(const Simulator& simulator) {
   for (const Slot& slot : cell.storage.slots) slots.push_back({{"name", slot.name}, {"place", drawn(slot.place)}});
   for (const ModelPart& part : simulator.parts()) parts.push_back(part_json(part));
   for (const Face& face : material_of(simulator.parts()).faces.faces) sides.push_back(side_of(face.polygon));
+  Json pieces = Json::array(), elements = Json::array();
+  std::string piece = "material";
+  if (const Plant* plant = simulator.plant()) {
+    for (const Plant::Piece& each : plant->pieces) pieces.push_back(each.name);
+    piece = plant->pieces[simulator.piece()].name;
+    elements = elements_json(*plant);
+  }
   const Json whole = {{"name", cell.name},
                       {"unit", cell.unit.name},
+                      {"piece", piece},
+                      {"pieces", std::move(pieces)},
+                      {"elements", std::move(elements)},
+                      {"zones", zones_json(cell)},
                       {"clearance", cell.clearance},
                       {"sphere", cell.gripper.sphere.radius},
                       {"robot", {{"name", cell.robot.name}, {"joints", std::move(joints)}}},
@@ -227,9 +243,18 @@ std::string run_json(const Recording& recording) {
                              {"face", d.owner == "material" ? numbers[d.face] : d.face},
                              {"methods", d.methods}});
 
+  Json triggers = Json::array();
+  for (const Trigger& trigger : process.triggers)
+    triggers.push_back({{"zone", recording.cell.zones[trigger.zone].name},
+                        {"mover", to_string(trigger.mover)},
+                        {"part", trigger.part},
+                        {"after", trigger.after},
+                        {"degrees", trigger.degrees},
+                        {"until", trigger.until}});
+
   Json stand;
   for (const ModelPart& part : recording.parts)
-    if (part.name == "storage/stand") stand = part_json(part);
+    if (part.name == recording.cell.storage.name + "/stand") stand = part_json(part);
   const Json whole = {
       {"setting", setting_json(recording.cell, recording.drive)},
       {"labels", labels_json(recording.cell)},
@@ -245,7 +270,8 @@ std::string run_json(const Recording& recording) {
       {"moves", std::move(moves)},
       {"stops", std::move(stops)},
       {"methods", std::move(methods)},
-      {"disagreements", std::move(disagreements)}};
+      {"disagreements", std::move(disagreements)},
+      {"triggers", std::move(triggers)}};
   return whole.dump();
 }
 

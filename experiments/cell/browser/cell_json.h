@@ -12,12 +12,13 @@ namespace touchstone::cell::browser {
 // the nearest floats.
 
 /// Returns the part of a cell that the page shows independently of the run:
-///   name, unit, clearance; sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn;
-///   setting: as read_setting takes it; drives: the names of what may stop the robot; labels: {path: "T", "S", "D" or
-///   "C"} of it; bounds: {longest, most_degrees, least_step, most_step}; slots: [{name, place}]; storage, machine:
-///   {home, angle, radius, height}; links, home_sphere: where they stand at home; material_faces: where they look, in
-///   words: `top`, `underside`, `side`; parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in
-///   Drawing, in flat arrays.
+///   name, unit; piece: the name of what is handled, pieces: of all; elements, zones: as in elements_json.h; clearance;
+///   sphere: its radius; robot: {name, joints: [{name, lower, upper, home}]}, those that turn; setting: as read_setting
+///   takes it; drives: the names of what may stop the robot; labels: {path: "T", "S", "D" or "C"} of it; bounds:
+///   {longest, most_degrees, least_step, most_step}; slots: [{name, place}]; storage, machine: {home, angle, radius,
+///   height, turn}; links, home_sphere: where they stand at home; material_faces: where they look, in words: `top`,
+///   `underside`, `side`; parts: [{name, carrier, link, points, triangles, face_ends, outline}], as in Drawing, in flat
+///   arrays.
 [[nodiscard]] std::string cell_json(const Simulator& simulator);
 
 /// Returns the part of a run that the page shows:
@@ -30,7 +31,8 @@ namespace touchstone::cell::browser {
 ///   null or {early, gap}, seconds}]; stops: [{move, commanded, links, sphere, material, place, target, nearest,
 ///   distance, touched}]: the number of the move; poses; place is null where the gripper has the material, target where
 ///   the sphere comes for nothing; then so is nearest, the face of the target that is nearest to the sphere's centre,
-///   at that distance from it; disagreements: [{stop, owner, face, methods}].
+///   at that distance from it; disagreements: [{stop, owner, face, methods}]; triggers: [{zone, mover, part, after,
+///   degrees, until}], as in Trigger.
 /// Faces are numbers of SolidFaces::faces of the material.
 [[nodiscard]] std::string run_json(const Recording& recording);
 

@@ -29,20 +29,21 @@ using Json = nlohmann::ordered_json;
 // Constants of the format.
 constexpr int kFloat = 5126, kUnsigned = 5125, kLines = 1, kTriangles = 4, kVertices = 34962, kIndices = 34963;
 
-enum Colour : int { kRobot, kGripper, kStorage, kMachine, kMaterial, kSphere, kEdge };
+enum Colour : int { kRobot, kGripper, kStorage, kMachine, kMaterial, kSphere, kEdge, kObstacle };
 
 Json materials() {
   struct Named {
     const char* name;
     std::array<double, 3> colour;
   };
-  constexpr std::array<Named, 7> kMaterials{{{"robot", {0.62, 0.68, 0.74}},
+  constexpr std::array<Named, 8> kMaterials{{{"robot", {0.62, 0.68, 0.74}},
                                              {"gripper", {0.30, 0.36, 0.43}},
                                              {"storage", {0.72, 0.60, 0.42}},
                                              {"machine", {0.52, 0.60, 0.54}},
                                              {"material", {0.94, 0.89, 0.26}},
                                              {"sphere", {0.0, 0.45, 0.70}},
-                                             {"edge", {0.10, 0.12, 0.15}}}};
+                                             {"edge", {0.10, 0.12, 0.15}},
+                                             {"obstacle", {0.60, 0.60, 0.60}}}};
   Json result = Json::array();
   for (const auto& [name, c] : kMaterials)
     result.push_back(
@@ -59,6 +60,7 @@ Colour colour_of(Carrier carrier) {
     case Carrier::Gripper: return kGripper;
     case Carrier::Storage: return kStorage;
     case Carrier::Machine: return kMachine;
+    case Carrier::Obstacle: return kObstacle;
     case Carrier::Material: return kMaterial;
   }
   return kRobot;
@@ -136,6 +138,11 @@ class Asset {
                       material = add_node("material", recording.places.front()),
                       sphere = add_node("sphere", {Eigen::Matrix3d::Identity(), arm.sphere_at(arm.home).center});
     for (const ModelPart& part : recording.parts) {
+      if (part.carrier == Carrier::Obstacle) {
+        add_node(part.name, Pose{});
+        json_["nodes"].back()["mesh"] = add_mesh(part.name, drawing_of(part.faces), kObstacle);
+        continue;
+      }
       const std::size_t owner = part.carrier == Carrier::Storage    ? storage
                                 : part.carrier == Carrier::Machine  ? machine
                                 : part.carrier == Carrier::Material ? material

@@ -25,7 +25,8 @@ std::string in_script(const std::string& json) {
 std::string page(std::string_view connections, const std::string& recorded) {
   std::string text(page_source("index.html"));
   std::string scripts;
-  for (const char* name : {"vectors.js", "answers.js", "scene.js", "plan.js", "curve.js", "player.js", "main.js"})
+  for (const char* name : {"words.js", "vectors.js", "answers.js", "scene.js", "view.js", "plan.js", "curve.js",
+                           "player.js", "moves.js", "joints.js", "elements.js", "main.js"})
     scripts += page_source(name);
   replace(text, "@connections@", connections);
   replace(text, "/*style*/", page_source("style.css"));

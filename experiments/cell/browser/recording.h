@@ -11,6 +11,7 @@
 #include "experiments/cell/configuration/area.h"
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/model.h"
+#include "experiments/cell/model/plant.h"
 #include "experiments/cell/simulation/method_comparison.h"
 #include "experiments/cell/simulation/process.h"
 #include "experiments/cell/simulation/separation.h"
@@ -48,9 +49,11 @@ struct Recording {
 
 /// The options of runs that do not depend on the setting.
 struct SimulatorOptions {
-  double overhang = 8;                        ///< of the balls that cover the arm, as in BallCover
-  std::vector<const cases::Method*> methods;  ///< asked about every face, besides the exact answer
-  Rule rule;
+  double overhang = 8;                             ///< of the balls that cover the arm, as in BallCover
+  std::vector<const cases::Method*> methods = {};  ///< asked about every face, besides the exact answer
+  Rule rule = {};
+  std::shared_ptr<const Plant> plant = {};  ///< of which the cell is one piece's; none if it is all there is
+  std::size_t piece = 0;                    ///< the number of that piece
 };
 
 /// The arm at some pose, and what it touches or is near to.
@@ -68,6 +71,8 @@ class Simulator {
   Simulator(Cell cell, SimulatorOptions options);
 
   [[nodiscard]] const Cell& cell() const { return cell_; }
+  [[nodiscard]] const Plant* plant() const { return options_.plant.get(); }
+  [[nodiscard]] std::size_t piece() const { return options_.piece; }
   [[nodiscard]] const std::vector<ModelPart>& parts() const { return parts_; }
 
   /// Runs the process with a setting. Throws BadCell for an impossible cell, as `changed` and Workcell do. A process

@@ -7,6 +7,7 @@
 #include <array>
 #include <boost/beast/core/string.hpp>
 #include <charconv>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -40,9 +41,10 @@ struct Route {
   std::string_view name;
   bool posted;
 };
-constexpr std::array<Route, 5> kRoutes{
-    {{"cell", false}, {"covers", false}, {"run", true}, {"area", true}, {"pose", true}}};
-constexpr const char* kThere = "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose";
+constexpr std::array<Route, 6> kRoutes{
+    {{"cell", false}, {"covers", false}, {"varied", true}, {"run", true}, {"area", true}, {"pose", true}}};
+constexpr const char* kThere =
+    "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose";
 
 /// The name behind /api/ and the number behind that; 0 without one, none for anything else.
 std::optional<std::pair<std::string, std::size_t>> parts_of(std::string_view path) {
@@ -61,22 +63,46 @@ std::optional<std::pair<std::string, std::size_t>> parts_of(std::string_view pat
 
 }  // namespace
 
-Routes::Routes(const Simulator& simulator, KnownHosts hosts, std::vector<Variant> presets)
-    : simulator_(&simulator), hosts_(std::move(hosts)), page_(live_page()) {
+Routes::Routes(const Simulator& simulator, KnownHosts hosts, std::vector<Variant> presets, MakeSimulator make)
+    : simulator_(&simulator),
+      make_(std::move(make)),
+      hosts_(std::move(hosts)),
+      page_(live_page()),
+      presets_(std::move(presets)) {
   nlohmann::json names = nlohmann::json::array();
-  for (Variant& preset : presets) {
-    names.push_back(preset.name);
-    presets_.push_back(std::make_unique<Preset>());
-    presets_.back()->variant = std::move(preset);
-  }
+  for (const Variant& preset : presets_) names.push_back(preset.name);
   presets_json_ = names.dump();
 }
 
-const Simulator& Routes::simulator_of(std::size_t preset) const {
-  if (preset == 0) return *simulator_;
-  Preset& wanted = *presets_[preset - 1];
-  std::call_once(wanted.once, [&] { wanted.simulator = std::make_unique<const Simulator>(wanted.variant.make()); });
-  return *wanted.simulator;
+// Whoever asks first builds it; others who ask for the same wait.
+Routes::Shared Routes::simulator_of(std::size_t preset, const Variation& variation) const {
+  const MakeSimulator& make = preset == 0 ? make_ : presets_[preset - 1].make;
+  if (preset == 0 && (variation == Variation{} || !make)) return {simulator_, [](const Simulator*) {}};
+  std::promise<Shared> promise;
+  std::shared_future<Shared> simulator;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find_if(
+        kept_, [&](const Kept& kept) { return kept.preset == preset && kept.variation == variation; });
+    if (found != kept_.end()) {
+      kept_.splice(kept_.begin(), kept_, found);
+      simulator = found->simulator;
+    } else {
+      kept_.push_front({preset, variation, promise.get_future().share()});
+      if (kept_.size() > kKept) kept_.pop_back();
+    }
+  }
+  if (simulator.valid()) return simulator.get();
+  try {
+    auto made = std::make_shared<const Simulator>(make(variation));
+    promise.set_value(made);
+    return made;
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+    const std::lock_guard lock(mutex_);
+    std::erase_if(kept_, [&](const Kept& kept) { return kept.preset == preset && kept.variation == variation; });
+    throw;
+  }
 }
 
 HttpReply Routes::answer(const HttpRequest& request) const {
@@ -87,7 +113,7 @@ HttpReply Routes::answer(const HttpRequest& request) const {
   const auto parts = parts_of(request.path);
   const auto route = parts ? std::ranges::find(kRoutes, parts->first, &Route::name) : kRoutes.end();
   if (!page && !presets && (route == kRoutes.end() || parts->second > presets_.size()))
-    return refusal(404, std::string(kThere) + ", not " + io::legible(request.path));
+    return refusal(404, fmt::format("{}, not {}", kThere, io::legible(request.path)));
   const bool posted = !page && !presets && route->posted;
   const std::string wanted = posted ? "POST" : "GET, HEAD";
   if (posted ? request.method != "POST" : request.method != "GET" && request.method != "HEAD")
@@ -100,9 +126,10 @@ HttpReply Routes::answer(const HttpRequest& request) const {
 
 HttpReply Routes::answered(const std::string& what, std::size_t preset, const std::string& body) const {
   try {
-    const Simulator& simulator = simulator_of(preset);
+    const Shared shared = simulator_of(preset, body.empty() ? Variation{} : read_variation(body));
+    const Simulator& simulator = *shared;
     const Cell& cell = simulator.cell();
-    if (what == "cell") return {200, kJson, cell_json(simulator), ""};
+    if (what == "cell" || what == "varied") return {200, kJson, cell_json(simulator), ""};
     if (what == "covers") return {200, kJson, covers_json(simulator.covered()), ""};
     if (what == "run") return {200, kJson, run_json(simulator.run(read_setting(body, cell))), ""};
     if (what == "area") return {200, kJson, area_json(simulator.area(read_setting(body, cell), kRadii)), ""};

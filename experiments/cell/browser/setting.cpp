@@ -7,7 +7,7 @@
 
 #include "experiments/cell/model/cell_entry.h"
 #include "experiments/cell/model/reach.h"
-#include "experiments/cell/model/read_cell.h"
+#include "experiments/cell/model/read_station.h"
 #include "experiments/cell/model/stops.h"
 #include "experiments/harness/json/strict_json.h"
 #include "experiments/methods/registry.h"
@@ -24,7 +24,7 @@ double within(const CellEntry& entry, double least, double most) {
 
 Setting read(const CellEntry& whole, const Cell& cell) {
   Setting setting = setting_of(cell);
-  whole.has_only({"storage", "slot", "step", "drive"});
+  whole.has_only({"storage", "slot", "step", "drive", "changes", "piece"});
   if (const auto storage = whole.find("storage")) {
     storage->has_only({"angle", "radius", "height"});
     const double most = longest(cell);
@@ -77,9 +77,26 @@ Setting read_setting(std::string_view text, const Cell& cell) {
   return read_request(text, [&](const CellEntry& whole) { return read(whole, cell); });
 }
 
+Variation read_variation(std::string_view text) {
+  return read_request(text, [&](const CellEntry& whole) {
+    Variation variation;
+    if (const auto piece = whole.find("piece")) variation.piece = piece->name();
+    const auto changes = whole.find("changes");
+    if (!changes) return variation;
+    for (const CellEntry& change : changes->items()) {
+      for (const char* key : {"urdf", "mesh", "file", "packages"})
+        if (change.text().find(key) != std::string::npos)
+          change.bad(fmt::format("names \"{}\": the page changes no files", key));
+      variation.changes.push_back(change.text());
+    }
+    if (variation.changes.size() > kMostChanges) changes->bad(fmt::format("are more than {}", kMostChanges));
+    return variation;
+  });
+}
+
 PoseRequest read_pose(std::string_view text, const Cell& cell, std::size_t joints) {
   return read_request(text, [&](const CellEntry& whole) {
-    whole.has_only({"setting", "commanded"});
+    whole.has_only({"setting", "commanded", "changes", "piece"});
     PoseRequest pose{read(whole.at("setting"), cell), {}};
     for (const CellEntry& command : whole.at("commanded").items()) pose.commanded.push_back(command.number());
     if (pose.commanded.size() != joints)
@@ -100,8 +117,8 @@ Cell changed(const Cell& cell, const Setting& setting) {
   set(result.step, setting.step, "step");
   result.material.slot = setting.slot;
   if (const auto& stand = result.storage.stand; stand && stand->top <= -result.storage.height)
-    throw BadCell(fmt::format("{}: storage.height: the stand's top, {:g} from there, lies at or below the floor",
-                              cell.file.string(), stand->top));
+    throw BadCell(fmt::format("{}: {}.height: the stand's top, {:g} from there, lies at or below the floor",
+                              cell.file.string(), cell.storage.key, stand->top));
   check_stops(result);
   check_reach(result);
   return result;

@@ -34,9 +34,24 @@ class BadSetting : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How the cell that is asked about differs from the served one: changes of its file, as `--set` takes them, and the
+/// piece of material that is handled; empty for the served one.
+struct Variation {
+  std::vector<std::string> changes;
+  std::string piece;
+
+  friend bool operator==(const Variation&, const Variation&) = default;
+};
+inline constexpr std::size_t kMostChanges = 200;
+/// Reads the keys "changes", an array of texts, and "piece" of a request. Throws BadSetting for text that is not JSON,
+/// another type, more than kMostChanges changes, and a change that names a file: "urdf", "mesh", "meshes", "file" and
+/// "packages" are for who starts the program; copies of what is there are not.
+[[nodiscard]] Variation read_variation(std::string_view text);
+
 /// Reads {"storage": {"angle": a, "radius": r, "height": h}, "slot": name, "step": s, "drive": name}. Missing values
-/// are those of the cell. Throws BadSetting for text that is not JSON, an unknown or duplicate key, another type, a
-/// number that is not finite or out of bounds, an unknown slot, and a drive that `touchstone methods` does not list.
+/// are those of the cell; "changes" and "piece" are for read_variation. Throws BadSetting for text that is not JSON, an
+/// unknown or duplicate key, another type, a number that is not finite or out of bounds, an unknown slot, and a drive
+/// that `touchstone methods` does not list.
 [[nodiscard]] Setting read_setting(std::string_view text, const Cell& cell);
 
 /// A pose that the page asks about: the arm's commands in degrees, in the cell under a setting.

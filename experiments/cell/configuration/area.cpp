@@ -12,7 +12,7 @@ namespace touchstone::cell {
 
 std::vector<ModelPart> with_stand(std::vector<ModelPart> parts, const Station& storage) {
   for (ModelPart& part : parts)
-    if (storage.stand && part.carrier == Carrier::Storage && part.name == "storage/stand")
+    if (storage.stand && part.carrier == Carrier::Storage && part.name == storage.name + "/stand")
       part.faces = faces_of(stand_of(storage), part.name);
   return parts;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/cell/model/solid.h"
+#include "experiments/cell/model/zone.h"
 #include "experiments/workloads/meshes/unit.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
@@ -46,6 +47,9 @@ struct Coupling {
   double factor;
 };
 
+/// Returns the label of the value at a path. Throws std::out_of_range if it has none.
+[[nodiscard]] Label label_of(const std::map<std::string, Label>& labels, const std::string& path);
+
 struct Link {
   std::string name;
   std::vector<Part> parts;
@@ -53,7 +57,8 @@ struct Link {
 
 /// A serial arm. links[0] is fixed; joints[i] carries links[i + 1] and is mounted on links[i].
 struct Robot {
-  std::string name;
+  std::string name;           ///< of the URDF
+  std::string key = "robot";  ///< its path in the file
   std::filesystem::path urdf;
   Pose base;  ///< of links[0] in the cell: moved up, not turned
   std::vector<Link> links;
@@ -84,8 +89,8 @@ struct Slot {
   Eigen::Vector2d aim;    ///< in that frame, in plan: the point that the arm faces, and onto which it lowers its sphere
 };
 
-/// The storage or the machine. Its frame has z up, x away from the robot's axis, and its origin at `radius` from that
-/// axis, in the direction `home + angle`, `height` above the floor.
+/// The storage or the machine. Its frame has z up, x away from the robot's axis unless it is turned, and its origin at
+/// `radius` from that axis, in the direction `home + angle`, `height` above the floor.
 struct Station {
   double home;    ///< the zero of the angle: degrees counter-clockwise from the cell's x
   double angle;   ///< degrees counter-clockwise
@@ -99,10 +104,19 @@ struct Station {
     double top;
   };
   std::optional<Stand> stand;
+  double turn = 0;        ///< of its frame, counter-clockwise, from where x points away from the robot's axis
+  std::string name = {};  ///< of its parts' names: `storage` in `storage/deck`
+  std::string key = {};   ///< its path in the file: `storage`, `machines[1]`
 
   [[nodiscard]] double azimuth() const { return home + angle; }
 };
 
+/// Returns the pose of the station's frame in the cell.
+[[nodiscard]] Pose pose_of(const Station& station);
+/// Returns a direction of the station's plan as it is seen with x away from the robot's axis.
+[[nodiscard]] Eigen::Vector2d turned(const Station& station, const Eigen::Vector2d& direction);
+/// Returns a point of the station's plan in the same way, from the robot's axis.
+[[nodiscard]] Eigen::Vector2d in_plan(const Station& station, const Eigen::Vector2d& point);
 /// Returns the stand as a part, in the frame of the station. Requires a station with a stand.
 [[nodiscard]] Solid stand_of(const Station& station);
 
@@ -121,6 +135,8 @@ struct Material {
   std::optional<Tolerance> tolerance;  ///< if none, it may be anywhere
 };
 
+/// One robot, the piece of material that it handles, and everything that stands about it, in the robot's frame. A cell
+/// file with several robots or pieces is read as several of these (plant.h).
 struct Cell {
   std::filesystem::path file;
   std::string name;
@@ -129,14 +145,17 @@ struct Cell {
   Gripper gripper;
   Station storage, machine;
   Material material;
+  /// All else that stands: obstacles, other stations, other robots at home, other pieces. What is before a slash in a
+  /// name is one thing.
+  std::vector<Part> obstacles = {};
+  std::vector<Zone> zones = {};
   double step;       ///< of every joint, in degrees; > 0
   double clearance;  ///< the least rise of the sphere after gripping from above or letting go; > 0
   /// Labels by path in the file, such as `storage.radius`. A label applies to all values below its path that have no
   /// nearer one.
   std::map<std::string, Label> labels;
 
-  /// Returns the label of the value at a path. Throws std::out_of_range if it has none.
-  [[nodiscard]] Label label(const std::string& path) const;
+  [[nodiscard]] Label label(const std::string& path) const { return label_of(labels, path); }
 };
 
 }  // namespace touchstone::cell

@@ -69,6 +69,11 @@ std::string CellEntry::name() const {
   return name;
 }
 
+bool CellEntry::yes() const {
+  if (!value_->is_boolean()) bad("must be true or false");
+  return value_->get<bool>();
+}
+
 double CellEntry::number() const {
   if (!value_->is_number()) bad("must be a number");
   const double number = value_->get<double>();

@@ -56,6 +56,7 @@ class CellEntry {
 
   [[nodiscard]] std::string text() const;     ///< not empty, legible
   [[nodiscard]] std::string name() const;     ///< `is_name`
+  [[nodiscard]] bool yes() const;             ///< true or false
   [[nodiscard]] double number() const;        ///< finite
   [[nodiscard]] double positive() const;      ///< > 0
   [[nodiscard]] double not_negative() const;  ///< >= 0

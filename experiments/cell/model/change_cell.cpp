@@ -56,6 +56,19 @@ nlohmann::json value_of(const std::string& path, const std::string& text) {
   }
 }
 
+/// Returns the value of the path that is copied to another.
+nlohmann::json value_at(const nlohmann::json& cell, const std::string& to, const std::string& from) {
+  const nlohmann::json* at = &cell;
+  for (const Key& key : keys_of(from)) {
+    const auto* name = std::get_if<std::string>(&key);
+    const bool there = name != nullptr ? at->is_object() && at->contains(*name)
+                                       : at->is_array() && std::get<std::size_t>(key) < at->size();
+    if (!there) throw BadCell(fmt::format("{}: there is no value at {}", to, from));
+    at = name != nullptr ? &at->at(*name) : &at->at(std::get<std::size_t>(key));
+  }
+  return *at;
+}
+
 /// Returns whether it is the path, or below it.
 bool below(const std::string& label, const std::string& path) {
   return label.compare(0, path.size(), path) == 0 &&
@@ -69,7 +82,15 @@ void change_cell(nlohmann::json& cell, const std::string& assignment) {
   if (equals == std::string::npos) throw BadCell(fmt::format("{}: has no \"=\"", assignment));
   const std::string path = assignment.substr(0, equals);
   const std::vector<Key> keys = keys_of(path);
-  nlohmann::json value = value_of(path, assignment.substr(equals + 1));
+  const std::string text = assignment.substr(equals + 1);
+  nlohmann::json value = text.starts_with('@') ? value_at(cell, path, text.substr(1)) : value_of(path, text);
+
+  // The first element of a list that is not there begins it.
+  if (keys.size() == 2 && std::holds_alternative<std::size_t>(keys[1]) && std::get<std::size_t>(keys[1]) == 0 &&
+      cell.is_object() && !value.is_null()) {
+    const std::string& list = std::get<std::string>(keys[0]);
+    if (!cell.contains(list)) cell[list] = nlohmann::json::array();
+  }
 
   nlohmann::json* at = &cell;
   const auto missing = [&](const std::string& what) { throw BadCell(fmt::format("{}: {}", path, what)); };

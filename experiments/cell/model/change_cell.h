@@ -10,8 +10,9 @@ namespace touchstone::cell {
 /// `machine.parts[3]=null`.
 ///
 /// The value is JSON; anything that is not JSON is taken as text. null removes the entry. A missing key is added, and
-/// so is the element after the last of an array. A value that is set is labelled "C", also below its path, because the
-/// user has chosen it. Labels of removed entries are removed; labels of later elements move with them.
+/// so is the element after the last of an array, and the first one of a list that is missing. A value `@PATH` is a copy
+/// of what is at that path: `storages[0]=@storage`. A value that is set is labelled "C", also below its path, because
+/// the user has chosen it. Labels of removed entries are removed; labels of later elements move with them.
 ///
 /// Throws BadCell, whose message begins with the path, for an assignment without `=` or path, and for a path through a
 /// missing entry or through one that is not an object or array. Whether the cell is valid is for read_cell to decide.

@@ -22,12 +22,12 @@ std::vector<Named> solids_of(const Cell& cell) {
   for (std::size_t i = 0; i < robot.links.size(); ++i) add(Carrier::Link, i, robot.links[i].name, robot.links[i].parts);
   add(Carrier::Gripper, robot.links.size() - 1, "gripper", cell.gripper.parts);
   const auto add_station = [&](Carrier carrier, const Station& station) {
-    const std::string owner(to_string(carrier));
-    add(carrier, 0, owner, station.parts);
-    if (station.stand) result.push_back({carrier, 0, owner + "/stand", stand_of(station)});
+    add(carrier, 0, station.name, station.parts);
+    if (station.stand) result.push_back({carrier, 0, station.name + "/stand", stand_of(station)});
   };
   add_station(Carrier::Storage, cell.storage);
   add_station(Carrier::Machine, cell.machine);
+  for (const Part& obstacle : cell.obstacles) result.push_back({Carrier::Obstacle, 0, obstacle.name, obstacle.solid});
   result.push_back({Carrier::Material, 0, "material", cell.material.solid});
   return result;
 }
@@ -40,6 +40,7 @@ std::string_view to_string(Carrier carrier) {
     case Carrier::Gripper: return "gripper";
     case Carrier::Storage: return "storage";
     case Carrier::Machine: return "machine";
+    case Carrier::Obstacle: return "obstacle";
     case Carrier::Material: return "material";
   }
   return "";

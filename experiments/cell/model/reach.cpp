@@ -13,7 +13,7 @@
 
 #include "experiments/cell/model/bounds.h"
 #include "experiments/cell/model/cell_entry.h"
-#include "experiments/workloads/degrees.h"
+#include "experiments/cell/model/home_poses.h"
 
 namespace touchstone::cell {
 namespace {
@@ -39,8 +39,9 @@ std::optional<Span> radii(const Reach& reach, double sphere, const Station& stat
   const std::optional<Span> distances = plan_distances(reach, up);
   if (!distances) return std::nullopt;
   const auto radius = [&](double distance) {
-    const double out = distance * distance - slot.aim.y() * slot.aim.y();
-    return std::max(0.0, std::sqrt(std::max(0.0, out)) - slot.aim.x());
+    const Eigen::Vector2d aim = turned(station, slot.aim);
+    const double out = distance * distance - aim.y() * aim.y();
+    return std::max(0.0, std::sqrt(std::max(0.0, out)) - aim.x());
   };
   return Span{radius(distances->least), radius(distances->most)};
 }
@@ -67,29 +68,23 @@ std::string advice(const Reach& reach, double sphere, const Station& station, co
       rounded(all.least, true), rounded(all.most, false));
 }
 
-Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double degrees) {
-  const double c = workloads::cosine(degrees), s = workloads::sine(degrees);
-  Eigen::Matrix3d cross;
-  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
-  return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * axis * axis.transpose();
-}
-
-void check(const Cell& cell, const Station& station, const char* key, const Reach& reach) {
+void check(const Cell& cell, const Station& station, const Reach& reach) {
   const Eigen::AlignedBox3d material = bounds_of(cell.material.solid);
   const double around = cell.gripper.sphere.radius + material.diagonal().norm() / 2;
   const double azimuth = station.azimuth() * std::numbers::pi / 180;
   for (const Slot& slot : station.slots) {
     const Eigen::Vector3d middle = slot.place + material.center();
-    const double x = station.radius + middle.x(), y = middle.y();
+    const Eigen::Vector2d at = in_plan(station, middle.head<2>());
+    const double x = at.x(), y = at.y();
     const double distance =
         reach.distance({x * std::cos(azimuth) - y * std::sin(azimuth), x * std::sin(azimuth) + y * std::cos(azimuth),
                         station.height + middle.z()});
     if (distance > reach.outer + around || distance < reach.inner - around)
-      throw BadCell(
-          fmt::format("{}: {}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
-                      "its sphere {:.6g} to {:.6g} away; {}",
-                      cell.file.string(), key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
-                      reach.inner, reach.outer, advice(reach, cell.gripper.sphere.radius, station, material)));
+      throw BadCell(fmt::format(
+          "{}: {}.radius: {}: material in slot \"{}\" is {:.6g} from the second joint, where the arm holds "
+          "its sphere {:.6g} to {:.6g} away; {}",
+          cell.file.string(), station.key, distance < reach.inner ? "too near" : "too far", slot.name, distance,
+          reach.inner, reach.outer, advice(reach, cell.gripper.sphere.radius, station, material)));
   }
 }
 
@@ -140,8 +135,8 @@ Reach reach_of(const Cell& cell) {
 
 void check_reach(const Cell& cell) {
   const Reach reach = reach_of(cell);
-  check(cell, cell.storage, "storage", reach);
-  check(cell, cell.machine, "machine", reach);
+  check(cell, cell.storage, reach);
+  check(cell, cell.machine, reach);
 }
 
 }  // namespace touchstone::cell

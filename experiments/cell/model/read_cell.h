@@ -10,6 +10,7 @@
 
 #include "experiments/cell/model/cell.h"
 #include "experiments/cell/model/cell_entry.h"
+#include "experiments/cell/model/plant.h"
 
 namespace touchstone::cell {
 
@@ -39,12 +40,28 @@ namespace touchstone::cell {
 ///   presets   optional: {name: ["path=value", ...]}: named changes of the file (change_cell.h)
 ///   labels    {path: "T", "S", "D" or "C"}: where values come from. Every number of the file is below some path
 ///
+/// More than one: `robots`, `storages`, `machines` and `materials` are lists of further ones, each with a `name`. A
+/// file needs one of each kind, by its own key or in the list. Then also
+///   obstacles optional: parts that stand, in the frame of the floor, which is that of the key `robot`
+///   zones     optional: virtual objects, as read_zone takes them
+///   robots[i] the keys of `robot`, its `gripper`, and perhaps place: [x, y] and turn: degrees, on the floor
+///   a station perhaps about: the robot about whose axis it stands, by default the first one; turn: degrees by which
+///   its
+///             frame is turned
+///   material  robot, storage, machine: those that handle it; by default the only one, or that of the key `robot`,
+///             `storage` or `machine`
+/// All names are different. Pieces are handled in the order of the file.
+///
 /// `meshes` overrides the folder of the key; `changes` are applied first, in order (change_cell.h). Throws BadCell,
 /// whose message begins with the file and the key, for a cell file that is missing, has more than kMostCellMib or is
 /// not JSON, a key that is missing, unknown or duplicate, a value of another type or out of range, an invalid (is_name)
 /// or duplicate name, a missing mesh or URDF file, a first joint that does not turn about z, home angles beyond a
 /// joint's limits, an unknown slot, a place that is out of the arm's reach (reach.h), a label of a missing value, and a
 /// number without a label.
+[[nodiscard]] Plant read_plant(const std::filesystem::path& file,
+                               const std::optional<std::filesystem::path>& meshes = std::nullopt,
+                               const std::vector<std::string>& changes = {});
+/// Returns the cell of the first piece of material.
 [[nodiscard]] Cell read_cell(const std::filesystem::path& file,
                              const std::optional<std::filesystem::path>& meshes = std::nullopt,
                              const std::vector<std::string>& changes = {});
@@ -55,7 +72,7 @@ namespace touchstone::cell {
 /// unknown name.
 [[nodiscard]] std::vector<std::string> preset(const std::filesystem::path& file, const std::string& name);
 
-/// Returns the index of the slot that an entry names. Throws BadCell if the station has no slot of that name.
-[[nodiscard]] std::size_t slot_named(const Station& station, const CellEntry& entry);
+/// Returns the number of a piece of material. Throws BadCell, which names the pieces there are, for an unknown name.
+[[nodiscard]] std::size_t piece_named(const Plant& plant, const std::string& name);
 
 }  // namespace touchstone::cell

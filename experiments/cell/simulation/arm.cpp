@@ -14,8 +14,8 @@
 namespace touchstone::cell {
 namespace {
 
-[[noreturn]] void bad(const Cell& cell, const char* key, const std::string& reason) {
-  throw BadCell(fmt::format("{}: {}: {}", cell.file.string(), key, reason));
+[[noreturn]] void bad(const Cell& cell, const std::string& key, const std::string& reason) {
+  throw BadCell(fmt::format("{}: {}.{}: {}", cell.file.string(), cell.robot.key, key, reason));
 }
 
 /// The compensations of joints that have these places in Robot::joints, by the couplings.
@@ -35,7 +35,7 @@ std::vector<kinematics::Compensation> compensations_of(const Cell& cell, const k
   for (std::size_t k = 0; k < couplings.size(); ++k) {
     const std::size_t driver = index(couplings[k].leader), joint = index(couplings[k].joint);
     const auto refuse = [&](const std::string& why) {
-      bad(cell, fmt::format("robot.coupling[{}]", k).c_str(),
+      bad(cell, fmt::format("coupling[{}]", k),
           fmt::format("{} is to undo the turning of {}, but {}", free.joints()[joint].name, free.joints()[driver].name,
                       why));
     };
@@ -55,15 +55,6 @@ std::vector<kinematics::Compensation> compensations_of(const Cell& cell, const k
 }
 
 }  // namespace
-
-Pose within(const Pose& outer, const Pose& pose) {
-  return {outer.rotation * pose.rotation, outer.rotation * pose.translation + outer.translation};
-}
-
-Pose inverse(const Pose& pose) {
-  const Eigen::Matrix3d back = pose.rotation.transpose();
-  return {back, -(back * pose.translation)};
-}
 
 double turn_between(const Pose& one, const Pose& other) {
   const double chord = (one.rotation - other.rotation).norm() / (2 * std::sqrt(2.0));
@@ -102,7 +93,7 @@ Arm arm_of(const Cell& cell) {
     home.push_back(joint.home);
     speeds.push_back(joint.speed);
   }
-  if (joints.size() <= kElbow) bad(cell, "robot.urdf", "fewer than three joints turn");
+  if (joints.size() <= kElbow) bad(cell, "urdf", "fewer than three joints turn");
   const Pose flange = links.back().pose;
   const auto compensations = compensations_of(cell, {joints, flange}, home, places);
   return {
@@ -118,7 +109,7 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
                         center = arm.sphere_at(arm.home).center;
   const double near = 1e-9 * (center - at).norm();
   const auto require = [&](bool holds, const std::string& otherwise) {
-    if (!holds) bad(cell, "robot.urdf", otherwise);
+    if (!holds) bad(cell, "urdf", otherwise);
   };
   const auto along = [&](Moved joint, int coordinate) {
     return std::abs(std::abs(axis(joint)[coordinate]) - 1) < 1e-9;
@@ -138,7 +129,7 @@ PlanarArm::PlanarArm(const Cell& cell, const Arm& arm) {
   makes_up_ = by_shoulder == std::size_t{kElbow};
   const Eigen::Vector3d wrist = by_elbow ? frames[*by_elbow].translation : center;
   if (by_elbow ? !by_shoulder : by_shoulder && !makes_up_)
-    bad(cell, "robot.coupling", "the turning of only one of shoulder and elbow is undone behind the elbow");
+    bad(cell, "coupling", "the turning of only one of shoulder and elbow is undone behind the elbow");
   shoulder_ = {at.x(), at.z()};
   hand_ = {center.x() - wrist.x(), center.z() - wrist.z()};
   const Eigen::Vector3d first = elbow - at, second = wrist - elbow;

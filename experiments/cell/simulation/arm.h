@@ -8,14 +8,12 @@
 #include "experiments/cell/kinematics/chain.h"
 #include "experiments/cell/kinematics/two_link.h"
 #include "experiments/cell/model/cell.h"
+#include "experiments/cell/model/home_poses.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/pose.h"
 
 namespace touchstone::cell {
 
-/// Returns the pose of a frame that is at `pose` in a frame at `outer`.
-[[nodiscard]] Pose within(const Pose& outer, const Pose& pose);
-[[nodiscard]] Pose inverse(const Pose& pose);
 /// Returns the angle in degrees by which the rotations of two poses differ.
 [[nodiscard]] double turn_between(const Pose& one, const Pose& other);
 

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/cell/simulation/overlap.h"
+
 namespace touchstone::cell {
 
 using kinematics::SimulationFailure;
@@ -32,7 +34,7 @@ void MovingArm::start() {
     const std::string met = scene.name(scene.touched(sphere, objects).front().object);
     found = {0, "the sphere touches " + met, {met}};
   }
-  if (!found && sweep_ != nullptr) found = workcell_->overlap_of_stations();
+  if (!found && sweep_ != nullptr) found = overlap_of_things(*workcell_);
   if (!found && sweep_ != nullptr) found = sweep_->at_rest(angles_, load(), process.queries);
   if (found) fail_at("at home " + found->what, kBase, 0, found->parts);
   stop();

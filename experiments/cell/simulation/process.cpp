@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/cell/simulation/handling.h"
+#include "experiments/cell/simulation/zone_triggers.h"
 
 namespace touchstone::cell {
 namespace {
@@ -164,6 +165,8 @@ Process simulate(const Workcell& workcell, const Rule& rule) {
     robot.process.failure = failed.what();
     robot.process.cause = failed.cause;
   }
+  robot.process.triggers = zone_triggers(workcell, robot.process, rule.sphere_alone);
+  stop_at_zones(workcell, robot.process);
   return std::move(robot.process);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -71,6 +72,23 @@ struct MaterialTransfer {
   std::optional<Pose> in_flange;  ///< where the gripper holds it
 };
 
+/// A thing that moves: the moving parts of the arm with the gripper, the held material, and the virtual sphere.
+enum class Mover { Arm, Held, Sphere };
+inline constexpr std::array kMovers{Mover::Arm, Mover::Held, Mover::Sphere};
+/// `arm`, `held material`, `sphere`
+[[nodiscard]] std::string_view to_string(Mover mover);
+
+/// A mover in a virtual object, as zone_triggers finds it.
+struct Trigger {
+  std::size_t zone;  ///< index in Cell::zones
+  Mover mover;
+  std::string part;    ///< of the mover, which comes in first
+  std::size_t after;   ///< it comes in after this stop,
+  double degrees;      ///< and the joint's way from there; 0 for what is in at that stop
+  std::size_t until;   ///< from this stop on it is outside; the last stop if it stays in
+  Eigen::Vector3d at;  ///< the sphere's centre when it comes in
+};
+
 /// Where a process ends early.
 struct Stuck {
   std::string reason;              ///< one sentence
@@ -87,7 +105,8 @@ struct Process {
   /// Set if there is a failure; if several approaches failed, the last of their causes in the order of FailureCause.
   /// OutOfReach also if no lift clears the material.
   std::optional<FailureCause> cause;
-  std::uint64_t queries = 0;  ///< the number of balls and triangles that were tested for obstacles
+  std::vector<Trigger> triggers;  ///< by stop
+  std::uint64_t queries = 0;      ///< the number of balls and triangles that were tested for obstacles
 
   /// Returns the last transfer before a stop: where the material is when the arm arrives there.
   [[nodiscard]] const MaterialTransfer& holding(std::size_t stop) const;
@@ -126,10 +145,11 @@ struct Rule {
 ///      face of its target; the certified contact lies within the last step;
 ///  (4) what is gripped is between the fingers (Gripper::Hold); what is let go is within the tolerance of its place
 ///      (Material::Tolerance), where the gripper does not touch it;
-///  (5) storage and machine do not overlap.
-/// With `sphere_alone`, (1) and (3) only. If one of them cannot be kept, or a step skips a contact, `failure` says why:
-/// it names the move, the angle in degrees, and the obstacle. Moves and stops are then those of
-/// the approach that went furthest, up to there.
+///  (5) no two things that stand overlap (overlap.h).
+/// With `sphere_alone`, (1) and (3) only. Virtual objects stop nothing, unless the file says so: then the process ends
+/// where something comes into one (zone_triggers). If one of them cannot be kept, or a step skips a contact, `failure`
+/// says why: it names the move, the angle in degrees, and the obstacle. Moves and stops are then those of the approach
+/// that went furthest, up to there.
 [[nodiscard]] Process simulate(const Workcell& workcell, const Rule& rule = {});
 
 }  // namespace touchstone::cell

@@ -14,6 +14,7 @@
 #include "experiments/cases/verdict.h"
 #include "experiments/cell/simulation/cycle_time.h"
 #include "experiments/cell/simulation/separation_output.h"
+#include "experiments/cell/simulation/triggers_output.h"
 #include "experiments/harness/table.h"
 #include "experiments/harness/write_file.h"
 #include "robust/exact/exact.h"
@@ -104,7 +105,7 @@ std::vector<VertexRow> vertices_of(const Workcell& workcell, const std::vector<N
 }
 
 std::vector<VertexRow> pose_rows(const Workcell& workcell, const Process& process) {
-  std::vector<VertexRow> rows = vertices_of(workcell, workcell.stations());
+  std::vector<VertexRow> rows = vertices_of(workcell, workcell.standing_triangles());
   const auto gripper = vertices_of(workcell, workcell.gripper()), material = vertices_of(workcell, workcell.material());
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Pose flange = workcell.arm().link_poses(process.stops[i].commanded).back();
@@ -262,6 +263,7 @@ std::string summary(const Workcell& workcell, const Process& process, const Sepa
       text += fmt::format("let go in the {}: {:.1f} {} from its place, turned by {:.2f} degrees\n",
                           to_string(*transfer.slot), transfer.shift, unit, transfer.turn);
   text += "\n" + separation_text(workcell, process, separation) + "\n";
+  if (const std::string triggers = triggers_text(workcell, process); !triggers.empty()) text += triggers + "\n";
   text += fmt::format("{} pairs of a stop and a face could touch: their boxes meet\n\n", comparison.met);
   text += methods_csv().aligned(score_rows(comparison)) +
           "share_low, share_high: 95 % limits of the share of wrong answers\n";
@@ -278,6 +280,7 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   poses_csv().write(folder, pose_rows(workcell, process));
   harness::write_file(folder / "trajectory.json", trajectory_json(workcell, process));
   write_separation(folder, workcell, process, separation);
+  write_triggers(folder, workcell, process);
   methods_csv().write(folder, score_rows(comparison));
   harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
@@ -286,6 +289,7 @@ std::vector<harness::TableDescription> run_tables() {
   std::vector<harness::TableDescription> tables{moves_csv().description(), trajectory_csv({"<joint>"}).description(),
                                                 poses_csv().description()};
   for (harness::TableDescription& table : separation_tables()) tables.push_back(std::move(table));
+  tables.push_back(triggers_table());
   tables.push_back(methods_csv().description());
   return tables;
 }

@@ -24,6 +24,7 @@ namespace touchstone::cell {
 ///  - poses.csv: the vertices of what stands, and of gripper and material at every stop;
 ///  - separation.csv: the least distance of arm, held material and sphere from every element; distances.csv: from the
 ///    nearest one at every stop, and on the way to it;
+///  - triggers.csv: what comes into virtual objects;
 ///  - methods.csv: one line per method;
 ///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
 /// Throws std::runtime_error if a file cannot be written.

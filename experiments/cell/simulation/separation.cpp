@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "experiments/cell/simulation/cycle_time.h"
 #include "experiments/cell/simulation/joint_turn.h"
+#include "experiments/cell/simulation/moving_parts.h"
 
 namespace touchstone::cell {
 namespace {
@@ -20,26 +20,19 @@ constexpr double kAhead = 8;         // so many steps are skipped where a distan
 
 std::size_t index(Mover mover) { return static_cast<std::size_t>(mover); }
 
-/// A part of a mover, in the frame of a link.
-struct MovingPart {
-  Mover mover;
-  std::string name;
-  std::size_t link;
-  TriangleTree triangles;
-  double radius;  ///< of the sphere; 0 for other parts
-};
-
 struct Element {
   std::string name;
   TriangleTree triangles;
   std::optional<StationSlot> slot;  ///< of material
 };
 
-/// A stretch of the run in which the material stays where it is.
-struct Stretch {
-  std::size_t first, last;  ///< stops
-  const MaterialTransfer* state;
-  std::vector<std::vector<double>> lower;  ///< at each stop, by part and element
+/// What is known of a stretch: at each stop the arm's links and lower bounds by part and element, and the way to the
+/// next stop.
+struct Measured {
+  Stretch stretch;
+  std::vector<std::vector<double>> lower;
+  std::vector<std::vector<Pose>> links;
+  std::vector<WayBetween> ways;
 };
 
 /// The least distance of a mover from an element, and where.
@@ -52,8 +45,11 @@ struct Best {
 class Measurement {
  public:
   Measurement(const Workcell& workcell, const Process& process)
-      : cell_(workcell), arm_(workcell.arm()), process_(process), tolerance_(kTolerance * workcell.plane().furthest()) {
-    take_parts();
+      : cell_(workcell),
+        arm_(workcell.arm()),
+        process_(process),
+        tolerance_(kTolerance * workcell.plane().furthest()),
+        parts_(moving_parts(workcell)) {
     take_elements();
     best_.resize(kMovers.size() * elements_.size());
     for (auto& nearest : nearest_) nearest.resize(process.stops.size());
@@ -63,15 +59,10 @@ class Measurement {
     Separation result;
     result.tolerance = tolerance_;
     for (const Element& element : elements_) result.elements.push_back(element.name);
-    std::vector<Stretch> stretches;
-    const auto& transfers = process_.transfers;
-    for (std::size_t i = 0; i < transfers.size() && !process_.stops.empty(); ++i)
-      stretches.push_back({transfers[i].stop,
-                           i + 1 < transfers.size() ? transfers[i + 1].stop : process_.stops.size() - 1,
-                           &transfers[i],
-                           {}});
-    for (Stretch& stretch : stretches) measure_stops(stretch);
-    for (const Stretch& stretch : stretches) measure_ways(stretch);
+    std::vector<Measured> all;
+    for (const Stretch& stretch : stretches_of(process_)) all.push_back({stretch, {}, {}, {}});
+    for (Measured& each : all) measure_stops(each);
+    for (const Measured& each : all) measure_ways(each);
     for (const Mover mover : kMovers)
       for (std::size_t e = 0; e < elements_.size(); ++e)
         if (const Best& best = best_of(mover, e); best.bounds.upper < kInfinity)
@@ -82,38 +73,20 @@ class Measurement {
   }
 
  private:
-  void take_parts() {
-    for (const Covered& part : cell_.covered())
-      if (part.carrier == Carrier::Link && arm_.links[part.link].frame)
-        parts_.push_back({Mover::Arm, part.name, part.link, TriangleTree(part.triangles), 0});
-    const std::size_t flange = arm_.links.size() - 1;
-    for (auto& [owner, triangles] : by_owner(cell_.gripper()))
-      parts_.push_back({Mover::Arm, cell_.names()[owner], flange, TriangleTree(std::move(triangles)), 0});
-    for (auto& [owner, triangles] : by_owner(cell_.material()))
-      parts_.push_back({Mover::Held, cell_.names()[owner], flange, TriangleTree(std::move(triangles)), 0});
-    const Ball& sphere = arm_.sphere;
-    parts_.push_back({Mover::Sphere, "sphere", flange,
-                      TriangleTree({{{sphere.center, sphere.center, sphere.center}, 0}}), sphere.radius});
-  }
-
   void take_elements() {
-    for (auto& [owner, triangles] : by_owner(cell_.standing_parts()))
-      elements_.push_back({cell_.names()[owner], TriangleTree(std::move(triangles)), {}});
+    for (auto& triangles : by_owner(cell_.standing_parts())) {
+      const std::string& name = cell_.names()[triangles.front().owner];
+      elements_.push_back({name, TriangleTree(std::move(triangles)), {}});
+    }
     for (const StationSlot slot : {StationSlot::Storage, StationSlot::Machine})
       elements_.push_back({"the material in the " + std::string(to_string(slot)), cell_.material_in(slot), slot});
-  }
-
-  static std::map<std::uint32_t, std::vector<NamedTriangle>> by_owner(const std::vector<NamedTriangle>& triangles) {
-    std::map<std::uint32_t, std::vector<NamedTriangle>> parts;
-    for (const NamedTriangle& triangle : triangles) parts[triangle.owner].push_back(triangle);
-    return parts;
   }
 
   [[nodiscard]] Best& best_of(Mover mover, std::size_t element) {
     return best_[index(mover) * elements_.size() + element];
   }
   [[nodiscard]] static bool is_there(const MovingPart& part, const MaterialTransfer& state) {
-    return part.mover != Mover::Held || !state.slot;
+    return part.is_there(state);
   }
   [[nodiscard]] static bool is_there(const Element& element, const MaterialTransfer& state) {
     return !element.slot || element.slot == state.slot;
@@ -123,10 +96,7 @@ class Measurement {
   DistanceBounds measure(std::size_t p, std::size_t e, const std::vector<Pose>& links, const MaterialTransfer& state,
                          double cutoff, std::size_t stop, double degrees) {
     const MovingPart& part = parts_[p];
-    const Pose pose = part.mover == Mover::Held ? within(links[part.link], *state.in_flange) : links[part.link];
-    DistanceBounds bounds = distance(part.triangles, pose, elements_[e].triangles, cutoff + part.radius);
-    bounds.lower = std::max(0.0, bounds.lower - part.radius * JointTurn::kGenerous);
-    bounds.upper = std::max(0.0, bounds.upper - part.radius);
+    const DistanceBounds bounds = part.distance_from(elements_[e].triangles, part.pose(links, state), cutoff);
     if (Best& best = best_of(part.mover, e); bounds.upper < best.bounds.upper) {
       best.bounds.upper = bounds.upper;
       best.part = p, best.stop = stop, best.degrees = degrees;
@@ -134,44 +104,21 @@ class Measurement {
     return bounds;
   }
 
-  /// By how much each part moves at most between two stops.
-  [[nodiscard]] std::vector<double> ways(std::size_t from) const {
-    const StepOfJoint step = step_between(process_.stops[from], process_.stops[from + 1]);
-    const JointTurn turn(arm_, process_.stops[from].commanded, step.joint);
-    const std::vector<Pose> links = arm_.link_poses(process_.stops[from].commanded);
-    std::vector<double> result;
-    for (const MovingPart& part : parts_) {
-      Ball whole{Eigen::Vector3d::Zero(), 0};
-      if (part.mover == Mover::Held) {
-        const auto held = process_.holding(from + 1).in_flange;
-        if (!held) {
-          result.push_back(0);
-          continue;
-        }
-        whole = around(within(links[part.link], *held), part.triangles.whole());
-      } else {
-        whole = around(links[part.link], part.triangles.whole());
-      }
-      result.push_back(turn.moved(turn.motion(part.link), whole.center, whole.radius, std::abs(step.degrees)));
-    }
-    return result;
-  }
-  static Ball around(const Pose& pose, const touchstone::Box& box) {
-    const Eigen::Vector3d center = (box.low + box.high) / 2;
-    return posed_generously(pose, {center, (box.high - center).norm() * JointTurn::kGenerous});
-  }
-
   /// Distances at the stops, as far as they can be the least of their mover, or of the run.
-  void measure_stops(Stretch& stretch) {
+  void measure_stops(Measured& measured) {
+    const Stretch& stretch = measured.stretch;
     const std::size_t pairs = parts_.size() * elements_.size();
     std::vector<double> lower(pairs, 0);
     std::vector<double> way(parts_.size(), 0);
     for (std::size_t stop = stretch.first; stop <= stretch.last; ++stop) {
       if (stop > stretch.first) {
-        way = ways(stop - 1);
+        measured.ways.push_back(way_between(arm_, parts_, process_.stops[stop - 1], process_.stops[stop],
+                                            measured.links.back(), *stretch.state));
+        way = measured.ways.back().moved;
         for (std::size_t i = 0; i < pairs; ++i) lower[i] = std::max(0.0, lower[i] - way[i / elements_.size()]);
       }
-      const std::vector<Pose> links = arm_.link_poses(process_.stops[stop].commanded);
+      measured.links.push_back(arm_.link_poses(process_.stops[stop].commanded));
+      const std::vector<Pose>& links = measured.links.back();
       std::array<double, kMovers.size()> upper{kInfinity, kInfinity, kInfinity};
       std::array<double, kMovers.size()> least = upper;
       std::array<std::size_t, kMovers.size()> element{};
@@ -193,7 +140,7 @@ class Measurement {
         double& its = least[index(parts_[i / elements_.size()].mover)];
         its = std::min(its, lower[i]);
       }
-      stretch.lower.push_back(lower);
+      measured.lower.push_back(lower);
       for (std::size_t m = 0; m < kMovers.size(); ++m) {
         if (upper[m] == kInfinity) continue;
         auto& nearest = nearest_[m][stop];
@@ -231,7 +178,7 @@ class Measurement {
                              const MaterialTransfer& state) const {
     if (std::hypot(turn.axis().x(), turn.axis().y()) > 0) return 0;
     const MovingPart& part = parts_[p];
-    const Pose pose = part.mover == Mover::Held ? within(links[part.link], *state.in_flange) : links[part.link];
+    const Pose pose = part.pose(links, state);
     const touchstone::Box box = part.triangles.whole();
     const Eigen::Vector3d half = (box.high - box.low) / 2;
     const double center = (pose.rotation * (box.low + half) + pose.translation).z(),
@@ -243,20 +190,21 @@ class Measurement {
                     way.upper - std::max(tolerance_, kShare * way.upper));
   }
 
-  void measure_ways(const Stretch& stretch) {
+  void measure_ways(const Measured& measured) {
+    const Stretch& stretch = measured.stretch;
     for (std::size_t i = 0; i < parts_.size() * elements_.size(); ++i) {  // a stretch may be a single stop
       const std::size_t p = i / elements_.size(), e = i % elements_.size();
       if (!is_there(parts_[p], *stretch.state) || !is_there(elements_[e], *stretch.state)) continue;
       Best& best = best_of(parts_[p].mover, e);
-      best.bounds.lower = std::min({best.bounds.lower, best.bounds.upper, stretch.lower.front()[i]});
+      best.bounds.lower = std::min({best.bounds.lower, best.bounds.upper, measured.lower.front()[i]});
     }
     for (std::size_t stop = stretch.first; stop < stretch.last; ++stop) {
-      const StepOfJoint step = step_between(process_.stops[stop], process_.stops[stop + 1]);
-      const std::vector<double> way = ways(stop);
+      const std::size_t number = stop - stretch.first;
+      const auto& [step, way] = measured.ways[number];
       const double degrees = std::abs(step.degrees);
       const JointTurn turn(arm_, process_.stops[stop].commanded, step.joint);
-      const std::vector<Pose> links = arm_.link_poses(process_.stops[stop].commanded);
-      const auto &before = stretch.lower[stop - stretch.first], &after = stretch.lower[stop + 1 - stretch.first];
+      const std::vector<Pose>& links = measured.links[number];
+      const auto &before = measured.lower[number], &after = measured.lower[number + 1];
       for (std::size_t p = 0; p < parts_.size(); ++p) {
         if (!is_there(parts_[p], *stretch.state)) continue;
         auto& nearest = *nearest_[index(parts_[p].mover)][stop + 1];
@@ -295,11 +243,6 @@ class Measurement {
 };
 
 }  // namespace
-
-std::string_view to_string(Mover mover) {
-  constexpr std::array<std::string_view, kMovers.size()> words{"arm", "held material", "sphere"};
-  return words[index(mover)];
-}
 
 std::optional<double> when(const std::vector<double>& times, const Arm& arm, const Process& process,
                            const LeastDistance& least) {

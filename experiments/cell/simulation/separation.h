@@ -6,20 +6,12 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "experiments/cell/simulation/process.h"
 #include "experiments/cell/simulation/triangle_distance.h"
 
 namespace touchstone::cell {
-
-/// A thing that keeps a distance: the moving parts of the arm with the gripper, the held material, and the virtual
-/// sphere.
-enum class Mover { Arm, Held, Sphere };
-inline constexpr std::array kMovers{Mover::Arm, Mover::Held, Mover::Sphere};
-/// `arm`, `held material`, `sphere`
-[[nodiscard]] std::string_view to_string(Mover mover);
 
 /// The least distance of a mover from an element along the run.
 struct LeastDistance {

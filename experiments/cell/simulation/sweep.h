@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/cell/simulation/hindrance.h"
 #include "experiments/cell/simulation/workcell.h"
 
 namespace touchstone::cell {

@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-14;  // of coordinates: more than a projection i
 constexpr double kPosing = 1e-13;    // of coordinates: more than a posed point is off
 
 struct Nearest {
-  Eigen::Vector3d one, other;
+  Eigen::Vector3d one = Eigen::Vector3d::Zero(), other = Eigen::Vector3d::Zero();
   double squared = std::numeric_limits<double>::infinity();
 
   void take(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,6 +31,10 @@ class TriangleTree {
   /// Returns the first triangle found that meets a closed box and satisfies a test; null if no triangle does.
   [[nodiscard]] const NamedTriangle* find(const touchstone::Box& box,
                                           const std::function<bool(const NamedTriangle&)>& test) const;
+  /// Returns whether any triangle satisfies a test.
+  [[nodiscard]] bool any(const std::function<bool(const NamedTriangle&)>& test) const {
+    return std::ranges::any_of(triangles_, test);
+  }
   /// Returns the smallest box around all triangles.
   [[nodiscard]] touchstone::Box whole() const { return nodes_.empty() ? touchstone::Box() : nodes_.front().box; }
 

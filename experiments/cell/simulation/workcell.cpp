@@ -4,14 +4,10 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/cell/simulation/triangle_gap.h"
 #include "experiments/methods/triangulate.h"
 #include "experiments/workloads/degrees.h"
 #include "robust/scene/posing.h"
@@ -45,7 +41,8 @@ Eigen::AlignedBox3d box_along(const scene::Faces& faces, double azimuth) {
 }
 
 Workplace workplace(const Station& station, const Slot& slot, const scene::Faces& material, double drop) {
-  const double x = station.radius + slot.aim.x(), y = slot.aim.y();
+  const Eigen::Vector2d aim = in_plan(station, slot.aim);
+  const double x = aim.x(), y = aim.y();
   const Pose frame = pose_of(station);
   Workplace place;
   place.azimuth = station.azimuth() + workloads::arc_tangent(y, x);
@@ -72,18 +69,11 @@ void append(std::vector<NamedTriangle>& all, const scene::Faces& faces, std::uin
 
 std::string_view to_string(StationSlot slot) { return slot == StationSlot::Storage ? "storage" : "machine"; }
 
-Pose pose_of(const Station& station) {
-  const double c = workloads::cosine(station.azimuth()), s = workloads::sine(station.azimuth());
-  Pose pose;
-  pose.rotation << c, -s, 0, s, c, 0, 0, 0, 1;
-  pose.translation << c * station.radius, s * station.radius, station.height;
-  return pose;
-}
-
 std::vector<Covered> cover_arm(const std::vector<ModelPart>& parts, double overhang) {
   std::vector<Covered> covered;
   for (const ModelPart& part : parts) {
-    if (part.carrier == Carrier::Storage || part.carrier == Carrier::Machine) continue;
+    if (part.carrier != Carrier::Link && part.carrier != Carrier::Gripper && part.carrier != Carrier::Material)
+      continue;
     try {
       const scene::Faces faces = scene_faces(part.faces).faces;
       covered.push_back({part.name, part.carrier, part.link, BallCover(faces, overhang), {}});
@@ -108,11 +98,12 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
       case Carrier::Link: break;
       case Carrier::Gripper: append(gripper_, faces, owner); break;
       case Carrier::Storage:
-      case Carrier::Machine: {
-        const bool storage = part.carrier == Carrier::Storage;
-        faces = posed(pose_of(storage ? cell.storage : cell.machine), faces);
+      case Carrier::Machine:
+      case Carrier::Obstacle: {
+        if (part.carrier != Carrier::Obstacle)
+          faces = posed(pose_of(part.carrier == Carrier::Storage ? cell.storage : cell.machine), faces);
         standing_.push_back(scene_.add(part.name, faces));
-        append(stations_[storage ? 0 : 1], faces, owner);
+        append(standing_triangles_, faces, owner);
         append(obstacles_.faces, faces);
         obstacles_.owners.insert(obstacles_.owners.end(), faces.triangles.size(), part.name);
         owners_of_polygons.insert(owners_of_polygons.end(), faces.polygons.size(), part.name);
@@ -141,7 +132,7 @@ Workcell::Workcell(const Cell& cell, const std::vector<ModelPart>& parts,
   floor_faces_ = {{{corner(-1, -1), corner(1, -1), corner(1, 1)}, {corner(-1, -1), corner(1, 1), corner(-1, 1)}}, {}};
   floor_ = scene_.add("the floor", floor_faces_);
   names_.emplace_back("the floor");
-  standing_triangles_.emplace(standing_parts());
+  standing_tree_.emplace(standing_parts());
 }
 
 scene::Scene::Objects Workcell::in_the_way(Material material, bool floor) const {
@@ -158,45 +149,14 @@ std::optional<std::size_t> Workcell::touched(const Ball& ball, StationSlot slot,
 }
 
 std::vector<NamedTriangle> Workcell::standing_parts() const {
-  std::vector<NamedTriangle> all = stations();
+  std::vector<NamedTriangle> all = standing_triangles_;
   append(all, floor_faces_, static_cast<std::uint32_t>(names_.size() - 1));
   return all;
-}
-
-std::vector<NamedTriangle> Workcell::stations() const {
-  std::vector<NamedTriangle> both = stations_[0];
-  both.insert(both.end(), stations_[1].begin(), stations_[1].end());
-  return both;
 }
 
 double Workcell::gap(const Ball& ball, StationSlot slot, bool virtual_copy) const {
   const auto nearest = scene_.nearest(ball, {{(virtual_copy ? copies_ : material_)[static_cast<std::size_t>(slot)]}});
   return std::max(0.0, nearest.value().distance - ball.radius);
-}
-
-std::optional<Hindrance> Workcell::overlap_of_stations() const {
-  const auto& [storage, machine] = stations_;
-  const TriangleTree tree(machine);
-  std::map<std::uint32_t, touchstone::Box> in_storage, in_machine;
-  for (const auto& [triangle, owner] : storage) {
-    const NamedTriangle* met = tree.find(
-        box(triangle), [&](const NamedTriangle& other) { return !further_apart(triangle, other.triangle, 0); });
-    if (met != nullptr)
-      return Hindrance{
-          0, fmt::format("{} stands in {}", names_[owner], names_[met->owner]), {names_[owner], names_[met->owner]}};
-    in_storage[owner] = in_storage[owner].joined(box(triangle));
-  }
-  for (const auto& [triangle, owner] : machine) in_machine[owner] = in_machine[owner].joined(box(triangle));
-  const auto within = [](const touchstone::Box& inner, const touchstone::Box& outer) {
-    return (inner.low.array() >= outer.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
-  };
-  for (const auto& [part, its] : in_storage)
-    for (const auto& [other, box] : in_machine)
-      if (within(its, box) || within(box, its))
-        return Hindrance{0,
-                         fmt::format("{} and {} stand one in the other", names_[part], names_[other]),
-                         {names_[part], names_[other]}};
-  return std::nullopt;
 }
 
 }  // namespace touchstone::cell

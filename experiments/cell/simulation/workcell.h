@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,7 +14,6 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/simulation/arm.h"
 #include "experiments/cell/simulation/ball_cover.h"
-#include "experiments/cell/simulation/hindrance.h"
 #include "experiments/cell/simulation/triangle_tree.h"
 #include "robust/scene/scene.h"
 
@@ -90,22 +88,18 @@ class Workcell {
 
   /// The same things as triangles, which cover their faces: those of the parts that stand and of the floor, and those
   /// of the material in a slot. Owners are indices of `names()`.
-  [[nodiscard]] const TriangleTree& standing() const { return *standing_triangles_; }
+  [[nodiscard]] const TriangleTree& standing() const { return *standing_tree_; }
   [[nodiscard]] const TriangleTree& material_in(StationSlot slot) const {
     return slots_triangles_[static_cast<std::size_t>(slot)];
   }
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  /// The triangles of storage, machine and floor, in the cell.
+  /// The triangles of all that stands, in the cell, and those of the floor.
   [[nodiscard]] std::vector<NamedTriangle> standing_parts() const;
-  /// Those of storage and machine.
-  [[nodiscard]] std::vector<NamedTriangle> stations() const;
+  /// Those without the floor.
+  [[nodiscard]] const std::vector<NamedTriangle>& standing_triangles() const { return standing_triangles_; }
   /// The triangles of the gripper in the flange's frame, and of the material in its own.
   [[nodiscard]] const std::vector<NamedTriangle>& gripper() const { return gripper_; }
   [[nodiscard]] const std::vector<NamedTriangle>& material() const { return material_triangles_; }
-
-  /// Returns parts of storage and machine that overlap, or of which one lies in the other's bounding box; none if none
-  /// do.
-  [[nodiscard]] std::optional<Hindrance> overlap_of_stations() const;
 
  private:
   Cell cell_;
@@ -121,12 +115,9 @@ class Workcell {
   scene::Faces floor_faces_;
   std::vector<std::string> names_;
   std::vector<NamedTriangle> gripper_, material_triangles_;
-  std::array<std::vector<NamedTriangle>, 2> stations_;  // storage, machine
-  std::optional<TriangleTree> standing_triangles_;
+  std::vector<NamedTriangle> standing_triangles_;  // without the floor
+  std::optional<TriangleTree> standing_tree_;
   std::vector<TriangleTree> slots_triangles_;  // by place
 };
-
-/// Returns the pose of a station's frame in the cell.
-[[nodiscard]] Pose pose_of(const Station& station);
 
 }  // namespace touchstone::cell

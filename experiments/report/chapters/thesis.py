@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone thesis`: the figures of the thesis of 2008, with their status."""
-from page import code, count, escaped, number, percent, picture, smaller, table, words
+import pathlib
+import re
+
+from page import code, count, escaped, folded, number, percent, picture, smaller, table, words
 from results import maybe, natural
 from results import number as any_number
-from thesis_page import bases, name_of
+from thesis_page import bases, fit, name_of
 
 TITLE = "The figures of the thesis of 2008"
 SHOWN = ("E.1",)  # in this page; all are on the thesis's own
@@ -46,7 +49,30 @@ def finding(study):
     data = Data(study)
     return (f"Of {len(data.entries)} figures, tables and known errors, "
             f"numbers agree as follows: {words(bases(data.stated))}"
-            + (f" (not: {differing(data)})." if data.differing else "."))
+            + (f" (not: {differing(data)})." if data.differing else ".") + fit_of(data))
+
+
+def named_systems():
+    """The table of docs/named.md."""
+    page = pathlib.Path(__file__).parents[3] / "docs/named.md"
+    rows = [[plain(cell) for cell in line.strip("|\n ").split(" | ")] for line in page.read_text(encoding="utf-8").splitlines()
+            if line.startswith("| ")]
+    return table("What each was, what stands for it here, and what has become of it",
+                                                             rows[0], rows[1:], ())
+
+
+def plain(cell):
+    """Of Markdown: code as code, the text of links, no keys of the bibliography."""
+    cell = re.sub(r" ?\[[a-z]+\d{4}\]", "", re.sub(r"\[([^]]+)\]\([^)]+\)", r"\1", cell))
+    return re.sub(r"`([^`]+)`", lambda match: code(match.group(1)), escaped(cell))
+
+
+def fit_of(data):
+    """How easily the layout fits, in a sentence; nothing if it was not measured."""
+    own = {}
+    for row in data.numbers:
+        own.setdefault(row["id"], []).append(row)
+    return fit(own).replace("<p>", " ").replace("</p>", "")
 
 
 def shown_picture(study, data, entry):
@@ -83,6 +109,7 @@ Without signs, that is wrong for non-convex outlines"""
         text += " "
     text += "Every figure and table of the thesis that has a number gets that number; "
     text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
+    text += folded("Systems that the thesis names", named_systems())
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
     text += "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)

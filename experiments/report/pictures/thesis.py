@@ -4,13 +4,14 @@
 Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 import json
+import pathlib
 import shutil
 import sys
 
 from pictures import thesis_cell as views
 from pictures import thesis_method as method
 from pictures import thesis_model as model
-from pictures.style import STYLES, draw, save
+from pictures.style import STYLES, draw, plt, save
 from thesis_page import write_page
 
 BLUE, ORANGE, RED, BLACK = (STYLES[i][0] for i in range(4))
@@ -53,6 +54,17 @@ class Data:
         return [row for row in self.numbers if row["id"] == entry]
 
 
+def cell_page():
+    """The stored picture of the page, which cell_page.py takes."""
+    picture = plt.imread(pathlib.Path(__file__).parents[3] / "docs/cell-page.png")
+    height, width = picture.shape[:2]
+    figure = plt.figure(figsize=(9, 9 * height / width))
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.imshow(picture, interpolation="none")
+    axes.axis("off")
+    return figure
+
+
 def pictures(data):
     """By file stem, what draws it."""
     cell, gripper = data.cell, data.drawing["outlines"]["gripper"]
@@ -84,6 +96,7 @@ def pictures(data):
         "5-13": lambda: model.three_parts(cell, data.models["Axis1"]),
         "5-14": lambda: model.gripper_file(cell, data.models["Gripper1"]),
         "5-15": lambda: model.wireframe(cell),
+        "5-16": cell_page,
         "5-17": lambda: views.configuration(cell, 1),
         "5-18": lambda: model.too_close(cell),
         "5-19": lambda: model.too_far(cell),

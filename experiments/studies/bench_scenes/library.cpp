@@ -18,6 +18,9 @@ std::vector<Library> all_libraries() {
 #endif
   libraries.push_back(boost_rtree_library());
   libraries.push_back(cgal_aabb_tree_library());
+  for (const auto& broad_phase :
+       {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library})
+    libraries.push_back(broad_phase());
 #ifdef TOUCHSTONE_FCL
   libraries.push_back(fcl_library());
 #endif

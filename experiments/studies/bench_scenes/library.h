@@ -52,6 +52,12 @@ struct Library {
 [[nodiscard]] Library touchstone_library();
 [[nodiscard]] Library boost_rtree_library();
 [[nodiscard]] Library cgal_aabb_tree_library();
+// What textbooks name (broad_phases/): conservative candidates, then `fast::contact`; they do not know `nearest`.
+[[nodiscard]] Library grid_library();
+[[nodiscard]] Library octree_library();
+[[nodiscard]] Library kd_tree_library();
+[[nodiscard]] Library sphere_tree_library();
+[[nodiscard]] Library kdop_tree_library();
 [[nodiscard]] Library embree_library();  ///< with libembree-dev
 [[nodiscard]] Library fcl_library();     ///< with libfcl-dev
 [[nodiscard]] Library bullet_library();  ///< with libbullet-dev

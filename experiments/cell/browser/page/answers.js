@@ -4,7 +4,7 @@
 /// What the program said instead of an answer.
 class Refused extends Error {}
 
-function answersOf(recorded) {
+function answersOf(recorded, variation) {
   if (recorded) {
     return {
       live: false,
@@ -24,14 +24,15 @@ function answersOf(recorded) {
     if (!reply.ok) throw new Refused(answer.error);
     return answer;
   };
+  const varied = isVaried(variation) ? (variation.piece ? variation : {changes: variation.changes}) : {};
   const preset = +new URLSearchParams(location.search).get("preset") || 0, behind = preset ? `/${preset}` : "";
   const post = (name) => (body) =>
-    ask(`/api/${name}${behind}`, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body)});
+    ask(`/api/${name}${behind}`, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({...body, ...varied})});
   return {
     live: true,
     preset,
     presets: () => ask("/api/presets"),
-    cell: () => ask(`/api/cell${behind}`),
+    cell: () => (isVaried(variation) ? post("varied")({}) : ask(`/api/cell${behind}`)),
     covers: () => ask(`/api/covers${behind}`),
     run: post("run"),
     pose: post("pose"),

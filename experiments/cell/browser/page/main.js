@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page: what is asked, what is shown, and in which words.
-
-const at = (id) => document.getElementById(id);
-const node = (kind, text, attributes = {}) => {
-  const element = document.createElement(kind);
-  element.textContent = text;
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-};
-const digits = (x, most) => String(+x.toFixed(most)).replace("-", "−");
-const signed = (x, most = 3) => (x > 0 ? "+" : "") + digits(x, most);
-
-const PHASES = {
-  "to-storage": "to the storage", "to-machine": "to the machine", "withdraw": "withdrawing", "to-piece": "to the milled piece",
-  "back-to-storage": "back to the storage", "to-home": "home",
-};
-const UNTIL = {
-  planned: "as planned", facing: "it faces the place", contact: "the sphere touches", cleared: "it is clear",
-};
+// The page: what is asked, and what is shown.
 
 async function main() {
   const recorded = JSON.parse(at("recorded").textContent);
-  const answers = answersOf(recorded);
+  const variation = recorded ? {piece: "", changes: []} : variationOf(location.search);
+  const answers = answersOf(recorded, variation);
   let cell;
   try {
     cell = await answers.cell();
   } catch (refused) {
     at("status").textContent = "";
-    return complain(refused.message);
+    complain(refused.message);
+    if (variation.changes.length) {
+      const back = node("a", "Take the last change back", {href: addressOf({...variation, changes: variation.changes.slice(0, -1)})});
+      at("failure").append(" ", back, ".");
+    }
+    return;
   }
 
   const length = 10 ** (Math.floor(Math.log10(cell.bounds.longest)) - 3);  // a step of lengths
@@ -52,6 +40,7 @@ async function main() {
     document.querySelector(".corner").hidden = true;
   }
   const meshes = scene ? cell.parts.map((part) => ({part, mesh: scene.mesh(part)})) : [];
+  const zones = scene ? cell.zones.map((zone) => ({zone, mesh: scene.mesh(zone)})) : [];
   const materialMesh = scene && meshes.find(({part}) => part.carrier === "material").mesh;
   let ball, rings, floor;
   if (scene) {
@@ -73,9 +62,10 @@ async function main() {
 
   function poseOf(part, links) {
     if (part.carrier === "link" || part.carrier === "gripper") return links[part.link];
+    if (part.carrier === "obstacle") return IDENTITY;
     const storage = setting.storage;
-    if (part.carrier === "storage") return standing(cell.storage.home + storage.angle, storage.radius, storage.height);
-    if (part.carrier === "machine") return standing(cell.machine.home + cell.machine.angle, cell.machine.radius, cell.machine.height);
+    if (part.carrier === "storage") return standing(cell.storage.home + storage.angle, storage.radius, storage.height, cell.storage.turn);
+    if (part.carrier === "machine") return standing(cell.machine.home + cell.machine.angle, cell.machine.radius, cell.machine.height, cell.machine.turn);
     const slot = cell.slots.find(({name}) => name === setting.slot);
     return add3(poseOf({carrier: "storage"}), slot.place);
   }
@@ -87,7 +77,7 @@ async function main() {
   function readColours() {
     const style = getComputedStyle(document.documentElement);
     const result = {};
-    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "storage", "machine", "offending"]) {
+    for (const name of ["view", "floor", "edge", "free", "touching", "wrong", "material", "robot", "gripper", "storage", "machine", "obstacle", "zone", "offending"]) {
       const hex = style.getPropertyValue(`--${name}`).trim();
       result[name] = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
     }
@@ -106,10 +96,9 @@ async function main() {
       grips: before !== null && stop.place === null,
       puts: before === null && stop.place !== null,
       errors: run.disagreements.filter((d) => d.stop === number),
-      wrong: number > 0 && run.moves[stop.move] && lastStopOf(stop.move) === number ? run.moves[stop.move].wrong : null,
+      wrong: number > 0 && run.moves[stop.move] && lastStopOf(run, stop.move) === number ? run.moves[stop.move].wrong : null,
     };
   }
-  const lastStopOf = (move) => run.stops.findLastIndex((s, k) => k > 0 && s.move === move);
   /// The parts that touch at what is shown, as the program names them.
   function offends(part, look) {
     return (look.offending || []).some((name) => name === part.name || (part.carrier === "material" && name.startsWith("the material")));
@@ -136,6 +125,10 @@ async function main() {
     if (look.virtual && !look.puts)
       things.push({mesh: materialMesh, pose: run.materials[look.target], hollow: true, lines: signal, dash: cell.bounds.longest / 500,
                    highlight: touching ? [look.touched, colours.touching] : null});
+    const in_ = run && shown === look ? run.triggers.filter(({after, until}) => after <= player.stop && player.stop < until).map(({zone}) => zone) : [];
+    for (const {zone, mesh} of zones)
+      things.push({mesh, pose: IDENTITY, hollow: true, dash: cell.bounds.longest / 300,
+                   lines: in_.includes(zone.name) || (look.offending || []).includes(zone.name) ? colours.touching : colours.zone});
     for (const {link, balls} of covers || []) things.push({balls, pose: look.links[link], colour: colours.robot, hollow: true});
     const size = cell.sphere;
     if (at("with-sphere").checked) things.push({mesh: ball, pose: shiftedTo(look.sphere, size), colour: signal, shadow: true, through: true});
@@ -143,33 +136,9 @@ async function main() {
     scene.draw(things, colours, look.sphere);
   }
 
-  // Words.
-  const face = (number) => `face ${number} (${cell.material_faces[number]})`;
-  function sentence(look, number) {
-    if (!run || !run.stops.length) return "The arm is at home.";
-    const move = number > 0 ? run.moves[look.move] : null;
-    const joint = move && cell.robot.joints.findIndex(({name}) => name === move.joint);
-    const before = move && run.stops[run.stops.findIndex((s, i) => i > 0 && s.move === look.move) - 1];
-    const where = number === 0 ? "home" : !move ? "a move that did not come out"
-      : `${PHASES[move.phase]}, ${move.joint} ${signed(look.commanded[joint] - before.commanded[joint])}° of ${signed(move.degrees)}°`;
-    const wrong = [...new Set(look.errors.flatMap(({methods}) => methods))];
-    const errs = wrong.length ? ` Wrong here: ${wrong.join(", ")}.` : "";
-    return `Stop ${number} of ${run.stops.length - 1}: ${where}. ${verdict(look)} ${holding(look)}${look.wrong ? ` ${wrongly(look.wrong)}.` : ""}${errs}`;
-  }
-  const wrongly = ({early, gap}) => "Wrong stop: " + (early === null ? "there is no contact on the way" : early > 0 ? `${digits(early, 3)}° early` : `${digits(-early, 3)}° late`) +
-    `, ${digits(gap, lengthDigits + 1)} ${cell.unit} from the material`;
-  function verdict(look) {
-    if (!look.target) return "The sphere touches nothing.";
-    const what = `${look.virtual ? "virtual " : ""}material ${look.target === "machine" ? "at the machine" : "in the storage"}`;
-    if (look.touched !== null) return `${look.wrong ? `By ${setting.drive}, the` : "The"} sphere touches ${face(look.touched)} of the ${what}.`;
-    return `The sphere touches nothing; nearest is ${face(look.nearest)} of the ${what}.`;
-  }
-  function holding(look) {
-    if (look.grips) return "The gripper takes the material.";
-    if (look.puts) return "The gripper puts the material there.";
-    return look.place === null ? "The gripper holds the material."
-      : look.place === "machine" ? "The material is at the machine." : "The material is in the storage.";
-  }
+  const sentences = new Sentences(cell, setting, lengthDigits);
+  const {face, wrongly} = sentences;
+  const sentence = (look, number) => sentences.of(run, look, number);
   let said = "";
   function announce(text) {
     if (text !== said) at("live").textContent = said = text;
@@ -184,11 +153,6 @@ async function main() {
     list.append(...all.map((reason) => node("li", reason)));
     details.append(node("summary", `All that was tried (${all.length})`), list);
     at("failure").append(details);
-  }
-  /// A reason that begins with the name of a phase, in the page's words.
-  function inWords(reason) {
-    const [phase] = Object.keys(PHASES).filter((name) => reason.startsWith(name));
-    return phase ? `on the way ${PHASES[phase]}, ${reason.slice(phase.length).trim()}` : reason;
   }
   function nearestOf(number) {
     const {nearest, elements} = run.separation;
@@ -243,7 +207,7 @@ async function main() {
     }));
     showDisagreements(look);
     showJoints(look.commanded);
-    showMove(look.move, number);
+    showMove(run, look.move, number);
     draw();
   }
 
@@ -269,93 +233,13 @@ async function main() {
     at("next-wrong-line").hidden = !run.disagreements.length;
   }
 
-  const bars = cell.robot.joints.map((joint, i) => {
-    const row = node("tr", ""), bar = node("div", "", {class: "bar", role: "img"}), mark = node("i", "");
-    bar.append(mark);
-    const cells = [node("th", joint.name, {scope: "row"}), node("td", "", {class: "number"}), node("td", "", {class: "number"}), node("td", "")];
-    const jog = node("input", "", {type: "range", min: joint.lower, max: joint.upper, step: 0.5, "aria-label": `Jog ${joint.name}`});
-    jog.addEventListener("input", () => jogTo(i, +jog.value));
-    jog.disabled = !answers.live;
-    cells[3].append(bar, jog);
-    row.append(...cells);
-    at("joints").tBodies[0].append(row);
-    return {joint, cells, bar, mark, jog};
+  const joints = new Joints(cell, answers, () => setting, (pose, asked) => {
+    const near = pose.nearest.map(({mover, element, distance}) => `${MOVERS[mover]} ${digits(distance, lengthDigits + 1)} ${cell.unit} from ${element}`);
+    showPose({...pose, commanded: asked, material: poseOf({carrier: "material"}), place: "storage", touched: null, target: null,
+              offending: pose.hindrance ? pose.hindrance.parts : []},
+             `Jogged: ${pose.hindrance ? pose.hindrance.what : "nothing is touched"}. Least distance: ${near.join("; ")}.`);
   });
-  let jogged = null, posing = false;
-  /// One question at a time; of those that come meanwhile, the last one next.
-  async function jogTo(joint, command) {
-    const from = jogged || (shown && shown.commanded) || cell.robot.joints.map(({home}) => home);
-    jogged = from.map((angle, i) => (i === joint ? command : angle));
-    if (posing) return;
-    posing = true;
-    for (let asked = null; asked !== jogged;) {
-      asked = jogged;
-      try {
-        const pose = await answers.pose({setting, commanded: asked});
-        const near = pose.nearest.map(({mover, element, distance}) => `${MOVERS[mover]} ${digits(distance, lengthDigits + 1)} ${cell.unit} from ${element}`);
-        showPose({...pose, commanded: asked, material: poseOf({carrier: "material"}), place: "storage", touched: null, target: null,
-                  offending: pose.hindrance ? pose.hindrance.parts : []},
-                 `Jogged: ${pose.hindrance ? pose.hindrance.what : "nothing is touched"}. Least distance: ${near.join("; ")}.`);
-      } catch (refused) {
-        if (!(refused instanceof Refused)) throw refused;
-        at("status").textContent = `Jogged: ${refused.message}`;
-      }
-    }
-    posing = false;
-  }
-  function showJoints(commanded) {
-    bars.forEach(({joint, cells, bar, mark, jog}, i) => {
-      const angle = commanded ? commanded[i] : joint.home;
-      if (document.activeElement !== jog) jog.value = angle;
-      cells[1].textContent = `${digits(angle, 2)}°`;
-      cells[2].textContent = `${signed(+(angle - joint.home).toFixed(3))}°`;
-      mark.style.left = `${100 * Math.max(0, Math.min(1, (angle - joint.lower) / (joint.upper - joint.lower)))}%`;
-      bar.setAttribute("aria-label", `between ${digits(joint.lower, 1)}° and ${digits(joint.upper, 1)}°`);
-      bar.title = bar.getAttribute("aria-label");
-    });
-  }
-
-  function listMoves() {
-    const rows = run.moves.map((move, i) => {
-      const row = node("tr", "", {"data-move": i});
-      const go = node("button", PHASES[move.phase], {type: "button", title: "Go to the end of this move"});
-      const end = lastStopOf(i);
-      go.addEventListener("click", () => (player.pause(), player.go(end)));
-      const first = node("td", "");
-      first.append(go);
-      row.append(first, node("td", move.joint), node("td", `${signed(move.degrees)}°`, {class: "number"}), move.wrong ? node("td", wrongly(move.wrong), {class: "verdict wrong"}) : node("td", UNTIL[move.until]),
-                 node("td", move.seconds === null ? "?" : digits(move.seconds, 2), {class: "number"}),
-                 node("td", `${signed(move.exact, 6)}°`, {class: "number exactly"}));
-      return row;
-    });
-    at("moves").tBodies[0].replaceChildren(...rows);
-    // One stretch a phase, as long as it has stops.
-    const stretches = [];
-    run.stops.forEach((stop, i) => {
-      const phase = i > 0 && run.moves[stop.move] ? run.moves[stop.move].phase : stretches.length ? stretches.at(-1).phase : "to-storage";
-      if (!stretches.length || stretches.at(-1).phase !== phase) stretches.push({phase, stops: 0});
-      ++stretches.at(-1).stops;
-    });
-    at("phases").replaceChildren(...stretches.map(({phase, stops}) => {
-      const span = node("span", stops > run.stops.length / 10 ? PHASES[phase] : "", {"data-phase": phase, title: PHASES[phase]});
-      span.style.flex = `${stops} 1 0`;
-      return span;
-    }));
-  }
-  function showMove(move, number) {
-    const rows = [...at("moves").tBodies[0].rows];
-    const now = number > 0 ? rows[move] : null;
-    for (const row of rows) {
-      row.classList.toggle("now", row === now);
-      row.toggleAttribute("aria-current", row === now);
-    }
-    if (now) {
-      const box = at("moves").parentElement, top = now.offsetTop - box.clientHeight / 2;
-      if (now.offsetTop < box.scrollTop + 30 || now.offsetTop + now.offsetHeight > box.scrollTop + box.clientHeight) box.scrollTop = top;
-    }
-    const phase = number > 0 && run && run.moves[move] ? run.moves[move].phase : number === 0 ? "to-storage" : null;
-    for (const span of at("phases").children) span.classList.toggle("now", span.dataset.phase === phase);
-  }
+  const showJoints = (commanded) => joints.show(commanded);
 
   // The run.
   const player = new Player(show, () => {
@@ -462,14 +346,15 @@ async function main() {
   at("preset").value = answers.preset || 0;
   at("preset").addEventListener("change", () => (location.search = +at("preset").value ? `?preset=${at("preset").value}` : ""));
   at("with-sphere").addEventListener("change", draw);
-  at("covers-label").hidden = !answers.live || !scene;
+  at("covers-label").hidden = !answers.live || !scene || isVaried(variation);
+  new Elements(cell, variation, answers.live);
   at("with-covers").addEventListener("change", async () => {
     const answer = at("with-covers").checked ? await answers.covers() : null;
     covers = answer && answer.covers.map(({link, balls}) => ({link, balls: scene.balls(balls)}));
     draw();
   });
   at("where").addEventListener("click", showStuck);
-  at("unjog").addEventListener("click", () => (jogged = null, show(player.stop)));
+  at("unjog").addEventListener("click", () => (joints.forget(), show(player.stop)));
   for (const slot of cell.slots) at("slot").append(node("option", slot.name, {value: slot.name}));
   const steps = [...new Set([0.1, 0.25, 0.5, 1, 2, 5, cell.setting.step])].sort((a, b) => a - b);
   for (const step of steps) at("step").append(node("option", `${digits(step, 3)}°`, {value: step}));
@@ -513,7 +398,7 @@ async function main() {
   /// The run of another setting is not shown.
   function forget() {
     player.pause();
-    run = null, shown = null, jogged = null, player.count = 0;
+    run = null, shown = null, joints.forget(), player.count = 0;
     usable(false);
     at("where").hidden = true;
     complain("");
@@ -539,7 +424,7 @@ async function main() {
   }
   function refuse(refused) {
     if (!(refused instanceof Refused)) throw refused;
-    run = null, shown = null, jogged = null, player.count = 0;
+    run = null, shown = null, joints.forget(), player.count = 0;
     usable(false);
     at("where").hidden = true;
     show(0);
@@ -549,7 +434,7 @@ async function main() {
     complain(`This cell cannot be run: ${refused.message}`);
   }
   function take(answer) {
-    run = answer, jogged = null;
+    run = answer, joints.forget();
     const end = run.stops.length - 1;
     complain(run.failure && `${end < 0 ? "The process does not begin" : `The process does not come out; it ends after stop ${end}`}: ` +
              `${inWords(run.stuck.reason)}.`, run.failure);
@@ -561,13 +446,16 @@ async function main() {
     }
     usable(end > 0);
     at("stop").max = Math.max(0, end);
-    listMoves();
+    listMoves(run, (stop) => (player.pause(), player.go(stop)), wrongly);
     listMethods();
     listDistances();
+    listTriggers(cell, run, (stop) => (player.pause(), player.go(stop)));
     player.load(run.stops);
     if (end < 0) show(0);
     showSetting();
+    const wished = +location.hash.slice(1);  // #137: the page begins at this stop
     if (run.stuck) showStuck();
+    else if (wished > 0) player.go(wished);
   }
 
   if (!answers.live) {
@@ -577,58 +465,7 @@ async function main() {
     at("plan-help").textContent = "From above, as it was recorded.";
   }
 
-  // The view.
-  if (scene) {
-    const canvas = at("scene"), pointers = new Map();
-    let spread = 0;
-    const closeAt = (event) => {
-      const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = box.bottom - event.clientY;
-      return scene.views(box.width, box.height).some(([near, left, below, width, height]) => near && x >= left && x <= left + width && y >= below && y <= below + height);
-    };
-    const apart = () => {
-      const [a, b] = [...pointers.values()];
-      return Math.hypot(a[0] - b[0], a[1] - b[1]);
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      pointers.set(event.pointerId, [event.clientX, event.clientY]);
-      canvas.setPointerCapture(event.pointerId);
-      if (pointers.size === 2) spread = apart();
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      const last = pointers.get(event.pointerId);
-      if (!last) return;
-      pointers.set(event.pointerId, [event.clientX, event.clientY]);
-      if (pointers.size === 1) scene.turn(-0.4 * (event.clientX - last[0]), 0.4 * (event.clientY - last[1]));
-      if (pointers.size === 2) scene.approach(spread / apart(), closeAt(event)), spread = apart();
-      draw();
-    });
-    const end = (event) => pointers.delete(event.pointerId);
-    canvas.addEventListener("pointerup", end);
-    canvas.addEventListener("pointercancel", end);
-    canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      scene.approach(Math.exp(event.deltaY / 800), closeAt(event));
-      draw();
-    }, {passive: false});
-    canvas.addEventListener("keydown", (event) => {
-      const act = {
-        ArrowLeft: () => scene.turn(-5, 0), ArrowRight: () => scene.turn(5, 0), ArrowUp: () => scene.turn(0, 5), ArrowDown: () => scene.turn(0, -5),
-        "+": () => scene.approach(0.9), "=": () => scene.approach(0.9), "-": () => scene.approach(1 / 0.9),
-      }[event.key];
-      if (!act) return;
-      event.preventDefault();
-      act();
-      draw();
-    });
-    for (const button of document.querySelectorAll("[data-look]"))
-      button.addEventListener("click", () => {
-        const look = button.dataset.look;
-        look === "near" ? scene.lookNear() : look === "split" ? scene.lookSplit() : scene.look(look);
-        document.querySelector("[data-look=split]").setAttribute("aria-pressed", scene.split);
-        draw();
-      });
-    new ResizeObserver(draw).observe(canvas);
-  }
+  if (scene) listenToView(scene, draw);
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => (colours = readColours(), draw()));
 
   showSpeed();

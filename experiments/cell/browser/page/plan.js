@@ -39,10 +39,10 @@ class Plan {
   /// `moved(angle, radius, done)` is told where the storage is dragged to, and when it has come there.
   constructor(svg, cell, moved) {
     this.svg = svg, this.cell = cell, this.moved = moved;
-    const station = cell.machine, machinePose = standing(station.home + station.angle, station.radius, 0);
+    const station = cell.machine, machinePose = standing(station.home + station.angle, station.radius, 0, station.turn);
     const machineParts = cell.parts.filter((p) => p.carrier === "machine").map(hullOf);
     const corners = machineParts.flat().map((p) => posed(machinePose, [...p, 0]));
-    const far = 1.05 * Math.max(cell.bounds.longest / 4, ...corners.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y))));
+    const far = 1.05 * Math.max(cell.bounds.longest / 4, ...[...corners, ...cell.parts.filter((p) => p.carrier === "obstacle").flatMap(hullOf)].map(([x, y]) => Math.max(Math.abs(x), Math.abs(y))));
     this.far = far;
     svg.setAttribute("viewBox", `${-far} ${-far} ${2 * far} ${2 * far}`);
     svg.replaceChildren();
@@ -61,6 +61,9 @@ class Plan {
     for (const hull of machineParts) drawn("polygon", {points: flat(hull), class: "thin"}, machine);
     place(machine, machinePose);
     this.put(this.label("machine", 0.07), posed(machinePose, [0.17 * far, 0, 0]));
+
+    for (const part of cell.parts.filter((p) => p.carrier === "obstacle")) drawn("polygon", {points: flat(hullOf(part)), class: "obstacle thin"}, svg);
+    for (const zone of cell.zones) drawn("polygon", {points: flat(hullOf(zone)), class: "zone thin"}, svg);
 
     this.aim = drawn("line", {class: "aim", x1: 0, y1: 0}, svg);
     this.handle = drawn("g", {class: "handle", tabindex: 0, role: "slider", "aria-label": "Storage: angle and radius",
@@ -130,7 +133,7 @@ class Plan {
   /// Where the storage stands.
   configure(angle, radius, words, fixed) {
     this.angle = angle, this.radius = radius, this.fixed = fixed;
-    const pose = standing(this.cell.storage.home + angle, radius, 0);
+    const pose = standing(this.cell.storage.home + angle, radius, 0, this.cell.storage.turn);
     this.place(this.storage, pose);
     this.aim.setAttribute("x2", pose[3]), this.aim.setAttribute("y2", -pose[7]);
     const [x, y] = posed(pose, [0.19 * this.far, 0, 0]), inside = 0.84 * this.far;

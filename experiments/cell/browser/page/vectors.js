@@ -17,10 +17,10 @@ const posed = (p, a) => [
 ];
 const matrixOf = (p) => [p[0], p[4], p[8], 0, p[1], p[5], p[9], 0, p[2], p[6], p[10], 0, p[3], p[7], p[11], 1];
 const shiftedTo = (a, scale = 1) => [scale, 0, 0, a[0], 0, scale, 0, a[1], 0, 0, scale, a[2]];
-/// Of a station: x away from the robot's axis, degrees counter-clockwise.
-function standing(degrees, radius, height) {
-  const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
-  return [c, -s, 0, c * radius, s, c, 0, s * radius, 0, 0, 1, height];
+/// Of a station: x away from the robot's axis, and turned from there, degrees counter-clockwise.
+function standing(degrees, radius, height, turn = 0) {
+  const [a, b] = [degrees, degrees + turn].map((angle) => angle * Math.PI / 180), c = Math.cos(b), s = Math.sin(b);
+  return [c, -s, 0, Math.cos(a) * radius, s, c, 0, Math.sin(a) * radius, 0, 0, 1, height];
 }
 
 /// The largest of 1, 2, 2.5 and 5 times a power of ten that is not above x.

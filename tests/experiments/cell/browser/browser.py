@@ -16,6 +16,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import urllib.parse
 import urllib.request
 
 from selenium import webdriver
@@ -78,7 +79,7 @@ class Page:
         try:
             if kind is None:
                 worst = [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
-                worst = [text for text in worst if "422" not in text]  # Chromium's own note on a refusal
+                worst = [text for text in worst if "422" not in text and "400" not in text]  # Chromium's own note on a refusal
                 expect(not worst, f"the console says {worst}")
             elif self.pictures:
                 self.picture("failed")
@@ -487,6 +488,105 @@ def check_disagreements(page, file):
     page.picture("disagreement")
 
 
+def elements(page):
+    return page.script("return [...document.querySelectorAll('#elements tbody tr')].map(row => row.dataset.key)")
+
+
+def reloaded(page, act):
+    """What the page shows once it has been loaded again by something that is done to it."""
+    page.script("window.before = true")
+    act()
+    page.wait("the page again", lambda: page.script("return document.readyState === 'complete' && !window.before"))
+    page.wait("an answer", lambda: page.text("status") not in ("", "The program is asked for the cell …")
+              or page.find("#failure").is_displayed())
+    page.settled()
+
+
+def add(page, kind):
+    def act():
+        page.script("document.getElementById('kind').value = arguments[0]", kind)
+        page.find("#add").click()
+    reloaded(page, act)
+
+
+def change(page, label, value):
+    field = page.find(f"#elements [aria-label='{label}']")
+    reloaded(page, lambda: page.script("arguments[0].value = arguments[1];"
+                                       "arguments[0].dispatchEvent(new Event('change', {bubbles: true}))", field, value))
+
+
+def check_elements(page, address):
+    """Things are added, moved and removed; each change is one of the cell's file."""
+    page.open(address)
+    own = elements(page)
+    expect(own == ["robot", "storage", "machine", "material"], f"the cell consists of {own}")
+    moves = page.text("moves")
+    add(page, "zone-box")
+    expect(elements(page) == own + ["zones[0]"], elements(page))
+    expect("change=" in page.driver.current_url, "the address does not say what was changed")
+    change(page, "box-2: move x", 420)
+    change(page, "box-2: move y", -240)
+    change(page, "box-2: move z", 220)
+    expect(page.text("moves") == moves, "a virtual object is in the way")
+    setting = {"changes": ['zones[0]={"name": "box-2", "box": ' + page.script(
+        "return JSON.stringify(JSON.parse(new URLSearchParams(location.search).getAll('change')[0].slice('zones[0]='.length)).box)")
+        + '}', "zones[0].move=[420, -240, 220]"]}
+    run = ask(address, setting)
+    expect(run["triggers"], "nothing comes into a virtual object on the way")
+    rows = page.script("return [...document.querySelectorAll('#triggers tbody tr')].map(r => r.cells[0].textContent + r.cells[2].textContent)")
+    expect(rows == [f"{t['zone']}{t['after']}" for t in run["triggers"]], f"the page lists {rows}")
+    inside = run["triggers"][0]["after"] + 1
+    page.go(inside)
+    page.picture("virtual-box")
+    stops = page.find("#elements [aria-label='box-2: stops the robot']")
+    reloaded(page, stops.click)
+    expect("comes into the zone box-2, which stops the robot" in page.text("failure"), page.text("failure"))
+    page.picture("virtual-box-stops")
+    reloaded(page, page.find("#undo").click)
+    expect(page.text("moves") == moves, "the last change is not taken back")
+    reloaded(page, page.find("#elements [aria-label='Remove box-2']").click)
+    expect(elements(page) == own, "what is removed is there")
+
+    page.open(address)
+    add(page, "box")
+    expect(page.text("moves") == moves or page.find("#failure").is_displayed(), "an obstacle changes the run")
+    change(page, "box-2: move x", 300)
+    change(page, "box-2: move y", -300)
+    change(page, "box-2: move z", 200)
+    expect("box-2" in page.text("failure"), f"an obstacle on the way: {page.text('failure')!r}")
+    expect(page.red() > 50, "the obstacle is not coloured")
+    page.picture("obstacle")
+
+    page.open(address)
+    add(page, "storage")
+    expect(elements(page)[2] == "storages[0]", elements(page))
+    change(page, "storage-2: angle", 5)
+    expect("stands in storage-2/" in page.text("failure"), page.text("failure"))
+    change(page, "storage-2: angle", 200)
+    expect(page.text("moves") == moves, page.text("failure"))
+    page.picture("two-storages")
+
+    page.open(address)
+    add(page, "robot")
+    expect(elements(page)[1] == "robots[0]", elements(page))
+    change(page, "robot-2: place x", -1900)
+    expect(page.text("moves") == moves, page.text("failure"))
+    page.picture("two-robots")
+
+    query = "?change=" + "&change=".join(urllib.parse.quote(text) for text in (
+        "storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200",
+        "materials[0]=@material", "materials[0].name=second", "materials[0].storage=rack"))
+    page.open(address + query)
+    expect(page.find("#piece").is_displayed(), "there is no choice of pieces")
+    reloaded(page, lambda: page.choose("piece", "second"))
+    expect("piece=second" in page.driver.current_url and page.find("#piece").get_attribute("value") == "second", page.driver.current_url)
+    page.driver.get(address + "?change=" + urllib.parse.quote("storage.radius=5000"))
+    page.wait("a refusal", lambda: "storage.radius: too far" in page.text("failure"))
+    expect(page.find("#failure a").is_displayed(), "there is no way back from a cell that cannot be")
+    page.driver.get(address + "?change=" + urllib.parse.quote("robot.urdf=/etc/passwd"))
+    page.wait("a refusal", lambda: "the page changes no files" in page.text("failure"))
+
+
 def check_without_webgl(page, address):
     page.open(address)
     expect(page.find("#no-scene").is_displayed() and not page.find("#scene").is_displayed(), "no word of what is missing")
@@ -534,6 +634,9 @@ def main(touchstone, pictures=None):
             check_configuration(page, address)
             check_wrong_stop(page, address)
             done.append("desktop")
+        with Page(pictures) as page:
+            check_elements(page, address)
+            done.append("more than one")
         with Page(pictures, 390, 844, phone=True) as page:
             page.open(address)
             check_phone(page)

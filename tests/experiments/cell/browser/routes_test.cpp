@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/cell/model/plant.h"
 #include "experiments/cell/model/read_cell.h"
 #include "tests/experiments/cell/browser/aristo.h"
 #include "tests/experiments/cell/browser/http_client.h"
@@ -35,7 +36,7 @@ class Page : public testing::Test {
 
   const Routes routes{simulator(),
                       KnownHosts("127.0.0.1", true),
-                      {{"case 2", [] {
+                      {{"case 2", [](const Variation&) {
                           return Simulator(cell::read_cell(kAristo, std::nullopt, cell::preset(kAristo, "case 2")), {});
                         }}}};
   const Serving serving{[this](const HttpRequest& request) { return routes.answer(request); }};
@@ -69,7 +70,8 @@ TEST_F(Page, AnswersEveryRoute) {
 TEST_F(Page, RefusesWithAReasonAndGoesOn) {
   const std::uint16_t port = serving.port();
   refuses(ask(port, "GET", "/api/runs"), 404,
-          "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose, not /api/runs");
+          "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose, not "
+          "/api/runs");
   refuses(ask(port, "GET", "/../etc/passwd"), 404, "there are");
   refuses(ask(port, "DELETE", "/api/cell"), 405, "/api/cell takes GET, HEAD, not DELETE");
   refuses(ask(port, "GET", "/api/run"), 405, "/api/run takes POST, not GET");
@@ -160,14 +162,46 @@ TEST_F(Page, AnswersHeadAsGetWithoutABody) {
 // Bytes that are not UTF-8 would not be JSON in the refusal that quotes them.
 TEST_F(Page, RefusesBytesThatAreNotUtf8ByTheirPlace) {
   const std::uint16_t port = serving.port();
-  refuses(send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
-          "there are /, /api/presets, /api/cell, /api/covers, /api/run, /api/area and /api/pose, not /\\xff");
+  refuses(
+      send_raw(port, "GET /\xff HTTP/1.1\r\nHost: localhost\r\n\r\n"), 404,
+      "there are /, /api/presets, /api/cell, /api/covers, /api/varied, /api/run, /api/area and /api/pose, not /\\xff");
   refuses(send_raw(port, "GET / HTTP/1.1\r\nHost: \xff\r\n\r\n"), 421,
           "this server answers to localhost or its address, not to \"\\xff\"");
   refuses(ask(port, "POST", "/api/run", "{\"\xff\": 1}"), 400, "request: is not JSON: column 3: ");
   refuses(ask(port, "POST", "/api/run", "\xff"), 400, "request: is not JSON: column 1: ");
   refuses(ask(port, "POST", "/api/run", "{\"storage\": {\"\\u001b[31m\": 1}}"), 400,
           "request: storage.\\x1b[31m: is an unknown key");
+}
+
+// A variation is asked about by its changes; without the means to build others, only the served cell is there.
+TEST(Variations, AreAskedAboutLikeTheCell) {
+  const Routes routes{
+      simulator(), KnownHosts("127.0.0.1", true), {}, [](const Variation& variation) {
+        auto plant = std::make_shared<const cell::Plant>(cell::read_plant(kAristo, std::nullopt, variation.changes));
+        const std::size_t piece = variation.piece.empty() ? 0 : cell::piece_named(*plant, variation.piece);
+        return Simulator(cell::cell_of(*plant, piece), {.plant = plant, .piece = piece});
+      }};
+  const auto post = [&](const std::string& path, const nlohmann::json& body) {
+    return routes.answer(
+        {.method = "POST", .path = path, .host = "localhost", .content_type = "application/json", .body = body.dump()});
+  };
+  const nlohmann::json changes{R"(zones[0]={"name": "z", "sphere": {"at": [400, 0, 300], "radius": 100}})",
+                               "materials[0]=@material", "materials[0].name=second", "materials[0].slot=C"};
+  const HttpReply cell = post("/api/varied", {{"changes", changes}});
+  ASSERT_EQ(cell.status, 200U) << cell.body;
+  const nlohmann::json shown = nlohmann::json::parse(cell.body);
+  EXPECT_EQ(shown["pieces"], (nlohmann::json{"material", "second"}));
+  EXPECT_EQ(shown["elements"].back()["key"], "zones[0]");
+  EXPECT_EQ(shown["zones"][0]["name"], "z");
+  const HttpReply run = post("/api/run", {{"changes", changes}, {"piece", "second"}});
+  ASSERT_EQ(run.status, 200U) << run.body;
+  const nlohmann::json ran = nlohmann::json::parse(run.body);
+  EXPECT_EQ(ran["setting"]["slot"], "C");
+  ASSERT_FALSE(ran["triggers"].empty());
+  EXPECT_EQ(ran["triggers"][0]["zone"], "z");
+  EXPECT_EQ(post("/api/run", {{"changes", {"storage.hight=1"}}}).status, 422U);
+  EXPECT_EQ(post("/api/run", {{"piece", "third"}}).status, 422U);
+  EXPECT_EQ(nlohmann::json::parse(post("/api/varied", nlohmann::json::object()).body)["zones"].size(), 0U);
 }
 
 // The storage stands in the robot: there is no first stop.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "experiments/cell/model/cell_entry.h"
@@ -35,7 +36,8 @@ TEST(Setting, NamesTheKeyThatIsWrong) {
             "request: is not JSON: column 1: syntax error while parsing value - invalid literal; last read: 's'");
   EXPECT_EQ(refusal("[]"), "request: the whole: must be an object");
   EXPECT_EQ(refusal(R"({"storage": 3})"), "request: storage: must be an object");
-  EXPECT_EQ(refusal(R"({"angle": 3})"), "request: angle: is an unknown key; there are storage, slot, step, drive");
+  EXPECT_EQ(refusal(R"({"angle": 3})"),
+            "request: angle: is an unknown key; there are storage, slot, step, drive, changes, piece");
   EXPECT_EQ(refusal(R"({"storage": {"angel": 3}})"),
             "request: storage.angel: is an unknown key; there are angle, radius, height");
   EXPECT_EQ(refusal(R"({"step": 1, "step": 2})"), "request: the whole: the key \"step\" is given twice");
@@ -95,6 +97,27 @@ TEST(Setting, RefusesWhatTheArmCannotReach) {
   EXPECT_NE(reason(480.2, 20).find("storage.height: the stand's top, -20 from there, lies at or below the floor"),
             std::string::npos)
       << reason(480.2, 20);
+}
+
+TEST(Variation, NamesChangesAndThePieceButNoFiles) {
+  const auto refused = [](const std::string& text) -> std::string {
+    try {
+      (void)read_variation(text);
+    } catch (const BadSetting& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(read_variation("{}"), Variation{});
+  const Variation variation =
+      read_variation(R"({"changes": ["zones[0]={}", "storages[0]=@storage"], "piece": "second"})");
+  EXPECT_EQ(variation.piece, "second");
+  EXPECT_EQ(variation.changes, (std::vector<std::string>{"zones[0]={}", "storages[0]=@storage"}));
+  for (const char* file : {"robot.urdf=x", "obstacles[0].mesh.file=x", "meshes=/", "robot.packages=[]"})
+    EXPECT_NE(refused(nlohmann::json{{"changes", {file}}}.dump()).find("the page changes no files"), std::string::npos);
+  EXPECT_EQ(refused(R"({"changes": [1]})"), "request: changes[0]: must be a text that is not empty");
+  EXPECT_EQ(refused(nlohmann::json{{"changes", std::vector<std::string>(201, "step=1")}}.dump()),
+            "request: changes: are more than 200");
 }
 
 }  // namespace

@@ -71,9 +71,10 @@ TEST_F(CellCommand, ShowRefusesABadCellByItsKey) {
   harness::write_file(path("bad.json"), R"({"nam":"x"})");
   const Ran ran = touchstone_cell({"show", path("bad.json")});
   EXPECT_EQ(ran.status, 2);
-  EXPECT_EQ(ran.err, path("bad.json") +
-                         ": nam: is an unknown key; there are name, unit, step, clearance, meshes, robot, gripper, "
-                         "storage, machine, material, labels, presets");
+  EXPECT_EQ(ran.err,
+            path("bad.json") +
+                ": nam: is an unknown key; there are name, unit, step, clearance, meshes, robot, robots, gripper, "
+                "storage, storages, machine, machines, material, materials, obstacles, zones, labels, presets");
 }
 
 TEST_F(CellCommand, ConvertSaysWhatItReadWroteAndReadAgain) {

@@ -72,8 +72,9 @@ class BadCells : public testing::Test {
 TEST_F(BadCells, TheOriginalIsGood) { EXPECT_EQ(fault(whole.dump()), ""); }
 
 TEST_F(BadCells, KeysAreNamed) {
-  EXPECT_EQ(fault("/machine/hight", 5),
-            "machine.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand");
+  EXPECT_EQ(
+      fault("/machine/hight", 5),
+      "machine.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand, about, turn");
   EXPECT_EQ(fault("/machine/height", nullptr), "machine: the key \"height\" is missing");
   EXPECT_EQ(fault("/machine/height", -1), "machine.height: must not be negative, is -1");
   EXPECT_EQ(fault("/machine/height", "high"), "machine.height: must be a number");

@@ -16,8 +16,9 @@ cell::Workcell aristo(const std::vector<std::string>& changes) {
   static const auto parts = cell::build_model(cell::read_cell(kAristo));
   const cell::Cell cell = cell::read_cell(kAristo, std::nullopt, changes);
   const bool as_it_was = std::ranges::none_of(changes, [](const std::string& change) {
-    return change.find("solid") != std::string::npos || change.find("parts") != std::string::npos ||
-           change.find("height") != std::string::npos || change.find("stand") != std::string::npos;
+    for (const char* part : {"solid", "parts", "height", "stand", "obstacles", "storages", "machines", "robots"})
+      if (change.find(part) != std::string::npos) return true;
+    return false;
   });
   return {cell, as_it_was ? parts : cell::build_model(cell), covered_aristo()};
 }

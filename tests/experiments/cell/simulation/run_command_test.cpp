@@ -63,8 +63,9 @@ TEST(CellRun, NamesTheKeyThatIsWrong) {
     return ran.err.rfind(file, 0) == 0 ? ran.err.substr(file.size()) : ran.err;
   };
   EXPECT_EQ(err({"--set", "storage.height=-1"}), "storage.height: must not be negative, is -1");
-  EXPECT_EQ(err({"--set", "storage.hight=1"}),
-            "storage.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand");
+  EXPECT_EQ(
+      err({"--set", "storage.hight=1"}),
+      "storage.hight: is an unknown key; there are home, angle, radius, height, slots, parts, stand, about, turn");
   EXPECT_EQ(err({"--set", "machine.radius=2000"}).substr(0, 24), "machine.radius: too far:");
   EXPECT_EQ(err({"--set", "robot.home.shoulder=91"}),
             "robot.home.shoulder: crosses a limit of the joint: 91 is not within -90 to 90 degrees");

@@ -13,7 +13,9 @@
 #include "experiments/studies/bench_scenes/brute_force.h"
 #include "experiments/studies/bench_scenes/motions.h"
 #include "experiments/studies/bench_scenes/output.h"
+#include "experiments/workloads/random.h"
 #include "geometry/bvh/box.h"
+#include "geometry/contact/fast_triangle.h"
 #include "robust/exact/exact.h"
 #include "robust/exact/validate.h"
 #include "tests/experiments/support/address_sanitizer.h"
@@ -146,6 +148,36 @@ TEST(SceneBench, LibrariesAreRightWhereNothingIsClose) {
     }
   }
   EXPECT_TRUE(result.disputes.empty());
+}
+
+/// As brute force: the structures leave out nothing that touches, wherever the ball and however large.
+TEST(SceneBench, BroadPhasesFindWhatBruteForceFinds) {
+  workloads::Random random(8, 0);
+  std::vector<Triangle> far = torus(300);
+  for (Triangle& t : far)
+    for (Eigen::Vector3d* vertex : {&t.a, &t.b, &t.c}) *vertex = 1e-3 * *vertex + Eigen::Vector3d(1000, -7, 1e6);
+  for (const std::vector<Triangle>& triangles : {torus(300), far, std::vector<Triangle>(20, torus(300).front())}) {
+    Box whole;
+    for (const Triangle& t : triangles) whole = whole.joined(box(t));
+    const Eigen::Vector3d size = whole.high - whole.low;
+    for (const auto& broad_phase :
+         {grid_library, octree_library, kd_tree_library, sphere_tree_library, kdop_tree_library}) {
+      const Library library = broad_phase();
+      const auto built = library.build(triangles);
+      for (int trial = 0; trial < 400; ++trial) {
+        Ball ball{whole.low, size.maxCoeff() * std::pow(10, -4 * random.unit())};
+        for (int i = 0; i < 3; ++i) ball.center[i] += (1.5 * random.unit() - 0.25) * size[i];
+        if (trial % 2 == 0)  // at one double from contact with a vertex
+          ball.radius = (triangles[static_cast<std::size_t>(trial) % triangles.size()].b - ball.center).norm();
+        std::vector<std::uint32_t> touched, found;
+        for (std::uint32_t i = 0; i < triangles.size(); ++i)
+          if (fast::contact(ball, triangles[i])) touched.push_back(i);
+        built->all(ball, found);
+        ASSERT_EQ(found, touched) << library.name << ", trial " << trial;
+        ASSERT_EQ(built->any(ball), !touched.empty()) << library.name << ", trial " << trial;
+      }
+    }
+  }
 }
 
 TEST(SceneBench, DoublesAreWrongAboutSomeBallsThatTouch) {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/studies/bench_scenes/library.h"
+#include "geometry/bvh/box.h"
+#include "geometry/contact/fast_triangle.h"
+
+// Structures that textbooks of collision detection name, a page each: they find candidates, and `fast::contact`
+// decides. All are conservative: every triangle that the ball touches is a candidate.
+namespace touchstone::bench_scenes {
+
+[[nodiscard]] inline bool meet(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+/// Returns a box around the ball, rounded outwards.
+[[nodiscard]] inline Box box_around(const Ball& ball) {
+  Box box;
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::nextafter(ball.center[i] - ball.radius, -std::numeric_limits<double>::infinity());
+    box.high[i] = std::nextafter(ball.center[i] + ball.radius, std::numeric_limits<double>::infinity());
+  }
+  return box;
+}
+[[nodiscard]] inline std::vector<Box> boxes_of(std::span<const Triangle> triangles) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
+  return boxes;
+}
+[[nodiscard]] inline Box around(const std::vector<Box>& boxes) {
+  Box all;
+  for (const Box& box : boxes) all = all.joined(box);
+  return all;
+}
+
+/// A scene by a structure that is built of triangles and has a member `find(ball, test)`: it applies the test to the
+/// numbers of all candidates, perhaps repeatedly, until it returns true.
+template <class Structure>
+class BroadPhaseScene : public BuiltScene {
+ public:
+  explicit BroadPhaseScene(std::span<const Triangle> triangles) : triangles_(triangles), structure_(triangles) {}
+
+  bool any(const Ball& ball) override {
+    bool found = false;
+    structure_.find(ball, [&](std::uint32_t i) { return found = fast::contact(ball, triangles_[i]); });
+    return found;
+  }
+  void all(const Ball& ball, std::vector<std::uint32_t>& triangles) override {
+    candidates_.clear();
+    structure_.find(ball, [&](std::uint32_t i) {
+      candidates_.push_back(i);
+      return false;
+    });
+    std::ranges::sort(candidates_);
+    candidates_.erase(std::ranges::unique(candidates_).begin(), candidates_.end());
+    triangles.clear();
+    for (const std::uint32_t i : candidates_)
+      if (fast::contact(ball, triangles_[i])) triangles.push_back(i);
+  }
+
+ private:
+  std::span<const Triangle> triangles_;
+  Structure structure_;
+  std::vector<std::uint32_t> candidates_;
+};
+
+template <class Structure>
+[[nodiscard]] Library broad_phase(std::string name) {
+  return {.name = std::move(name),
+          .build = [](std::span<const Triangle> triangles) -> std::unique_ptr<BuiltScene> {
+            return std::make_unique<BroadPhaseScene<Structure>>(triangles);
+          },
+          .knows_nearest = false};
+}
+
+}  // namespace touchstone::bench_scenes

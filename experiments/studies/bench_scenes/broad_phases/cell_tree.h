@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "experiments/studies/bench_scenes/broad_phases/broad_phase.h"
+
+namespace touchstone::bench_scenes {
+
+/// A tree of cells of space. A leaf lists the triangles whose boxes meet its cell, so that a triangle may be listed
+/// repeatedly. `Splitter` has a number `kCells`, and a call of (cell, boxes, numbers, depth) that returns the cells
+/// into which one is split; comparisons of doubles are exact, so nothing is lost.
+template <class Splitter>
+class CellTree {
+ public:
+  explicit CellTree(std::span<const Triangle> triangles) : boxes_(boxes_of(triangles)) {
+    std::vector<std::uint32_t> all(triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    nodes_.push_back({around(boxes_), 0, {}});
+    build(0, std::move(all), 0);
+  }
+
+  template <class Test>
+  void find(const Ball& ball, const Test& test) const {
+    find(box_around(ball), test, 0);
+  }
+
+ private:
+  static constexpr std::size_t kMostInLeaf = 8;
+  static constexpr unsigned kDeepest = 24;
+  struct Node {
+    Box cell;
+    std::uint32_t first_child;  // 0 for a leaf
+    std::vector<std::uint32_t> numbers;
+  };
+
+  void build(std::uint32_t number, std::vector<std::uint32_t> numbers, unsigned depth) {
+    if (numbers.size() > kMostInLeaf && depth < kDeepest) {
+      const auto cells = Splitter()(nodes_[number].cell, boxes_, numbers);
+      std::vector<std::vector<std::uint32_t>> own(cells.size());
+      std::size_t sum = 0;
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        for (const std::uint32_t i : numbers)
+          if (meet(boxes_[i], cells[k])) own[k].push_back(i);
+        sum += own[k].size();
+      }
+      if (2 * sum <= cells.size() * numbers.size() && sum <= 2 * numbers.size()) {  // else it would not pay
+        numbers = {};
+        const auto first = static_cast<std::uint32_t>(nodes_.size());
+        nodes_[number].first_child = first;
+        for (const Box& cell : cells) nodes_.push_back({cell, 0, {}});
+        for (std::size_t k = 0; k < cells.size(); ++k)
+          build(first + static_cast<std::uint32_t>(k), std::move(own[k]), depth + 1);
+        return;
+      }
+    }
+    nodes_[number].numbers = std::move(numbers);
+  }
+
+  template <class Test>
+  bool find(const Box& box, const Test& test, std::uint32_t number) const {
+    const Node& node = nodes_[number];
+    if (!meet(node.cell, box)) return false;
+    if (node.first_child != 0) {
+      for (std::uint32_t k = 0; k < Splitter::kCells; ++k)
+        if (find(box, test, node.first_child + k)) return true;
+      return false;
+    }
+    for (const std::uint32_t i : node.numbers)
+      if (meet(boxes_[i], box) && test(i)) return true;
+    return false;
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace touchstone::bench_scenes
