@@ -113,14 +113,20 @@ CommandDescription program() {
                                  .words = {"exact", "filtered"}};
   const OptionDescription file{
       .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .required = true};
+  const OptionDescription letter{
+      .name = "LETTER", .value = "TEXT", .about = "A letter", .fallback = {}, .words = {"b", "c"}};
   const CommandDescription measure{.name = "measure",
                                    .about = "Measures",
                                    .footer = ".A note\n'and another",
                                    .options = {samples, oracle, file},
                                    .examples = {"measure --samples 3"},
                                    .subcommands = {}};
-  const CommandDescription shrink{
-      .name = "corpus shrink", .about = "Shrinks", .footer = {}, .options = {}, .examples = {}, .subcommands = {}};
+  const CommandDescription shrink{.name = "corpus shrink",
+                                  .about = "Shrinks",
+                                  .footer = {},
+                                  .options = {letter},
+                                  .examples = {},
+                                  .subcommands = {}};
   const CommandDescription corpus{
       .name = "corpus", .about = "Cases", .footer = {}, .options = {}, .examples = {}, .subcommands = {shrink}};
   return {.name = {}, .about = "About", .footer = {}, .options = {}, .examples = {}, .subcommands = {measure, corpus}};
@@ -141,11 +147,19 @@ std::string completed(const std::string& words) {
 
 TEST(Completion, OffersCommandsOptionsAndValuesInBash) {
   EXPECT_EQ(completed("touchstone m"), "measure");
-  EXPECT_EQ(completed("touchstone \"\""), "measure corpus --help");
+  EXPECT_EQ(completed("touchstone \"\""), "measure corpus help --version --help");
+  EXPECT_EQ(completed("touchstone --v"), "--version");
+  EXPECT_EQ(completed("touchstone help m"), "measure");
+  EXPECT_EQ(completed("touchstone help corpus s"), "shrink");
   EXPECT_EQ(completed("touchstone corpus s"), "shrink");
   EXPECT_EQ(completed("touchstone measure --s"), "--samples");
   EXPECT_EQ(completed("touchstone measure --oracle f"), "filtered");
   EXPECT_EQ(completed("touchstone corpus shrink --"), "--help");
+  EXPECT_EQ(completed("touchstone corpus shrink \"\""), "b c --help");
+  // Files: after an option with a value, and where the command takes them.
+  EXPECT_EQ(completed("touchstone measure --samples \"\""), "");
+  EXPECT_EQ(completed("touchstone measure --samples -"), "");
+  EXPECT_EQ(completed("touchstone measure \"\""), "");
 }
 
 TEST(Completion, DescribesEverythingForZsh) {
