@@ -16,6 +16,7 @@
 #include "experiments/cell/simulation/run_output.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/methods/registry.h"
@@ -24,7 +25,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct RunCommandOptions : RunOptions {
+struct RunCommandOptions : RunOptions, harness::Printing {
   std::string output;
   bool every_face = false, force = false;
   std::string line;  ///< that repeats the run
@@ -58,20 +59,21 @@ int run(const RunCommandOptions& options) {
   const double measured = watch.lap();
   const MethodComparison comparison = compare_methods(workcell, process, methods, options.every_face);
   const double held = watch.lap();
-  fmt::print(
+  const auto write = [&](const std::filesystem::path& to) { write_run(to, workcell, process, separation, comparison); };
+  std::string text = fmt::format(
       "{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} s "
-      "for "
-      "the methods\n",
+      "for the methods\n",
       cell.name, summary(workcell, process, separation, comparison), before, cycle, measured, held);
   if (!options.output.empty()) {
-    write_run(options.output, workcell, process, separation, comparison);
+    write(options.output);
     harness::write_run_record(options.output, {.command = options.line,
                                                .samples_asked = process.stops.size(),
                                                .samples_done = process.stops.size(),
                                                .seconds = before + cycle + measured + held});
-    fmt::print("moves, trajectory, distances, methods and {} disagreements: {}\n", comparison.disagreements.size(),
-               io::all_legible(options.output));
+    text += fmt::format("moves, trajectory, distances, methods and {} disagreements: {}\n",
+                        comparison.disagreements.size(), io::all_legible(options.output));
   }
+  options.print(text, write);
   return process.failure.empty() ? 0 : 1;
 }
 
@@ -88,6 +90,7 @@ harness::Command run_command() {
                "Also ask about faces whose boxes the sphere misses (except with slow methods)");
   command.output(options->output, "A folder for moves, trajectory, distances, methods and disagreements");
   command.force(options->force);
+  harness::declare_printing(command, *options);
   command.writes(run_tables());
   command.example("cell run experiments/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
