@@ -20,8 +20,16 @@ using harness::Command;
 using harness::CommandDescription;
 
 CommandDescription program_of(const std::string& about, const std::vector<Command>& commands) {
-  CommandDescription program{
-      .name = {}, .about = about, .footer = {}, .options = {}, .examples = {"help near-edge"}, .subcommands = {}};
+  CommandDescription program{.name = {},
+                             .about = about,
+                             .footer = {},
+                             .options = {{.name = "--version",
+                                          .value = {},
+                                          .about = "Print the version, the commit and the engines",
+                                          .fallback = {},
+                                          .words = {}}},
+                             .examples = {"help near-edge"},
+                             .subcommands = {}};
   for (const Command& command : commands) program.subcommands.push_back(command.description());
   return program;
 }

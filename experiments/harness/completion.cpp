@@ -29,7 +29,7 @@ std::string options_of(const CommandDescription& command) {
   std::string words;
   for (const OptionDescription& option : command.options)
     if (!option.positional()) words += option.name + " ";
-  return words + (command.name.empty() ? "--version " : "") + "--help";
+  return words + "--help";
 }
 
 /// Returns the words that may follow the name of a command where none is begun: options only if no file may follow.
@@ -80,7 +80,8 @@ std::string zsh_group(const CommandDescription& command) {
     text += fmt::format("    '{}:{}'\n", last_word(sub.name), zsh_text(sub.about));
   if (is_program) text += "    'help:Print the help of a command'\n";
   text += "  )\n  local curcontext=$curcontext state line\n  _arguments -C '--help[Print help]' ";
-  if (is_program) text += "'--version[Print the version]' ";
+  for (const OptionDescription& option : command.options)
+    text += fmt::format("'{}[{}]' ", option.name, zsh_text(option.about));
   text += "'1:command:->command' '*::argument:->argument'\n  case $state in\n";
   text += "    command) _describe command commands ;;\n    argument)\n      case $words[1] in\n";
   for (const CommandDescription& sub : command.subcommands)

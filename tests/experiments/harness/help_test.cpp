@@ -109,7 +109,7 @@ CommandDescription program() {
   const OptionDescription oracle{.name = "--oracle",
                                  .value = "TEXT",
                                  .about = "It's [the] truth: a\\b",
-                                 .fallback = "exact",
+                                 .fallback = "[exact,filtered]",
                                  .words = {"exact", "filtered"}};
   const OptionDescription file{
       .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .required = true};
@@ -129,7 +129,14 @@ CommandDescription program() {
                                   .subcommands = {}};
   const CommandDescription corpus{
       .name = "corpus", .about = "Cases", .footer = {}, .options = {}, .examples = {}, .subcommands = {shrink}};
-  return {.name = {}, .about = "About", .footer = {}, .options = {}, .examples = {}, .subcommands = {measure, corpus}};
+  const OptionDescription version{
+      .name = "--version", .value = {}, .about = "Its version", .fallback = {}, .words = {}};
+  return {.name = {},
+          .about = "About",
+          .footer = {},
+          .options = {version},
+          .examples = {},
+          .subcommands = {measure, corpus}};
 }
 
 /// Returns what bash offers after these words, the last of which is not finished.
@@ -175,10 +182,12 @@ TEST(Manual, HasAPageForEachCommand) {
   const auto pages = manual_pages(program(), "touchstone 1.2");
   ASSERT_EQ(pages.size(), 4U);
   EXPECT_TRUE(has(pages.at("touchstone.1"), ".BR touchstone\\-measure (1)\nMeasures\n"));
+  EXPECT_TRUE(has(pages.at("touchstone.1"), "\\fB\\-\\-version\\fR\nIts version.\n"));
   const std::string& page = pages.at("touchstone-measure.1");
   for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", ".I FILE\n",
-                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many\nDefault: 7.", "One of: exact, filtered.",
-                           "a\\eb", "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
+                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many.\nDefault: 7.",
+                           "One of: exact, filtered.\nDefault: exact,filtered.\n", "a\\eb",
+                           "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
     EXPECT_TRUE(has(page, part)) << part << "\n" << page;
   EXPECT_TRUE(pages.contains("touchstone-corpus-shrink.1"));
 }
