@@ -20,54 +20,62 @@ using harness::Command;
 using harness::CommandDescription;
 
 CommandDescription program_of(const std::string& about, const std::vector<Command>& commands) {
-  CommandDescription program{
-      .name = {}, .about = about, .footer = {}, .options = {}, .examples = {"help near-edge"}, .subcommands = {}};
+  CommandDescription program{.name = {},
+                             .about = about,
+                             .footer = {},
+                             .options = {{.name = "--version",
+                                          .value = {},
+                                          .about = "Print the version, the commit and the engines",
+                                          .fallback = {},
+                                          .words = {}}},
+                             .examples = {"help near-edge"},
+                             .subcommands = {}};
   for (const Command& command : commands) program.subcommands.push_back(command.description());
   return program;
 }
 
 }  // namespace
 
-Command completion_command(const std::string& about, const std::vector<Command>& commands) {
-  Command command("completion", "Print a script that completes commands and options in a shell");
+std::vector<Command> help_commands(const std::string& about, std::vector<Command> commands) {
+  Command completion("completion", "Print a script that completes commands and options in a shell");
   auto shell = std::make_shared<std::string>("bash");
-  command.choice("SHELL", *shell, {"bash", "zsh"}, "The shell");
-  command.footer(
+  completion.choice("SHELL", *shell, {"bash", "zsh"}, "The shell");
+  completion.footer(
       "The installed program has both scripts. Otherwise: bash reads the script by `. FILE`; zsh finds it as the file\n"
       "_touchstone in a folder of $fpath.");
-  command.example("completion bash");
-  command.runs([shell, about, commands] {
-    return harness::run_alone([&] {
-      const CommandDescription program = program_of(about, commands);
-      fmt::print("{}", *shell == "bash" ? harness::bash_completion(program) : harness::zsh_completion(program));
-      return 0;
-    });
-  });
-  return command;
-}
+  completion.example("completion bash");
 
-Command manual_command(const std::string& about, const std::vector<Command>& commands) {
   struct Options {
     std::string folder = "results/manual", line;
     bool force = false;
   };
   auto options = std::make_shared<Options>();
-  Command command("manual", "Write the manual pages of all commands, for man(1)");
-  command.output(options->folder, "The folder for the pages");
-  command.force(options->force);
-  command.keep_line(options->line);
-  command.example("manual && man ./results/manual/touchstone-near-edge.1");
-  command.runs([options, about, commands] {
+  Command manual("manual", "Write the manual pages of all commands, for man(1)");
+  manual.output(options->folder, "The folder for the pages");
+  manual.force(options->force);
+  manual.keep_line(options->line);
+  manual.example("manual && man ./results/manual/touchstone-near-edge.1");
+
+  commands.push_back(completion);
+  commands.push_back(manual);
+  const CommandDescription program = program_of(about, commands);
+  completion.runs([shell, program] {
+    return harness::run_alone([&] {
+      fmt::print("{}", *shell == "bash" ? harness::bash_completion(program) : harness::zsh_completion(program));
+      return 0;
+    });
+  });
+  manual.runs([options, program] {
     return harness::run_alone([&] {
       const harness::OutputFolder folder(options->folder, options->line, {.force = options->force});
       const std::string version = harness::version_text().substr(0, harness::version_text().find('\n'));
-      const auto pages = harness::manual_pages(program_of(about, commands), version);
+      const auto pages = harness::manual_pages(program, version);
       for (const auto& [name, text] : pages) harness::write_file(folder.path() / name, text);
       fmt::print("{} pages in {}\n", pages.size(), options->folder);
       return 0;
     });
   });
-  return command;
+  return {completion, manual};
 }
 
 }  // namespace touchstone::commands

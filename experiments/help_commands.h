@@ -8,10 +8,9 @@
 
 namespace touchstone::commands {
 
-/// Returns the command that prints a completion script for a shell.
-[[nodiscard]] harness::Command completion_command(const std::string& about,
-                                                  const std::vector<harness::Command>& commands);
-/// Returns the command that writes the manual pages.
-[[nodiscard]] harness::Command manual_command(const std::string& about, const std::vector<harness::Command>& commands);
+/// Returns the command that prints a completion script for a shell and the one that writes the manual pages. Both cover
+/// these commands and themselves. `about`: the text of the program.
+[[nodiscard]] std::vector<harness::Command> help_commands(const std::string& about,
+                                                          std::vector<harness::Command> commands);
 
 }  // namespace touchstone::commands

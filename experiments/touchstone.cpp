@@ -71,9 +71,7 @@ int main(int argc, char** argv) {
         soak_command(),    tradeoff_command(), tunnelling_command(), stability_command(), scenes_command(),
         cell_command(),    regress_command(),  corpus_command(),     thesis_command(),    show_command()};
     commands.push_back(columns_command(commands));
-    const std::vector all(commands);
-    commands.push_back(completion_command(kAbout, all));
-    commands.push_back(manual_command(kAbout, all));
+    for (const auto& command : help_commands(kAbout, commands)) commands.push_back(command);
     const int status =
         touchstone::harness::run_program({kAbout, touchstone::harness::version_text()}, commands, argc, argv);
     touchstone::harness::flush_standard_output();

@@ -17,17 +17,17 @@
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/harness/table.h"
 
 namespace touchstone::cell {
 namespace {
 
-struct AreaOptions : RunOptions {
+struct AreaOptions : RunOptions, harness::Printing {
   std::string output = "results/cell-area";
   double angle_step = 5, length_step = 25;
   unsigned threads = harness::all_threads();
@@ -108,7 +108,7 @@ int run(const AreaOptions& options) {
   const harness::StopSignal stop_signal;
   std::optional<std::vector<Tried>> in_plan, in_height;
   {
-    harness::ProgressLine line("places of the storage", plan.size() + heights.size());
+    harness::ProgressLine line("places of the storage", plan.size() + heights.size(), 0, !options.quiet);
     in_plan = try_places(cell, parts, covered, plan, rule_of(options), options.threads, stop_signal.requested(),
                          std::ref(line));
     if (in_plan)
@@ -128,9 +128,9 @@ int run(const AreaOptions& options) {
                .samples_done = plan.size() + heights.size(),
                .threads = options.threads,
                .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
-  fmt::print("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
-             cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height));
-  harness::flush_standard_output();
+  options.print(fmt::format("{}\nangle x radius at height {:g}: {}\nheight x radius at angle {:g}: {}\n", cell.name,
+                            cell.storage.height, table_of(*in_plan), cell.storage.angle, table_of(*in_height)),
+                folder);
   return options.no_pictures ? 0 : harness::draw_pictures("cell_area", held);
 }
 
@@ -155,6 +155,7 @@ harness::Command area_command() {
   command.output(options->output, "Folder for the CSV files, run.json and pictures");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  harness::declare_printing(command, *options);
   command.writes({plan_csv().description(), heights_csv().description(), stations_csv().description()});
   command.example("cell area experiments/cell/cells/aristo.json --angle-step 90 --length-step 2000");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace {
 
 struct ConvertOptions {
   std::string from, to, name;
-  bool weld = false, merge = false, force = false;
+  bool weld = false, merge = false, force = false, json = false, quiet = false;
 };
 
 std::string row(const char* what, const ModelCounts& counts) {
@@ -27,6 +28,26 @@ std::string row(const char* what, const ModelCounts& counts) {
   }
   return fmt::format("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", what, counts.parts, counts.vertices,
                      counts.polygons, counts.triangles, counts.holes, counts.points, bounds);
+}
+
+std::string table(const ModelCounts& read, const ModelCounts& written, const ModelCounts& read_again) {
+  return fmt::format("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons",
+                     "triangles", "holes", "points", "bounds") +
+         row("read", read) + row("written", written) + row("read again", read_again);
+}
+
+nlohmann::ordered_json json(const ModelCounts& counts) {
+  const auto corner = [&](const Eigen::Vector3d& at) {
+    return counts.bounds.isEmpty() ? nlohmann::ordered_json() : nlohmann::ordered_json{at.x(), at.y(), at.z()};
+  };
+  return {{"parts", counts.parts},
+          {"vertices", counts.vertices},
+          {"polygons", counts.polygons},
+          {"triangles", counts.triangles},
+          {"holes", counts.holes},
+          {"points", counts.points},
+          {"lowest", corner(counts.bounds.min())},
+          {"highest", corner(counts.bounds.max())}};
 }
 
 int run(const ConvertOptions& options) {
@@ -52,10 +73,13 @@ int run(const ConvertOptions& options) {
   harness::write_file(options.to, text, options.force);
   const LinkModel read = read_model(options.to);
 
-  fmt::print("{:<10} {:>6} {:>9} {:>9} {:>10} {:>6} {:>8}  {}\n", "", "parts", "vertices", "polygons", "triangles",
-             "holes", "points", "bounds");
-  fmt::print("{}{}{}", row("read", counts_of(model)), row("written", counts_of(written)),
-             row("read again", counts_of(read)));
+  const ModelCounts was = counts_of(model), is = counts_of(written), again = counts_of(read);
+  if (options.json) {
+    const nlohmann::ordered_json all{{"read", json(was)}, {"written", json(is)}, {"read_again", json(again)}};
+    fmt::print("{}\n", all.dump());
+  } else if (!options.quiet) {
+    fmt::print("{}", table(was, is, again));
+  }
   const std::vector<std::string> sentences = differences(written, read);
   for (const std::string& sentence : sentences) fmt::print(stderr, "touchstone: {}: {}\n", options.to, sentence);
   return sentences.empty() ? 0 : kDiffers;
@@ -73,6 +97,9 @@ harness::Command convert_command() {
   command.flag("--merge", options->merge, "Merge coplanar faces into polygons with holes").excludes("--weld");
   command.text("--name", options->name, "The name of the link, one word (default: that of the file or model)");
   command.flag("--force", options->force, "Overwrite an existing file");
+  command.quiet(options->quiet, "Print no table; the exit status tells whether the written file is the same model");
+  command.json(options->json, "Print the counts as one JSON object, with the lowest and highest coordinates")
+      .excludes("--quiet");
   command.example("cell convert part.stl part.obj --merge");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });
   return command;

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "experiments/cell/simulation/run_output.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/write_file.h"
@@ -25,7 +27,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct RunCommandOptions : RunOptions {
+struct RunCommandOptions : RunOptions, harness::Printing {
   std::string output;
   bool every_face = false, force = false;
   std::string line;  ///< that repeats the run
@@ -45,64 +47,106 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// What a run of one piece came to.
-struct Done {
-  std::size_t stops, disagreements;
-  double seconds;
-  bool completed;
+/// The process of one piece, measured, and compared with what methods say.
+class PieceRun {
+ public:
+  PieceRun(const Cell& cell, const RunCommandOptions& options, const std::vector<const cases::Method*>& methods)
+      : workcell_(cell, build_model(cell), options.overhang),
+        before_(watch_.lap()),
+        process_(simulate(workcell_, rule_of(options))),
+        cycle_(watch_.lap()),
+        separation_(separation_of(workcell_, process_)),
+        measured_(watch_.lap()),
+        comparison_(compare_methods(workcell_, process_, methods, options.every_face)),
+        held_(watch_.lap()) {}
+
+  [[nodiscard]] bool completed() const { return process_.failure.empty(); }
+  [[nodiscard]] std::size_t stops() const { return process_.stops.size(); }
+  [[nodiscard]] std::size_t disagreements() const { return comparison_.disagreements.size(); }
+  [[nodiscard]] double seconds() const { return before_ + cycle_ + measured_ + held_; }
+  [[nodiscard]] std::string text() const {
+    return fmt::format(
+        "{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} "
+        "s "
+        "for the methods\n",
+        workcell_.cell().name, summary(workcell_, process_, separation_, comparison_), before_, cycle_, measured_,
+        held_);
+  }
+  void write(const std::filesystem::path& folder) const {
+    write_run(folder, workcell_, process_, separation_, comparison_);
+  }
+
+ private:
+  Stopwatch watch_;
+  Workcell workcell_;
+  double before_;
+  Process process_;
+  double cycle_;
+  Separation separation_;
+  double measured_;
+  MethodComparison comparison_;
+  double held_;
 };
 
-Done run(const Cell& cell, const RunCommandOptions& options, const std::filesystem::path& folder) {
-  Stopwatch watch;
-  const auto methods = options.methods.methods();
-  const Workcell workcell(cell, build_model(cell), options.overhang);
-  const double before = watch.lap();
-  const Process process = simulate(workcell, rule_of(options));
-  const double cycle = watch.lap();
-  const Separation separation = separation_of(workcell, process);
-  const double measured = watch.lap();
-  const MethodComparison comparison = compare_methods(workcell, process, methods, options.every_face);
-  const double held = watch.lap();
-  fmt::print(
-      "{}\n\n{}\n{:.2f} s for the model and its covers, {:.3f} s for the process, {:.3f} s for the distances, {:.3f} s "
-      "for "
-      "the methods\n",
-      cell.name, summary(workcell, process, separation, comparison), before, cycle, measured, held);
-  if (!folder.empty()) write_run(folder, workcell, process, separation, comparison);
-  return {process.stops.size(), comparison.disagreements.size(), before + cycle + measured + held,
-          process.failure.empty()};
+std::vector<std::size_t> pieces_of(const Plant& plant, const RunCommandOptions& options) {
+  if (!options.piece.empty()) return {piece_named(plant, options.piece)};
+  std::vector<std::size_t> pieces(plant.pieces.size());
+  std::iota(pieces.begin(), pieces.end(), std::size_t{0});
+  return pieces;
+}
+
+/// The tables of several pieces, which lie in a folder of each.
+std::vector<harness::TableDescription> tables_of(const std::vector<std::string>& pieces,
+                                                 const std::vector<harness::TableDescription>& tables) {
+  std::vector<harness::TableDescription> all;
+  for (const std::string& piece : pieces)
+    for (harness::TableDescription table : tables) {
+      table.file = piece + "/" + table.file;
+      all.push_back(std::move(table));
+    }
+  return all;
 }
 
 int run(const RunCommandOptions& options) {
   std::optional<harness::OutputFolder> folder;
   if (!options.output.empty()) folder.emplace(options.output, options.line, harness::Existing{.force = options.force});
   const Plant plant = plant_of(options);
-  std::vector<std::size_t> pieces;
-  if (options.piece.empty())
-    for (std::size_t i = 0; i < plant.pieces.size(); ++i) pieces.push_back(i);
-  else
-    pieces.push_back(piece_named(plant, options.piece));
+  const std::vector<std::size_t> pieces = pieces_of(plant, options);
+  const auto methods = options.methods.methods();
+  std::vector<std::unique_ptr<PieceRun>> runs;
+  std::vector<std::string> names;
+  std::string text;
   std::size_t stops = 0, disagreements = 0;
   double seconds = 0;
-  bool completed = true;
-  for (std::size_t i = 0; i < pieces.size() && completed; ++i) {
-    const std::string& name = plant.pieces[pieces[i]].name;
-    if (pieces.size() > 1) fmt::print("{}piece {} of {}: {}\n", i > 0 ? "\n" : "", i + 1, pieces.size(), name);
-    std::filesystem::path into = options.output;
-    if (!options.output.empty() && pieces.size() > 1) harness::make_folder(into /= name);
-    const Done done = run(cell_of(plant, pieces[i]), options, into);
-    stops += done.stops, disagreements += done.disagreements, seconds += done.seconds;
-    completed = done.completed;
-    if (!completed && i + 1 < pieces.size()) fmt::print("{} more pieces are not handled\n", pieces.size() - i - 1);
+  for (std::size_t i = 0; i < pieces.size() && (runs.empty() || runs.back()->completed()); ++i) {
+    names.push_back(plant.pieces[pieces[i]].name);
+    runs.push_back(std::make_unique<PieceRun>(cell_of(plant, pieces[i]), options, methods));
+    if (pieces.size() > 1)
+      text += fmt::format("{}piece {} of {}: {}\n", i > 0 ? "\n" : "", i + 1, pieces.size(), names.back());
+    text += runs.back()->text();
+    stops += runs.back()->stops(), disagreements += runs.back()->disagreements(), seconds += runs.back()->seconds();
   }
+  if (runs.size() < pieces.size()) text += fmt::format("{} more pieces are not handled\n", pieces.size() - runs.size());
+  const auto write = [&](const std::filesystem::path& to) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const std::filesystem::path into = pieces.size() > 1 ? to / names[i] : to;
+      if (pieces.size() > 1) harness::make_folder(into);
+      runs[i]->write(into);
+    }
+  };
   if (!options.output.empty()) {
+    write(options.output);
     harness::write_run_record(
         options.output, {.command = options.line, .samples_asked = stops, .samples_done = stops, .seconds = seconds});
-    fmt::print("moves, trajectory, distances, methods and {} disagreements: {}\n", disagreements,
-               io::all_legible(options.output));
+    text += fmt::format("moves, trajectory, distances, methods and {} disagreements: {}\n", disagreements,
+                        io::all_legible(options.output));
   }
-  return completed ? 0 : 1;
+  harness::Printing printing = options;
+  if (pieces.size() > 1) printing.tables = tables_of(names, options.tables);
+  printing.print(text, write);
+  return runs.back()->completed() ? 0 : 1;
 }
+
 }  // namespace
 
 harness::Command run_command() {
@@ -118,6 +162,7 @@ harness::Command run_command() {
                  "A folder for moves, trajectory, distances, methods and disagreements; of each piece a folder if "
                  "there are several");
   command.force(options->force);
+  harness::declare_printing(command, *options);
   command.writes(run_tables());
   command.example("cell run experiments/cell/cells/aristo.json --methods fast,thesis");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

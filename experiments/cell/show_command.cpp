@@ -15,6 +15,7 @@
 #include "experiments/cell/show_output.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
@@ -23,7 +24,7 @@
 namespace touchstone::cell {
 namespace {
 
-struct ShowOptions {
+struct ShowOptions : harness::Printing {
   std::string file, meshes, output;
   bool force = false;
   std::string line;  ///< that repeats the run
@@ -42,20 +43,24 @@ int run(const ShowOptions& options) {
   {
     std::optional<harness::ProgressLine> line;
     parts = build_model(cell, [&](std::size_t done, std::size_t total) {
-      if (!line) line.emplace("cell: parts", total);
+      if (!line) line.emplace("cell: parts", total, 0, !options.quiet);
       (*line)(done);
     });
   }
-  fmt::print("{}", summary(cell, parts));
-  if (options.output.empty()) return 0;
+  std::string text = summary(cell, parts);
+  const auto print = [&] {
+    options.print(text, [&](const std::filesystem::path& to) { write_faces(to, parts); });
+    return 0;
+  };
+  if (options.output.empty()) return print();
   write_faces(folder, parts);
   const std::size_t models = write_models(folder / "models", parts);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   harness::write_run_record(
       folder,
       {.command = options.line, .samples_asked = parts.size(), .samples_done = parts.size(), .seconds = seconds});
-  fmt::print("\nfaces.csv and {} model files: {}\n", models, folder.string());
-  return 0;
+  text += fmt::format("\nfaces.csv and {} model files: {}\n", models, folder.string());
+  return print();
 }
 
 }  // namespace
@@ -70,6 +75,7 @@ harness::Command show_command() {
   command.output(options->output,
                  "A folder for faces.csv, one line per face, and models/, one model file (.txt) per link");
   command.force(options->force);
+  harness::declare_printing(command, *options);
   command.writes(show_tables());
   command.example("cell show experiments/cell/cells/aristo.json");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -11,6 +11,7 @@
 #include "experiments/harness/real_number.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/similar_words.h"
+#include "experiments/harness/standard_output.h"
 #include "experiments/harness/whole_number.h"
 #include "geometry/io/detail/legible.h"
 
@@ -101,6 +102,8 @@ struct CommandParts {
   void check_groups() const;
   void replace_defaults() const;
   void show_footer() const;
+  /// Returns whether the command prints, for all it was told.
+  [[nodiscard]] bool prints() const;
   [[nodiscard]] std::string line() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> result_options() const;
 };
@@ -122,6 +125,11 @@ void CommandParts::show_footer() const {
   if (!examples.empty()) text += examples.size() == 1 ? "\nExample:" : "\nExamples:";
   for (const std::string& example : examples) text += "\n  " + kProgram + " " + example;
   app->footer(text);
+}
+
+bool CommandParts::prints() const {
+  const CLI::Option* quiet = app->get_option_no_throw("--quiet");
+  return quiet == nullptr || quiet->count() == 0;
 }
 
 std::string CommandParts::line() const {
@@ -193,7 +201,9 @@ Command::Command(const std::string& name, const std::string& about) : parts_(std
     if (parts->kept_tables != nullptr) *parts->kept_tables = parts->tables;
     if (parts->kept_result_options != nullptr)
       *parts->kept_result_options = [parts] { return parts->result_options(); };
-    if (parts->run) parts->status = parts->run();
+    if (!parts->run) return;
+    if (parts->prints()) require_standard_output();
+    parts->status = parts->run();
   });
 }
 
@@ -419,9 +429,12 @@ void check_names(const std::vector<Command>& commands, const std::vector<std::st
     check_names(named->subcommands(), {arguments.begin() + 1, arguments.end()}, group + " " + named->name());
 }
 
-/// Returns the words after the name of the program; `help COMMAND` is `COMMAND --help`.
+/// Returns the words after the name of the program; `help COMMAND` is `COMMAND --help`, and --exec the name that
+/// --engine had in 0.1.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  for (std::string& word : words)
+    if (word == "--exec" || word.starts_with("--exec=")) word.replace(2, 4, "engine");
   if (words.empty() || words.front() != "help") return words;
   words.erase(words.begin());
   words.emplace_back("--help");

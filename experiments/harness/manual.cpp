@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace touchstone::harness {
 namespace {
@@ -23,6 +24,17 @@ std::string roff(const std::string& text) {
     begins_line = c == '\n';
   }
   return escaped;
+}
+
+/// Returns the text as a sentence, with its full stop.
+std::string sentence(const std::string& text) {
+  return text + (text.empty() || std::string_view(".?!").find(text.back()) != std::string_view::npos ? "" : ".");
+}
+
+/// Returns a default as it would be typed: the parser puts lists into brackets.
+std::string typed(const std::string& fallback) {
+  const bool is_list = fallback.starts_with("[") && fallback.ends_with("]");
+  return is_list ? fallback.substr(1, fallback.size() - 2) : fallback;
 }
 
 std::string page_name(const CommandDescription& command) {
@@ -47,21 +59,22 @@ std::string synopsis(const CommandDescription& command) {
 std::string option_text(const OptionDescription& option) {
   std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(option.name));
   if (!option.value.empty() && !option.positional()) text += fmt::format(" \\fI{}\\fR", roff(option.value));
-  text += "\n" + roff(option.about) + "\n";
+  text += "\n" + roff(sentence(option.about)) + "\n";
   if (option.required) text += "Required.\n";
   if (!option.words.empty()) {
     std::string words;
     for (const std::string& word : option.words) words.append(words.empty() ? "" : ", ").append(word);
     text += "One of: " + roff(words) + ".\n";
   }
-  if (!option.fallback.empty()) text += "Default: " + roff(option.fallback) + ".\n";
+  if (!option.fallback.empty()) text += "Default: " + roff(typed(option.fallback)) + ".\n";
   return text;
 }
 
 std::string page(const CommandDescription& command, const std::string& version) {
   const std::string name = page_name(command);
-  std::string text = fmt::format(".TH \"{}\" 1 \"\" \"{}\" \"Touchstone\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}",
-                                 roff(name), roff(version), roff(name), roff(command.about), synopsis(command));
+  std::string text =
+      fmt::format(".TH \"{}\" 1 \"\" \"{}\" \"Touchstone\"\n.ad l\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}", roff(name),
+                  roff(version), roff(name), roff(command.about), synopsis(command));
   if (!command.footer.empty()) text += ".SH DESCRIPTION\n.nf\n" + roff(command.footer) + "\n.fi\n";
   if (!command.options.empty()) text += ".SH OPTIONS\n";
   for (const OptionDescription& option : command.options) text += option_text(option);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/harness/standard_output.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <iostream>
@@ -22,6 +24,11 @@ void flush_standard_output() {
   std::cout.flush();
   const bool is_flushed = std::fflush(stdout) == 0;
   if (!is_flushed || !std::cout || std::ferror(stdout) != 0) throw std::runtime_error(cannot_be_written(errno));
+}
+
+void require_standard_output() {
+  // A write of no bytes fails where the stream takes no bytes at all.
+  if (::write(STDOUT_FILENO, "", 0) < 0) throw std::runtime_error(cannot_be_written(errno));
 }
 
 std::string message_of(const std::exception& error) {

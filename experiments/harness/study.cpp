@@ -7,8 +7,6 @@
 
 #include "experiments/harness/pictures.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
-#include "experiments/harness/table_json.h"
 
 namespace touchstone::harness {
 
@@ -22,10 +20,8 @@ void declare_study(Command& command, StudyOptions& options, const std::string& s
                                                       : "The folder for tables and the checkpoint");
   command.force(options.force);
   if (options.has_pictures) command.no_pictures(options.no_pictures);
-  command.quiet(options.quiet);
-  command.json(options.json).excludes("--quiet");
+  declare_printing(command, options);
   command.keep_line(options.line);
-  command.keep_tables(options.tables);
   command.keep_result_options(options.result_options);
 }
 
@@ -58,11 +54,7 @@ int StudyRun::finish(const End& end) {
                              .seconds = seconds(),
                              .processes = processes_.count(),
                              .interrupted = interrupted});
-  if (options_.json)
-    fmt::print("{}", tables_json(folder_, options_.tables));
-  else if (!options_.quiet)
-    fmt::print("{}{:.0f} s; results: {}\n", end.text, seconds(), options_.output);
-  flush_standard_output();
+  options_.print(fmt::format("{}{:.0f} s; results: {}\n", end.text, seconds(), options_.output), folder_);
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers {} of {} samples; no pictures; --resume continues\n",
                options_.output, end.done, options_.samples);

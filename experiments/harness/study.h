@@ -12,6 +12,7 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_control.h"
 #include "experiments/harness/stop_signal.h"
@@ -19,17 +20,16 @@
 namespace touchstone::harness {
 
 /// The options of every study that draws samples.
-struct StudyOptions {
+struct StudyOptions : Printing {
   std::uint64_t samples = 1;
   std::uint64_t seed = 1;
   unsigned threads = all_threads();  ///< of each process
   std::string output;
-  bool force = false, resume = false, no_pictures = false, json = false, quiet = false;
+  bool force = false, resume = false, no_pictures = false;
   bool has_pictures = true;  ///< whether the study draws pictures at all
 
   // Set by the command before it runs.
-  std::string line;                      ///< repeats the run
-  std::vector<TableDescription> tables;  ///< those that the run writes
+  std::string line;  ///< repeats the run
   std::function<std::vector<std::pair<std::string, std::string>>()> result_options;
 };
 

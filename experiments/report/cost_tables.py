@@ -5,7 +5,7 @@
 Compares the tables of costs in the pages with those of the stored measurements (exit status 1 if one differs), or
 writes them there. --measured first stores the times of a run of `touchstone bench`, with the machine, in docs/cost.json:
 
-    touchstone bench --family random-triangles,half-near,lattice-tangent,polygons-128 --json FOLDER/bench.json
+    touchstone bench --family random-triangles,half-near,lattice-tangent,polygons-128 --output FOLDER
 
 Times differ on every run, so no test measures them again. Instructions do not, and tests/experiments/studies/bench/instructions.json stores
 them. Without docs/cost.json the README shows instructions in place of times.

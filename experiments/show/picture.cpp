@@ -137,12 +137,13 @@ void draw_section(Svg& svg, const FlatCase& flat, bool moves) {
   svg.end_panel();
 }
 
-/// An offset as people read it: powers of two beyond 999.
+/// An offset as people read it: whole up to a million, so that neighbours differ, and powers of two.
 std::string offset_text(std::int64_t offset) {
   const auto size = static_cast<std::uint64_t>(std::abs(offset));
   const std::string sign = offset < 0 ? "-" : offset > 0 ? "+" : "";
-  if (size < 1000) return sign + std::to_string(size);
-  if (std::has_single_bit(size)) return fmt::format("{}2^{}", sign, std::countr_zero(size));
+  const bool is_power = std::has_single_bit(size);
+  if (size < 1000 || (size < 1'000'000 && !is_power)) return sign + std::to_string(size);
+  if (is_power) return fmt::format("{}2^{}", sign, std::countr_zero(size));
   return fmt::format("{}2^{:.1f}", sign, std::log2(static_cast<double>(size)));
 }
 

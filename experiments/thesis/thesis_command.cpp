@@ -10,10 +10,10 @@
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/thesis/entries.h"
 #include "experiments/thesis/output.h"
@@ -23,7 +23,7 @@ namespace {
 
 using namespace thesis_figures;
 
-struct Options {
+struct Options : harness::Printing {
   std::uint64_t samples = 0;  ///< 0: as many as the settings say
   std::uint64_t seed = 1;
   unsigned threads = harness::all_threads();
@@ -51,7 +51,7 @@ int run_thesis(const Options& options) {
   const auto study = [&] {
     std::optional<harness::ProgressLine> line;
     return run_study(settings, options.threads, stop_signal.requested(), [&](std::uint64_t done, std::uint64_t total) {
-      if (!line) line.emplace("thesis: parts", total);
+      if (!line) line.emplace("thesis: parts", total, 0, !options.quiet);
       (*line)(done);
     });
   }();
@@ -69,11 +69,11 @@ int run_thesis(const Options& options) {
   record.threads = options.threads;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   harness::write_run_record(folder, record);
-  fmt::print("{}", table(entries));
-  harness::flush_standard_output();
+  options.print(table(entries), folder);
   if (options.no_pictures) return 0;
   const int status = harness::draw_pictures("thesis", held);
-  if (status == 0) fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
+  if (status == 0 && options.prints_text())
+    fmt::print("all of them on one page: {}\n", (folder / "index.html").string());
   return status;
 }
 
@@ -97,6 +97,7 @@ harness::Command thesis_command() {
   command.output(options->output, "Folder for all files");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  harness::declare_printing(command, *options);
   command.writes(tables());
   command.example("thesis --quick");
   command.runs([options] { return harness::run_alone([&] { return run_thesis(*options); }); });

@@ -3,6 +3,11 @@
 
 #include <mpfr.h>
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 namespace touchstone::workloads {
 namespace {
 
@@ -25,10 +30,44 @@ double of_turn(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t)
   return rounded(value, [&](mpfr_ptr x) { function(x, x, kTurn, MPFR_RNDN); });
 }
 
+/// A function of angles that remembers results by the bits of the angle: an arm turns one joint of many at a time, by
+/// whole steps.
+class Remembering {
+ public:
+  explicit Remembering(int (*function)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t)) : function_(function) {}
+
+  [[nodiscard]] double operator()(double degrees) {
+    const auto bits = std::bit_cast<std::uint64_t>(degrees);
+    Entry& entry = entries_[bits * kGolden >> (64 - kIndexBits)];
+    if (!entry.is_known || entry.bits != bits) entry = {bits, of_turn(function_, degrees), true};
+    return entry.result;
+  }
+
+ private:
+  static constexpr unsigned kIndexBits = 10;
+  static constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio, odd: spreads the bits
+  struct Entry {
+    std::uint64_t bits = 0;
+    double result = 0;
+    bool is_known = false;
+  };
+
+  int (*function_)(mpfr_ptr, mpfr_srcptr, unsigned long, mpfr_rnd_t);
+  std::array<Entry, std::size_t{1} << kIndexBits> entries_{};
+};
+
 }  // namespace
 
-double sine(double degrees) { return of_turn(mpfr_sinu, degrees); }
-double cosine(double degrees) { return of_turn(mpfr_cosu, degrees); }
+double sine(double degrees) {
+  thread_local Remembering function(mpfr_sinu);
+  return function(degrees);
+}
+
+double cosine(double degrees) {
+  thread_local Remembering function(mpfr_cosu);
+  return function(degrees);
+}
+
 double arc_sine(double value) { return of_turn(mpfr_asinu, value); }
 double arc_cosine(double value) { return of_turn(mpfr_acosu, value); }
 

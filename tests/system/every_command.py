@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: every_command.py TOUCHSTONE SOURCE SCRATCH
 
-What holds of every subcommand, as the program's own help lists them: a result that cannot be written to standard output
-never ends with status 0, and a folder or file of results is neither written by two runs nor written over unasked. A new
-subcommand needs a line in COMMANDS. Exit status 1 otherwise.
+What holds of every subcommand, as the program's own help lists them: with --json it prints its tables as JSON, with --quiet
+nothing; a result that cannot be written to standard output never ends with status 0; a folder or file of results is neither
+written by two runs nor written over unasked, and all this is known before a run computes. A new subcommand needs a line in
+COMMANDS. Exit status 1 otherwise.
 """
+import csv
+import json
+import math
 import os
 import pathlib
 import re
@@ -18,6 +22,7 @@ import unittest
 TOUCHSTONE, SOURCE, SCRATCH = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 PATIENCE = 300  # seconds, for what takes a few
 CELL = str(SOURCE / "experiments/cell/cells/aristo.json")
+MAPS = "map-<spot>-<test>-<distance>.csv"
 OUTPUT = "OUTPUT"  # stands for a folder or file that is not there yet
 
 MESH = "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"
@@ -35,7 +40,7 @@ COMMANDS = {
     "motions": [["--methods", "fast", "--vertices", "4", "--samples", "1", "--no-pictures", "--output", OUTPUT]],
     "tunnelling": [["--vertices", "4", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "cases": [["--samples", "3"]],
-    "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--json", f"{OUTPUT}/bench.json"]],
+    "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--output", OUTPUT]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
     "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
@@ -49,9 +54,9 @@ COMMANDS = {
     "cell show": [[CELL], [CELL, "--output", OUTPUT]],
     "cell run": [[CELL, "--methods", "fast", "--output", OUTPUT]],
     "cell area": [[CELL, "--angle-step", "90", "--length-step", "2000", "--no-pictures", "--output", OUTPUT]],
-    "cell layout": [["--no-pictures", "--output", OUTPUT]],
+    "cell layout": [["--quick", "--no-pictures", "--output", OUTPUT]],
     "cell missed": [["--samples", "5", "--no-pictures", "--output", OUTPUT]],
-    "cell convert": [["mesh.obj", "converted.off"]],
+    "cell convert": [["mesh.obj", "converted.off", "--force"]],
     "cell export": [[CELL, "exported.glb"]],
     "cell serve": [["--port", "0"]],
     "regress": [["--methods", "fast", "--samples", "1", "--output", OUTPUT]],
@@ -63,8 +68,13 @@ COMMANDS = {
     "thesis": [["--quick", "--samples", "100", "--no-pictures", "--output", OUTPUT]],
 }
 
-# The corpus is no study: its tables are not declared as columns.
-UNDESCRIBED = [["corpus"]]
+# What prints no table: cases, pages, scripts, or a line that says what was written.
+WITHOUT_TABLE = ("cases", "show", "completion", "manual", "cell new", "cell export", "cell serve", "cell cases", "corpus make",
+                 "corpus check", "corpus shrink", "soak --samples 5 --print")
+LISTS = ("methods", "columns")  # one JSON array; they print nothing else, so that --quiet would mean nothing
+ANSWERS = ("judge", "scenes mesh.obj --samples 2")  # on standard output, also with --quiet
+# These write a folder only if --output names one; all others write to results/NAME.
+WITHOUT_FOLDER = {"scenes", "regress", "cell show", "cell run"}
 
 
 def subcommands(*words):
@@ -77,6 +87,19 @@ def subcommands(*words):
 
 def writes(way):
     return any(OUTPUT in word for word in way)
+
+
+def is_one_of(call, beginnings):
+    return any((" ".join(call) + " ").startswith(words + " ") for words in beginnings)
+
+
+def json_of(field):
+    """A field of a CSV file, as --json prints it: a number, null where it is empty, or a text."""
+    try:
+        number = json.loads(field or "null")
+        return number if number is None or type(number) in (int, float) and math.isfinite(number) else field
+    except ValueError:
+        return field
 
 
 def calls():
@@ -101,6 +124,9 @@ class EveryCommand(unittest.TestCase):
         words = [TOUCHSTONE, *(word.replace(OUTPUT, str(output)) for word in call)]
         return subprocess.run(words, cwd=SCRATCH, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, timeout=PATIENCE, **options)
 
+    def help_of(self, name):
+        return self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout
+
     def test_has_a_call_here(self):
         self.assertEqual(sorted(subcommands()), sorted(COMMANDS))
 
@@ -108,13 +134,13 @@ class EveryCommand(unittest.TestCase):
         """The example names a command and options that there are: its help, asked for behind them, is printed."""
         for name in COMMANDS:
             with self.subTest(command=name):
-                text = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout
+                text = self.help_of(name)
                 examples = text.rpartition("\nExample")[2].splitlines()[1:]
                 self.assertTrue(examples)
                 for example in examples:
                     words = shlex.split(example.partition("&&")[0])
                     self.assertEqual(words[:1 + len(name.split())], ["touchstone", *name.split()])
-                    known = self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout
+                    known = self.help_of(name)
                     for word in words:
                         if word.startswith("--"):
                             self.assertRegex(known, rf"(?m)^  {re.escape(word)}\b")
@@ -122,55 +148,97 @@ class EveryCommand(unittest.TestCase):
     def test_is_in_the_completion_and_the_manual(self):
         bash = self.run_in(["completion", "bash"], "", stdout=subprocess.PIPE).stdout
         self.run_in(["manual"], SCRATCH, stdout=subprocess.DEVNULL)
-        for name in set(COMMANDS) - {"completion", "manual"}:
+        for name in COMMANDS:
             with self.subTest(command=name):
                 self.assertIn(f"'{name}') words=", bash)
                 page = (SCRATCH / "results/manual" / f"touchstone-{name.replace(' ', '-')}.1").read_text()
                 self.assertIn(".SH EXAMPLES", page)
         self.assertEqual(subprocess.run(["bash", "-n"], input=bash, text=True).returncode, 0)
 
-    def test_describes_the_tables_that_it_writes(self):
-        for number, call in enumerate(filter(writes, calls())):
-            if any(call[:len(words)] == words for words in UNDESCRIBED):
-                continue
-            output = SCRATCH / f"tables-{number}"
-            self.run_in(call, output, stdout=subprocess.DEVNULL)
-            name = re.escape(" ".join(call[:2]) if call[0] == "cell" else call[0])
-            for table in sorted(output.rglob("*.csv")):
-                file = re.sub("^map-.*", "map-<spot>-<test>-<distance>.csv", table.name)
-                with self.subTest(call=call, table=file):
-                    described = self.run_in(["columns", file, "--markdown"], "", stdout=subprocess.PIPE).stdout
-                    section = re.search(rf"^## `{re.escape(file)}` \({name}\)\n(.*?)(?=^##|\Z)", described, re.M | re.S)
-                    self.assertTrue(section, described)
-                    columns = re.findall(r"^\| `(.*?)` \|", section[1], re.M)
-                    pattern = ",".join(re.sub(r"<\w+>", ".+", re.escape(column)) for column in columns)
-                    self.assertRegex(table.read_text().partition("\n")[0], rf"\A{pattern}\Z")
+    def described(self, call, table):
+        """The columns of the file as the program describes them, as a pattern."""
+        name = re.escape(" ".join(call[:2]) if call[0] == "cell" else call[0])
+        described = self.run_in(["columns", table, "--markdown"], "", stdout=subprocess.PIPE).stdout
+        section = re.search(rf"^## `{re.escape(table)}` \({name}\)\n(.*?)(?=^##|\Z)", described, re.M | re.S)
+        self.assertTrue(section, described)
+        columns = re.findall(r"^\| `(.*?)` \|", section[1], re.M)
+        return ",".join(re.sub(r"<\w+>", ".+", re.escape(column)) for column in columns)
 
-    def test_fails_where_standard_output_cannot_be_written(self):
+    def test_prints_its_tables_as_json_and_describes_them(self):
+        for number, call in enumerate(calls()):
+            if is_one_of(call, WITHOUT_TABLE):
+                continue
+            with self.subTest(call=call):
+                output = SCRATCH / f"tables-{number}"
+                done = self.run_in([*call, "--json"], output, stdout=subprocess.PIPE)
+                if call == ["scenes", "mesh.obj", "--samples", "2"]:  # its answers are lines of JSON already
+                    self.assertEqual((done.returncode, done.stdout), (2, ""))
+                    self.assertIn("--json requires --output", done.stderr)
+                    continue
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                printed = json.loads(done.stdout)
+                self.assertIsInstance(printed, list if is_one_of(call, LISTS) else dict)
+                self.assertTrue(printed)
+                written = sorted(output.rglob("*.csv"))
+                if writes(call) and call[0] != "bench":
+                    self.assertEqual(sorted(printed), [table.name for table in written if not table.name.startswith("map-")])
+                for table in written:
+                    with open(table, newline="") as file:
+                        heading, *rows = csv.reader(file)
+                    self.assertRegex(",".join(heading), rf"\A{self.described(call, re.sub('^map-.*', MAPS, table.name))}\Z")
+                    if table.name in printed:
+                        self.assertEqual(printed[table.name], [dict(zip(heading, map(json_of, row))) for row in rows])
+
+    def test_prints_nothing_where_it_is_to_be_quiet(self):
+        for number, call in enumerate(calls()):
+            if is_one_of(call, WITHOUT_TABLE) or (is_one_of(call, LISTS + ANSWERS) and not writes(call)):
+                continue
+            with self.subTest(call=call):
+                done = self.run_in([*call, "--quiet"], SCRATCH / f"quiet-{number}", stdout=subprocess.PIPE)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        done = self.run_in(["soak", "--samples", "5", "--quiet"], "", stdout=None, preexec_fn=lambda: os.close(1))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))  # it needs no standard output
+
+    def test_names_its_folder_alike(self):
+        without = set()
+        for name in COMMANDS:
+            with self.subTest(command=name):
+                option = re.search(r"^  --output TEXT(?:=(\S+))?", self.help_of(name), re.M)
+                if option and option[1]:
+                    self.assertEqual(option[1], "results/" + name.replace(" ", "-"))
+                elif option:
+                    without.add(name)
+        self.assertEqual(without, WITHOUT_FOLDER)
+
+    def test_says_that_standard_output_cannot_be_written_before_it_computes(self):
         asked = [*calls(), *([*name.split(), "--help"] for name in COMMANDS), ["--help"]]
         for number, call in enumerate(asked):
             for how, reason in (("full", "No space left on device"), ("closed", "Bad file descriptor")):
                 with self.subTest(call=call, stdout=how):
-                    for name in ("converted.off", "exported.glb"):
-                        (SCRATCH / name).unlink(missing_ok=True)
                     with open("/dev/full" if how == "full" else os.devnull, "w") as out:
                         close = {} if how == "full" else {"preexec_fn": lambda: os.close(1)}
                         done = self.run_in(call, SCRATCH / f"{how}-{number}", stdout=out, **close)
                     self.assertEqual(done.returncode, 2, done.stderr)
                     self.assertIn("cannot be written: " + reason, done.stderr)
+                    self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["case.jsonl", "mesh.obj", "wrong.jsonl"])
 
-    def test_ends_with_an_error_where_nobody_reads_standard_output(self):
-        """A signal, or, where that is ignored, status 2."""
-        for ignored in (False, True):
-            with self.subTest(ignored=ignored):
-                reading, writing = os.pipe()
-                os.close(reading)
-                done = self.run_in(["methods"], "", stdout=writing, restore_signals=False,
-                                   preexec_fn=lambda: signal.signal(signal.SIGPIPE, signal.SIG_IGN if ignored else signal.SIG_DFL))
-                os.close(writing)
-                self.assertEqual(done.returncode, 2 if ignored else -signal.SIGPIPE)
-                if ignored:
-                    self.assertEqual(done.stderr, "touchstone: standard output: cannot be written: Broken pipe\n")
+    def test_fails_where_what_it_printed_is_lost(self):
+        """A pipe without a reader takes no byte, and no command knows before it writes one."""
+        for number, call in enumerate(calls()):
+            with self.subTest(call=call):
+                done = self.run_unread(call, SCRATCH / f"unread-{number}", signal.SIG_IGN)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn("standard output: cannot be written: Broken pipe\n", done.stderr)
+
+    def test_ends_by_the_signal_where_nobody_reads_standard_output(self):
+        self.assertEqual(self.run_unread(["methods"], "", signal.SIG_DFL).returncode, -signal.SIGPIPE)
+
+    def run_unread(self, call, output, on_pipe):
+        reading, writing = os.pipe()
+        os.close(reading)
+        with open(writing, "w") as out:
+            return self.run_in(call, output, stdout=out, restore_signals=False,
+                               preexec_fn=lambda: signal.signal(signal.SIGPIPE, on_pipe))
 
     def hold(self, folder):
         """A run that holds the folder until what is returned is closed: it waits for balls from a pipe, which it opens when it
@@ -231,7 +299,7 @@ class EveryCommand(unittest.TestCase):
         for number, call in enumerate(filter(writes, calls())):
             output = SCRATCH / f"precious-{number}"
             output.mkdir()
-            (output / "bench.json").write_text("precious\n")
+            (output / "kept.txt").write_text("precious\n")
             before = content(SCRATCH)
             with self.subTest(call=call):
                 done = self.run_in(call, output, stdout=subprocess.PIPE)
@@ -240,7 +308,7 @@ class EveryCommand(unittest.TestCase):
                 self.assertEqual(content(SCRATCH), before)
         for name in (name for name, ways in COMMANDS.items() if any(map(writes, ways))):
             with self.subTest(command=name):
-                self.assertIn(" --force ", self.run_in([*name.split(), "--help"], "", stdout=subprocess.PIPE).stdout)
+                self.assertIn(" --force ", self.help_of(name))
 
     def test_follows_no_link_out_of_its_folder(self):
         folder, victim = SCRATCH / "links", SCRATCH / "victim.txt"

@@ -157,8 +157,8 @@ def check_processes(together, mpirun):
 def check_alone(program, mpirun, folder):
     """Commands that know of no other processes refuse them, and write nothing."""
     for command in ["meshes", "bench"]:
-        asked = {"meshes": ["no-such-mesh.stl"], "bench": ["--json", f"{folder}/bench.json"]}.get(command, [])
-        asked += [] if command == "bench" else ["--output", f"{folder}/{command}"]
+        asked = ["no-such-mesh.stl"] if command == "meshes" else []
+        asked += ["--output", f"{folder}/{command}"]
         refused = run(launcher(mpirun, 2) + [program, command] + asked, expected=2)
         if "this command works in one process only" not in refused.stderr:
             raise Failure(f"{command} in 2 processes says: {refused.stderr}")

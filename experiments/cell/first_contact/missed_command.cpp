@@ -10,16 +10,16 @@
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 
 namespace touchstone::cell {
 namespace {
 
-struct Options {
+struct Options : harness::Printing {
   std::uint64_t samples = 2000, seed = 1;
   unsigned threads = harness::all_threads();
   std::string output = "results/cell-missed";
@@ -33,7 +33,7 @@ int run_missed(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   const harness::StopSignal stop_signal;
   const auto study = [&] {
-    harness::ProgressLine line("moves", kinematics::blocks_of(options.samples));
+    harness::ProgressLine line("moves", kinematics::blocks_of(options.samples), 0, !options.quiet);
     return kinematics::study_missed(options.seed, options.samples, options.threads, stop_signal.requested(),
                                     std::ref(line));
   }();
@@ -46,8 +46,7 @@ int run_missed(const Options& options) {
   record.threads = options.threads;
   record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   harness::write_run_record(folder, record);
-  fmt::print("{}", kinematics::missed_table(study));
-  harness::flush_standard_output();
+  options.print(kinematics::missed_table(study), folder);
   const int drawn = options.no_pictures ? 0 : harness::draw_pictures("cell_missed", held);
   if (study.samples < options.samples) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} moves\n", folder.string(), study.samples,
@@ -73,6 +72,7 @@ harness::Command missed_command() {
   command.output(options->output, "Folder for missed.csv, run.json and the picture");
   command.force(options->force);
   command.no_pictures(options->no_pictures);
+  harness::declare_printing(command, *options);
   command.writes(kinematics::missed_tables());
   command.example("cell missed --samples 100");
   command.runs([options] { return harness::run_alone([&] { return run_missed(*options); }); });

@@ -8,10 +8,8 @@
 namespace touchstone::kinematics {
 namespace {
 
-constexpr int kGridStep = 5;
 constexpr int kLargestAngle = 60;                         // of the storage
 constexpr int kHeightStep = 10, kLargestHeightStep = 15;  // mm, and so many up and down
-constexpr std::uint64_t kGrid = 2 * kHomeReach / kGridStep + 1, kLine = 2 * kHomeReach + 1;
 constexpr std::uint64_t kAngles = 2 * kLargestAngle + 1, kHeights = 2 * kLargestHeightStep + 1;
 
 /// Empty where both cases come out as captioned.
@@ -73,12 +71,13 @@ Member study_home(const Linkage& linkage, const LinkAngles& home) {
 
 std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
 
-std::uint64_t layout_work() {
-  return kCouplings.size() * kHands.size() * (kGrid * kGrid + kLine) + kParameters.size() + 1 +
-         2 * (kAngles + kHeights);
+std::uint64_t layout_work(HomeSteps steps) {
+  const std::size_t grid = 2 * kHomeReach / steps.grid + 1, line = 2 * kHomeReach / steps.line + 1;
+  return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + 2 * (kAngles + kHeights);
 }
 
-std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const LayoutProgress& progress) {
+std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
+                                        const LayoutProgress& progress) {
   std::uint64_t done = 0;
   const auto stopped = [&] {
     progress(++done);
@@ -89,12 +88,12 @@ std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const Lay
   for (const Hand hand : kHands)
     for (const Coupling coupling : kCouplings) linkages.push_back({coupling, hand});
   for (const Linkage& linkage : linkages) {
-    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += kGridStep)
-      for (int lean = -kHomeReach; lean <= kHomeReach; lean += kGridStep) {
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += steps.grid)
+      for (int lean = -kHomeReach; lean <= kHomeReach; lean += steps.grid) {
         study.grid.push_back(study_home(linkage, {0.0 + lean, 0.0 + elevation}));
         if (stopped()) return std::nullopt;
       }
-    for (int elevation = -kHomeReach; elevation <= kHomeReach; ++elevation) {
+    for (int elevation = -kHomeReach; elevation <= kHomeReach; elevation += steps.line) {
       for (const double lean : leans_of_one_height(linkage, elevation))
         study.one_height.push_back(study_home(linkage, {lean, 0.0 + elevation}));
       if (stopped()) return std::nullopt;

@@ -27,6 +27,11 @@ struct Member {
 /// Solves the layout for a home pose, and runs both cases in it. Cost: about 20 ms.
 [[nodiscard]] Member study_home(const Linkage& linkage, const LinkAngles& home);
 
+/// The steps between home poses, in degrees: divisors of kHomeReach.
+struct HomeSteps {
+  int grid = 5, line = 1;
+};
+
 /// The leans and elevations of home poses go as far from 0, in degrees.
 inline constexpr int kHomeReach = 60;
 /// Returns how many values of a layout are chosen freely: those that LayoutStudy::choices lists.
@@ -46,8 +51,9 @@ struct Prediction {
 };
 
 struct LayoutStudy {
-  std::vector<Member> grid;        ///< leans and elevations by 5 degrees
-  std::vector<Member> one_height;  ///< elevations by 1 degree: those with one height of the storage in both cases
+  std::vector<Member> grid;  ///< leans and elevations by HomeSteps::grid
+  std::vector<Member>
+      one_height;  ///< elevations by HomeSteps::line: those with one height of the storage in both cases
   Layout chosen;
   std::vector<cell::Process> cases;  ///< in the chosen layout
   std::vector<Choice> choices;
@@ -57,9 +63,10 @@ struct LayoutStudy {
 
 /// Receives how much of `layout_work` is done.
 using LayoutProgress = std::function<void(std::uint64_t done)>;
-[[nodiscard]] std::uint64_t layout_work();
+[[nodiscard]] std::uint64_t layout_work(HomeSteps steps);
 
-/// Runs the study. Returns nothing if it was stopped. Cost: about 20 s.
-[[nodiscard]] std::optional<LayoutStudy> study_layout(const std::atomic<bool>& stop, const LayoutProgress& progress);
+/// Runs the study. Returns nothing if it was stopped. Cost: about 20 s, with steps of 30 and 15 degrees 1 s.
+[[nodiscard]] std::optional<LayoutStudy> study_layout(HomeSteps steps, const std::atomic<bool>& stop,
+                                                      const LayoutProgress& progress);
 
 }  // namespace touchstone::kinematics

@@ -12,12 +12,12 @@
 #include "experiments/cases/output_lines.h"
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/harness/table.h"
-#include "experiments/harness/table_json.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/judge/regress/baseline.h"
 #include "experiments/methods/registry.h"
@@ -31,15 +31,13 @@ namespace {
 
 using namespace regress;
 
-struct Options {
+struct Options : harness::Printing {
   std::string baseline, write, output;
   methods::Selection methods{{"all"}};
-  bool allow_missing = false, force = false, json = false, quiet = false;
+  bool allow_missing = false, force = false;
   Settings settings;
   unsigned threads = harness::all_threads();
   std::string line;  ///< the command line that repeats the run
-
-  [[nodiscard]] bool silent() const { return json || quiet; }
 };
 
 std::string cell(const Summary& summary) {
@@ -163,7 +161,7 @@ int run(const Options& options) {
   auto methods = options.methods.methods();
   std::erase_if(methods, [&](const cases::Method* method) {
     if (answers(*method)) return false;
-    if (!options.silent()) fmt::print("{}: does not decide contact; left out\n", method->name());
+    if (options.prints_text()) fmt::print("{}: does not decide contact; left out\n", method->name());
     return true;
   });
   std::optional<Baseline> baseline;
@@ -187,16 +185,14 @@ int run(const Options& options) {
     fmt::print(stderr, "touchstone: interrupted; nothing is written\n");
     return harness::kInterrupted;
   }
-  if (options.json)
-    fmt::print("{{\"outcomes.csv\":{}}}\n", harness::json_of_csv(outcomes_csv().csv(rows_of(*table))));
-  else if (!options.quiet)
-    fmt::print("{}\n", table_of(*table, settings));
+  options.print(table_of(*table, settings) + "\n",
+                [&](const std::filesystem::path& folder) { outcomes_csv().write(folder, rows_of(*table)); });
 
   std::vector<Change> changed;
   if (baseline) {
-    if (!options.silent()) tell_missing(*baseline, *table);
+    if (options.prints_text()) tell_missing(*baseline, *table);
     changed = changes(baseline->table, *table);
-    if (!options.silent()) tell_changes(changed);
+    if (options.prints_text()) tell_changes(changed);
   }
   const bool worse = std::ranges::any_of(changed, [](const Change& change) { return !change.worse.empty(); });
   if (!options.write.empty()) harness::write_file(options.write, baseline_text({settings, *table}), options.force);
@@ -248,6 +244,7 @@ harness::Command regress_command() {
   command.force(options->force);
   command.quiet(options->quiet, "Print no table, no changes and no progress; the exit status tells");
   command.json(options->json).excludes("--quiet");
+  command.keep_tables(options->tables);
   command.writes({outcomes_csv().description()});
   command.example("regress --baseline tests/experiments/judge/regress/baseline.json --methods fast,thesis");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -26,12 +26,14 @@ def number(row, name):
 
 
 def branches(rows):
-    """Runs of lines whose leans follow each other."""
+    """Runs of lines whose leans follow each other, at most six times as steep as the step between their elevations."""
+    elevations = sorted({number(row, "elevation_deg") for row in rows})
+    step = min((high - low for low, high in zip(elevations, elevations[1:])), default=1)
     runs = []
     for row in rows:
         for run in runs:
-            if abs(number(run[-1], "lean_deg") - number(row, "lean_deg")) < 6 and \
-                    number(row, "elevation_deg") - number(run[-1], "elevation_deg") == 1:
+            if abs(number(run[-1], "lean_deg") - number(row, "lean_deg")) < 6 * step and \
+                    number(row, "elevation_deg") - number(run[-1], "elevation_deg") == step:
                 run.append(row)
                 break
         else:

@@ -32,9 +32,11 @@ struct Options {
   std::vector<std::string> families{"all"};
   Settings settings;
   unsigned repetitions = 11;
-  std::string json = "results/bench/bench.json";
+  std::string output = "results/bench";
   std::string count;
-  bool force = false;
+  bool force = false, json = false, quiet = false;
+
+  [[nodiscard]] bool prints_text() const { return !json && !quiet; }
   std::string line;  ///< that repeats the run
 };
 
@@ -57,11 +59,6 @@ std::vector<const Family*> select_families(const std::vector<std::string>& names
   return selected;
 }
 
-std::filesystem::path folder_of(const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  return folder.empty() ? "." : folder;
-}
-
 /// Draws, measures and prints one benchmark after the other.
 class Runner {
  public:
@@ -69,11 +66,12 @@ class Runner {
 
   void run(const Family& family) {
     std::vector<Result> results;
-    fmt::print("\n== {}: {}\n", family.name, family.summary);
+    if (options_.prints_text()) fmt::print("\n== {}: {}\n", family.name, family.summary);
     for (const auto& draw : family.benchmarks) {
       if (stop_) return;
       const Benchmark benchmark = draw(options_.settings);
-      harness::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions);
+      harness::ProgressLine line("bench: " + family.name + " " + benchmark.name, options_.repetitions, 0,
+                                 !options_.quiet);
       results.push_back(
           measure(family.name, benchmark, options_.repetitions, stop_, [&](std::uint64_t n) { line(n); }));
       keep(results.back());
@@ -85,7 +83,7 @@ class Runner {
 
  private:
   void keep(const Result& result) {
-    fmt::print("{}", table(result));
+    if (options_.prints_text()) fmt::print("{}", table(result));
     harness::flush_standard_output();
     results_.push_back(result);
   }
@@ -100,9 +98,9 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
   return nlohmann::ordered_json::parse(file);
 }
 
-/// The results, and the record of the run, which also stands beside.
-void write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
-           std::uint64_t samples_done, double seconds) {
+/// Writes the results, and the record of the run, which also stands beside. Returns the text of the results.
+std::string write(const std::filesystem::path& folder, const Options& options, const std::vector<Result>& results,
+                  std::uint64_t samples_done, double seconds) {
   harness::write_run_record(
       folder, {options.line, options.settings.seed, options.settings.samples, samples_done, 0, 1, seconds});
   const nlohmann::ordered_json all = {{"run", read_json(folder / "run.json")},
@@ -110,17 +108,15 @@ void write(const std::filesystem::path& folder, const Options& options, const st
                                       {"samples", options.settings.samples},
                                       {"repetitions", options.repetitions},
                                       {"contests", json(results)}};
-  harness::write_file(options.json, all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n",
-                      options.force);
+  std::string text = all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  harness::write_file(folder / "bench.json", text);
+  return text;
 }
 
 int measure_all(const Options& options) {
   const auto families = select_families(options.families);
-  const std::filesystem::path folder = folder_of(options.json);
-  // Two files of its own, in a folder that may hold others.
-  const harness::OutputFolder held(folder, options.line, {.force = true});
-  for (const std::filesystem::path& file : {std::filesystem::path(options.json), folder / "run.json"})
-    harness::refuse_overwrite(file, options.force);
+  const std::filesystem::path folder = options.output;
+  const harness::OutputFolder held(folder, options.line, {.force = options.force});
   const harness::StopSignal stop_signal;
   const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
@@ -128,17 +124,20 @@ int measure_all(const Options& options) {
   for (const Family* family : families)
     if (!stop) runner.run(*family);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  write(folder, options, runner.results(), stop ? 0 : options.settings.samples, seconds);
+  const std::string all = write(folder, options, runner.results(), stop ? 0 : options.settings.samples, seconds);
 
-  fmt::print("{}\n{}", legend(), goals(runner.results()));
-  constexpr std::uint64_t kEnough = 100'000;
-  if (options.settings.samples < kEnough)
-    fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
-  fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
-             options.repetitions, options.settings.seed, seconds, options.json);
+  if (options.json) fmt::print("{}", all);
+  if (options.prints_text()) {
+    fmt::print("{}\n{}", legend(), goals(runner.results()));
+    constexpr std::uint64_t kEnough = 100'000;
+    if (options.settings.samples < kEnough)
+      fmt::print("Fewer than {} samples: branch predictors may have learnt them; do not quote these times.\n", kEnough);
+    fmt::print("{} samples, {} repetitions, seed {}, in {:.0f} s. Results: {}\n", options.settings.samples,
+               options.repetitions, options.settings.seed, seconds, folder.string());
+  }
   harness::flush_standard_output();
   if (!stop) return 0;
-  fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.json);
+  fmt::print(stderr, "touchstone: interrupted: {} holds what was measured until then\n", options.output);
   constexpr int kInterrupted = 130;
   return kInterrupted;
 }
@@ -195,10 +194,12 @@ harness::Command bench_command() {
                 "Distinct queries, up to 10000000; branch predictors may learn fewer than 100000", 1, kMostSamples);
   command.whole("--repetitions", options->repetitions, "The number of turns of each candidate", 1, 100'000);
   command.seed(options->settings.seed, "Any number; the same seed gives the same queries");
-  command.text("--json", options->json, "The file for all numbers; run.json beside it records how they were made");
+  command.output(options->output, "The folder for bench.json, which has all numbers, and run.json");
   command.text("--count", options->count,
                "Do not time: run this candidate of one family on all queries, for a profiler");
   command.force(options->force);
+  command.quiet(options->quiet);
+  command.json(options->json, "Print what bench.json holds").excludes("--quiet");
   command.example("bench --family near --samples 100");
   command.runs([options] {
     return harness::run_alone([&] { return options->count.empty() ? measure_all(*options) : count(*options); });

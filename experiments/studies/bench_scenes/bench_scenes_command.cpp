@@ -10,6 +10,7 @@
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
 #include "experiments/harness/pictures.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/run_record.h"
 #include "experiments/harness/standard_output.h"
@@ -25,7 +26,7 @@ namespace {
 using namespace bench_scenes;
 using namespace timing;
 
-struct SceneOptions {
+struct SceneOptions : harness::Printing {
   SceneSettings settings;
   std::size_t most_triangles = 1'000'000;
   std::string meshes;  ///< a folder; empty: no real meshes
@@ -94,7 +95,8 @@ int measure_scenes(const SceneOptions& options) {
   const auto& stop = stop_signal.requested();
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Library> libraries = all_libraries();
-  const auto print = [](const std::string& text) {
+  const auto print = [&](const std::string& text) {
+    if (!options.prints_text()) return;
     fmt::print("{}", text);
     harness::flush_standard_output();
   };
@@ -113,11 +115,12 @@ int measure_scenes(const SceneOptions& options) {
   write(options, results, stop, seconds);
 
   const std::string exact = libraries.front().name;
-  print(growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact));
-  for (const std::string& absent : absent_libraries()) fmt::print("Built without {}: it does not take part.\n", absent);
-  fmt::print("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
-             options.settings.repetitions, options.settings.seed, seconds, options.output);
-  harness::flush_standard_output();
+  std::string text = growth_table(growths(results), exact) + scene_legend() + "\n" + scene_goals(results, exact);
+  for (const std::string& absent : absent_libraries())
+    text += fmt::format("Built without {}: it does not take part.\n", absent);
+  text += fmt::format("{} balls, {} repetitions, seed {}, in {:.0f} s. Everything: {}\n", options.settings.samples,
+                      options.settings.repetitions, options.settings.seed, seconds, options.output);
+  options.print(text, options.output);
   const int drawn = stop || options.no_pictures ? 0 : harness::draw_pictures("bench_scenes", held);
   const int status = exit_status(options, results, stop);
   return status != 0 ? status : drawn;
@@ -141,6 +144,7 @@ harness::Command bench_scenes_command() {
   command.output(options->output, "The folder for tables and pictures");
   command.no_pictures(options->no_pictures);
   command.force(options->force);
+  harness::declare_printing(command, *options);
   command.writes(tables());
   command.example("bench-scenes --max-faces 10000");
   command.runs([options] { return harness::run_alone([&] { return measure_scenes(*options); }); });

@@ -10,10 +10,10 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/studies/merging/output.h"
 #include "experiments/studies/merging/study.h"
@@ -26,7 +26,7 @@ namespace {
 
 using namespace merging;
 
-struct MergeOptions {
+struct MergeOptions : harness::Printing {
   std::vector<std::string> files;
   Settings settings;
   bool skip_bad = false, force = false;
@@ -66,7 +66,7 @@ int run(const MergeOptions& options) {
   bool all_right = true;
   std::size_t done = 0;  // files, those too that cannot be read
   {
-    harness::ProgressLine line("merging", options.files.size());
+    harness::ProgressLine line("merging", options.files.size(), 0, !options.quiet);
     for (const std::string& file : options.files) {
       if (stop_signal.requested()) break;
       try {
@@ -98,11 +98,11 @@ int run(const MergeOptions& options) {
                                      .samples_missing = options.files.size() - results.size(),
                                      .seconds = seconds,
                                      .interrupted = interrupted});
-  fmt::print("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
-             table(options.settings, results), results.size(), options.files.size(), seconds,
-             options.settings.tolerance, options.settings.balls, options.settings.seed,
-             io::all_legible(folder.string()));
-  harness::flush_standard_output();
+  options.print(fmt::format("{}\n{} of {} meshes in {:.0f} s, tolerance {}, {} balls a mesh, seed {}.\nResults: {}\n",
+                            table(options.settings, results), results.size(), options.files.size(), seconds,
+                            options.settings.tolerance, options.settings.balls, options.settings.seed,
+                            io::all_legible(folder.string())),
+                folder);
   if (interrupted) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} meshes\n", folder.string(), done,
                options.files.size());
@@ -133,6 +133,7 @@ harness::Command merging_command() {
   command.flag("--skip-bad", options->skip_bad, "Leave out faulty parts of a file, report them, and succeed");
   command.output(options->output, "The folder for the tables");
   command.force(options->force);
+  harness::declare_printing(command, *options);
   command.writes(tables());
   command.example("merging part.obj");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -8,12 +8,11 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
-#include "experiments/harness/table_json.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
 #include "experiments/methods/selection.h"
@@ -27,11 +26,11 @@ namespace {
 using namespace meshes;
 using namespace workloads;
 
-struct Options {
+struct Options : harness::Printing {
   std::vector<std::string> files;
   methods::Selection methods{{"all"}};
   Settings settings{.threads = harness::all_threads()};
-  bool skip_bad = false, force = false, json = false, quiet = false;
+  bool skip_bad = false, force = false;
   std::string output = "results/meshes";
   std::string line;  ///< that repeats the run
 };
@@ -76,14 +75,12 @@ int run(Options& options) {
   harness::write_run_record(
       folder, {options.line, settings.seed, result.faces, faces, result.rejected.size(), settings.threads, seconds});
 
-  if (options.json) fmt::print("{}", harness::tables_json(folder, tables()));
-  if (!options.json && !options.quiet) {
-    fmt::print("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n",
-               table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
-               meshes.parts_left_out, seconds, settings.seed);
-    fmt::print("Results: {}\n", io::all_legible(folder.string()));
-  }
-  harness::flush_standard_output();
+  options.print(
+      fmt::format("{}\n{} of {} faces in {} of {} meshes, {} parts of files left out, in {:.0f} s; seed {}.\n"
+                  "Results: {}\n",
+                  table(settings, meshes.read, result), faces, result.faces, meshes.read.size(), options.files.size(),
+                  meshes.parts_left_out, seconds, settings.seed, io::all_legible(folder.string())),
+      folder);
   if (faces < result.faces) {
     fmt::print(stderr, "touchstone: interrupted: {} covers the first {} of {} faces\n", folder.string(), faces,
                result.faces);
@@ -114,8 +111,7 @@ harness::Command meshes_command() {
                "Leave out faulty parts of a file, and report them; rejected faces are then not an error");
   command.output(options->output, "The folder for the tables and the failing cases");
   command.force(options->force);
-  command.quiet(options->quiet);
-  command.json(options->json).excludes("--quiet");
+  harness::declare_printing(command, *options);
   command.writes(tables());
   command.example("meshes part.obj --methods fast,filtered");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

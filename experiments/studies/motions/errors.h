@@ -25,7 +25,8 @@ struct Settings {
 };
 
 /// Returns the selected methods, in this order. The name `all` stands for those that answer about moving balls. Throws
-/// std::invalid_argument, which names the method, if another cannot answer about them.
+/// std::invalid_argument, which names the method, if another cannot answer about them, or if an engine of the user errs
+/// on a ball that moves through a triangle: it then takes balls for balls at rest.
 [[nodiscard]] std::vector<const cases::Method*> find_moving_methods(const methods::Selection& selection);
 
 /// Slow methods are asked about the first of every kSlowStride samples only; the others about all.

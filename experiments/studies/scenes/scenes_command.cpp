@@ -18,10 +18,10 @@
 
 #include "experiments/harness/command.h"
 #include "experiments/harness/output_folder.h"
+#include "experiments/harness/printing.h"
 #include "experiments/harness/processes.h"
 #include "experiments/harness/progress_line.h"
 #include "experiments/harness/run_record.h"
-#include "experiments/harness/standard_output.h"
 #include "experiments/harness/stop_signal.h"
 #include "experiments/harness/write_file.h"
 #include "experiments/methods/registry.h"
@@ -44,7 +44,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   return parts;
 }
 
-struct SceneOptions {
+struct SceneOptions : harness::Printing {
   std::vector<std::string> files, objects, units, engines;
   std::string balls, scene_unit, output, method = "filtered";
   std::uint64_t random = 0, seed = 1;
@@ -98,7 +98,7 @@ std::optional<Loaded> load(const SceneOptions& options, const Units& units) {
   if (!files.all_read) return std::nullopt;
   Loaded loaded{{}, workloads::left_out_text(files), files.parts_left_out};
   bool refused = false, empty = false;
-  harness::ProgressLine line("scene: meshes", files.read.size());
+  harness::ProgressLine line("scene: meshes", files.read.size(), 0, !options.quiet);
   for (std::size_t i = 0; i < files.read.size(); ++i) {
     workloads::NamedFile& file = files.read[i];
     if (units.scene) {
@@ -245,7 +245,8 @@ Sums ask(const SceneOptions& options, const std::vector<Object>& objects, const 
   const std::uint64_t leg = method == nullptr ? 4096 : 256;
   const std::uint64_t blocks = std::max<std::uint64_t>(face_blocks(objects, order), 1);
   Sums sums;
-  harness::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks);
+  harness::ProgressLine progress("scenes", method == nullptr ? source.count : (source.count + leg - 1) / leg * blocks,
+                                 0, !options.quiet);
   for (std::uint64_t begin = 0; begin < source.count && !stop; begin += leg) {
     std::vector<NamedBall> part;
     for (std::uint64_t i = begin; i < std::min(begin + leg, source.count); ++i) part.push_back(source.ball(i));
@@ -290,15 +291,16 @@ int run(const SceneOptions& options) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   const bool interrupted = sums.balls < source.count;
-  fmt::print(options.output.empty() ? stderr : stdout, "{}", summary(options, units, *loaded, sums));
-  if (!options.output.empty()) {
+  const std::string text = summary(options, units, *loaded, sums);
+  if (options.output.empty()) {
+    if (!options.quiet) fmt::print(stderr, "{}", text);
+  } else {
     const std::filesystem::path folder = options.output;
     write_counts(folder, sums.counts, sums.balls);
     harness::write_file(folder / "left-out.txt", loaded->left_out);
     harness::write_run_record(folder, {options.line, options.seed, source.count, sums.balls, source.count - sums.balls,
                                        options.threads, seconds, 1, interrupted});
-    fmt::print("Results: {}\n", io::all_legible(folder.string()));
-    harness::flush_standard_output();
+    options.print(text + fmt::format("Results: {}\n", io::all_legible(folder.string())), folder);
   }
   if (!interrupted) return 0;
   fmt::print(stderr, "touchstone: interrupted: these are the answers to the first {} of {} balls\n", sums.balls,
@@ -348,6 +350,9 @@ harness::Command scenes_command() {
                  "standard output, the table to standard error)");
   command.footer("Exit status: 2 for wrong input, 130 if interrupted, otherwise 0.");
   command.force(options->force);
+  command.quiet(options->quiet, "Print no table and no progress; without --output, the answers alone");
+  command.json(options->json).needs("--output").excludes("--quiet");
+  command.keep_tables(options->tables);
   command.writes(tables());
   command.example("scenes part.obj --samples 100 --nearest");
   command.runs([options] { return harness::run_alone([&] { return run(*options); }); });

@@ -109,21 +109,34 @@ CommandDescription program() {
   const OptionDescription oracle{.name = "--oracle",
                                  .value = "TEXT",
                                  .about = "It's [the] truth: a\\b",
-                                 .fallback = "exact",
+                                 .fallback = "[exact,filtered]",
                                  .words = {"exact", "filtered"}};
   const OptionDescription file{
       .name = "FILE", .value = "TEXT", .about = "A file", .fallback = {}, .words = {}, .required = true};
+  const OptionDescription letter{
+      .name = "LETTER", .value = "TEXT", .about = "A letter", .fallback = {}, .words = {"b", "c"}};
   const CommandDescription measure{.name = "measure",
                                    .about = "Measures",
                                    .footer = ".A note\n'and another",
                                    .options = {samples, oracle, file},
                                    .examples = {"measure --samples 3"},
                                    .subcommands = {}};
-  const CommandDescription shrink{
-      .name = "corpus shrink", .about = "Shrinks", .footer = {}, .options = {}, .examples = {}, .subcommands = {}};
+  const CommandDescription shrink{.name = "corpus shrink",
+                                  .about = "Shrinks",
+                                  .footer = {},
+                                  .options = {letter},
+                                  .examples = {},
+                                  .subcommands = {}};
   const CommandDescription corpus{
       .name = "corpus", .about = "Cases", .footer = {}, .options = {}, .examples = {}, .subcommands = {shrink}};
-  return {.name = {}, .about = "About", .footer = {}, .options = {}, .examples = {}, .subcommands = {measure, corpus}};
+  const OptionDescription version{
+      .name = "--version", .value = {}, .about = "Its version", .fallback = {}, .words = {}};
+  return {.name = {},
+          .about = "About",
+          .footer = {},
+          .options = {version},
+          .examples = {},
+          .subcommands = {measure, corpus}};
 }
 
 /// Returns what bash offers after these words, the last of which is not finished.
@@ -141,11 +154,19 @@ std::string completed(const std::string& words) {
 
 TEST(Completion, OffersCommandsOptionsAndValuesInBash) {
   EXPECT_EQ(completed("touchstone m"), "measure");
-  EXPECT_EQ(completed("touchstone \"\""), "measure corpus --help");
+  EXPECT_EQ(completed("touchstone \"\""), "measure corpus help --version --help");
+  EXPECT_EQ(completed("touchstone --v"), "--version");
+  EXPECT_EQ(completed("touchstone help m"), "measure");
+  EXPECT_EQ(completed("touchstone help corpus s"), "shrink");
   EXPECT_EQ(completed("touchstone corpus s"), "shrink");
   EXPECT_EQ(completed("touchstone measure --s"), "--samples");
   EXPECT_EQ(completed("touchstone measure --oracle f"), "filtered");
   EXPECT_EQ(completed("touchstone corpus shrink --"), "--help");
+  EXPECT_EQ(completed("touchstone corpus shrink \"\""), "b c --help");
+  // Files: after an option with a value, and where the command takes them.
+  EXPECT_EQ(completed("touchstone measure --samples \"\""), "");
+  EXPECT_EQ(completed("touchstone measure --samples -"), "");
+  EXPECT_EQ(completed("touchstone measure \"\""), "");
 }
 
 TEST(Completion, DescribesEverythingForZsh) {
@@ -161,10 +182,12 @@ TEST(Manual, HasAPageForEachCommand) {
   const auto pages = manual_pages(program(), "touchstone 1.2");
   ASSERT_EQ(pages.size(), 4U);
   EXPECT_TRUE(has(pages.at("touchstone.1"), ".BR touchstone\\-measure (1)\nMeasures\n"));
+  EXPECT_TRUE(has(pages.at("touchstone.1"), "\\fB\\-\\-version\\fR\nIts version.\n"));
   const std::string& page = pages.at("touchstone-measure.1");
   for (const char* part : {".TH \"touchstone\\-measure\" 1", "touchstone\\-measure \\- Measures", ".I FILE\n",
-                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many\nDefault: 7.", "One of: exact, filtered.",
-                           "a\\eb", "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
+                           "\\fB\\-\\-samples\\fR \\fIUINT\\fR\nHow many.\nDefault: 7.",
+                           "One of: exact, filtered.\nDefault: exact,filtered.\n", "a\\eb",
+                           "touchstone measure \\-\\-samples 3\n", "\\&.A note\n\\&'and another"})
     EXPECT_TRUE(has(page, part)) << part << "\n" << page;
   EXPECT_TRUE(pages.contains("touchstone-corpus-shrink.1"));
 }

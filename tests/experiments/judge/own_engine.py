@@ -141,6 +141,25 @@ class OwnEngine(unittest.TestCase):
         (self.folder / "verdicts.jsonl").write_text(verdicts)
         self.assertIn("<th>corners</th>", self.run_it("show", "small.jsonl", "--verdicts", "verdicts.jsonl").stdout)
 
+    def test_the_study_of_motions_asks_those_alone_that_know_motions(self):
+        moving = ["motions", "--vertices", "4", "--samples", "1", "--no-pictures", "--json", "--methods", "fast"]
+        for engine, told in ((self.vertices + "=corners", 'method "corners" is wrong about whether'),
+                             (EXACT, 'method "precise" does not say whether')):
+            refused = self.run_it(*moving, "--engine", engine, "--output", "refused", status=2)
+            self.assertIn(told + " a ball that moves through a triangle touches it", refused.stderr)
+            self.assertIn("judge --at-rest", refused.stderr)
+        tables = json.loads(self.run_it(*moving, "--engine", TOUCHSTONE + " judge --methods exact =ours").stdout)
+        wrong = {name: sum(row["missed"] + row["invented"] for row in tables["ways.csv"] if row["method"] == name)
+                 for name in ("fast", "ours")}
+        self.assertGreater(wrong["fast"], 0)
+        self.assertEqual(wrong["ours"], 0)
+
+    def test_the_old_name_of_the_option_is_understood(self):
+        asked = ["--keys", "contact", "--json", SOURCE / "tests/corpus/edge.jsonl"]
+        self.assertEqual(self.run_it("judge", "--exec", EXACT, *asked).stdout, self.run_it("judge", "--engine", EXACT, *asked).stdout)
+        with_sign = self.run_it("judge", "--exec=" + EXACT, *asked).stdout
+        self.assertEqual(with_sign, self.run_it("judge", "--engine=" + EXACT, *asked).stdout)
+
     def test_the_script_of_ci_judges_it(self):
         environment = dict(os.environ, TOUCHSTONE=TOUCHSTONE, KEYS="contact")
         done = subprocess.run([SOURCE / ".ci/judge_engine", self.vertices + "=corners", "judged"], cwd=self.folder, env=environment,

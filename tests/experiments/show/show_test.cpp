@@ -121,6 +121,14 @@ TEST(Picture, MarksWhatIsWrong) {
   EXPECT_TRUE(has(wrong, "one column is one double"));
 }
 
+// 1845 doubles below the contact: the columns on both sides of the change have labels of their own.
+TEST(Picture, LabelsNeighboursApart) {
+  const CaseView shown =
+      view({{{0, 0, 4}, 6.794760561472867e-09}, Polygon({{0.0078125, 0, 32768}, {0, 0, 0}, {-8000, 57, -17408}})});
+  const std::string text = picture(shown).text_of_file("it");
+  EXPECT_TRUE(has(text, ">+1844<") && has(text, ">+1845<")) << text;
+}
+
 TEST(Page, IsSelfContainedAndEscaped) {
   CaseView shown = view({{{1, 1, 1}, kBelow}, kTriangle});
   shown.verdicts.push_back({"<script>", {}, "no <b>verdict</b>", {}});

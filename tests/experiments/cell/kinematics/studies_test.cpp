@@ -82,7 +82,7 @@ TEST(CellCommand, SaysByItsStatusThatPicturesAreMissingAndKeepsTheData) {
 
 TEST(LayoutStudy, StopsWhenItIsAskedTo) {
   std::uint64_t last = 0;
-  EXPECT_FALSE(study_layout(kStop, [&](std::uint64_t done) { last = done; }).has_value());
+  EXPECT_FALSE(study_layout({}, kStop, [&](std::uint64_t done) { last = done; }).has_value());
   EXPECT_EQ(last, 1U);
 }
 

@@ -149,20 +149,20 @@ TEST(BenchOutput, ANoisyRatioMeetsNoGoalAndMissesNone) {
 // Every family that is not slow to draw gives rows for all that it promises, and nobody exact errs.
 TEST(BenchCommand, PrintsAndWritesEveryRow) {
   const Scratch scratch;
-  const auto file = scratch.path / "it's new" / "bench.json";
+  const auto folder = scratch.path / "it's new";
   const std::string families =
       "random-triangles,half-near,near,lattice-tangent,slivers,far,extreme,polygons-8,off-plane,questions,batches";
   testing::internal::CaptureStdout();
-  ASSERT_EQ(run_bench({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--json",
-                       file.string()}),
+  ASSERT_EQ(run_bench({"--family", families, "--samples", "50", "--repetitions", "2", "--seed", "5", "--output",
+                       folder.string()}),
             0);
   const std::string text = testing::internal::GetCapturedStdout();
-  const auto all = nlohmann::json::parse(std::ifstream(file));
+  const auto all = nlohmann::json::parse(std::ifstream(folder / "bench.json"));
 
   EXPECT_EQ(all["run"]["seed"], 5);
   EXPECT_TRUE(all["run"].contains("flags"));
   EXPECT_TRUE(all["processor_features"].contains("compiled_for"));
-  EXPECT_TRUE(fs::exists(file.parent_path() / "run.json"));
+  EXPECT_TRUE(fs::exists(folder / "run.json"));
   EXPECT_EQ(all["contests"].size(), 7U + (4 + 1 + 2 + 4) + 3 + 10 + 4);
   for (const auto& benchmark : all["contests"]) {
     const std::string family = benchmark["family"], name = benchmark["name"];
@@ -271,8 +271,8 @@ TEST(BenchCommand, WrongOptionsAreErrors) {
   EXPECT_THROW(run_bench({"--seed", "one"}), harness::UsageError);
   EXPECT_THROW(run_bench({"--count", "fast"}), harness::UsageError);
   EXPECT_THROW(run_bench({"--family", "far", "--count", "slow", "--samples", "1"}), harness::UsageError);
-  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/dev/null/bench.json"}), std::runtime_error);
-  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--json", "/tmp"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", "/dev/null/bench"}), std::runtime_error);
+  EXPECT_THROW(run_bench({"--family", "far", "--samples", "1", "--output", "/tmp"}), std::runtime_error);
   try {
     run_bench({"--family", "circles"});
   } catch (const harness::UsageError& error) {

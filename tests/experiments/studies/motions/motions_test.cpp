@@ -212,6 +212,21 @@ TEST(MovingMethods, AreThoseThatAnswer) {
   EXPECT_EQ(find_moving_methods({{"fast", "exact"}}).size(), 2U);
 }
 
+// An engine of the user that answers every case alike; `verdict`: the keys after the id.
+methods::Selection engine(const std::string& name, const std::string& verdict) {
+  return {{"fast"}, {R"~(sed -u 's/.*"id":"\([0-9]*\)".*/{"id":"\1")~" + verdict + "}/' =" + name}};
+}
+
+TEST(MovingMethods, AreNoEnginesThatIgnoreTheMotion) {
+  EXPECT_EQ(find_moving_methods(engine("moves", R"(,"contact":true)")).size(), 2U);
+  for (const auto& [name, verdict] : {std::pair("stays", R"(,"contact":false)"), {"silent", ""}}) try {
+      (void)find_moving_methods(engine(name, verdict));
+      FAIL() << name;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("it seems to ignore `motion`"), std::string::npos) << error.what();
+    }
+}
+
 TEST(GrazingPass, IsSeenAcrossTheEdge) {
   const auto pass = find_grazing_pass(8, 1);
   ASSERT_TRUE(pass);
