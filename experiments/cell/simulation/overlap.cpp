@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -33,8 +33,9 @@ std::vector<Thing> things_of(const Workcell& workcell) {
   for (const NamedTriangle& each : workcell.standing_triangles()) {
     const std::string& part = workcell.names()[each.owner];
     const std::string name = part.substr(0, part.find('/'));
-    if (found.empty() || found.back().first != name) found.push_back({name, {}});
-    auto& parts = found.back().second;
+    auto thing = std::ranges::find(found, name, &std::pair<std::string, std::vector<Piece>>::first);
+    if (thing == found.end()) thing = found.insert(thing, {name, {}});
+    auto& parts = thing->second;
     if (parts.empty() || parts.back().name != each.owner) parts.push_back({each.owner, {}, {}});
     parts.back().triangles.push_back(each);
     parts.back().box = parts.back().box.joined(box(each.triangle));

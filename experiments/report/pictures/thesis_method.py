@@ -5,7 +5,7 @@ Same data, same bytes: nothing here depends on the time or on chance."""
 import math
 
 import numpy as np
-from matplotlib.patches import FancyBboxPatch, Polygon
+from matplotlib.patches import FancyBboxPatch, Patch, Polygon
 
 from pictures.cell_missed import draw_missed
 from pictures.style import STYLES, plt
@@ -217,7 +217,7 @@ def false_areas(outlines, rows):
                  yerr=[[share - 100 * row["lower"]], [100 * row["upper"] - share]], capsize=3)
         axes.annotate(f"{unless_whole(row['share'], f'{share:.3g}')} %", (i - 0.19, 100 * row["upper"] + 3), ha="center", fontsize=7.5)
         axes.bar(i + 0.19, hull, color=BLACK, alpha=0.35, width=0.36)
-        axes.annotate(f"{hull:.3g} %", (i + 0.21, hull + 3), ha="center", fontsize=7.5, color="#555555")
+        axes.annotate(f"{hull:.0f} %", (i + 0.22, hull + 3), ha="center", fontsize=7.5, color="#555555")
         corners = np.array(outlines[row["outline"]])
         corners = (corners - corners.min(axis=0)) / (corners.max(axis=0) - corners.min(axis=0)).max()
         corners -= (corners.max(axis=0)) / 2
@@ -229,9 +229,8 @@ def false_areas(outlines, rows):
         small.axis("off")
         axes.annotate(row["outline"], (i, -62), ha="center", annotation_clip=False, fontsize=9)
     axes.set_xticks([])
-    axes.bar([], [], color=BLUE, label="the thesis's angle sum (lines: 95 %)")
-    axes.bar([], [], color=BLACK, alpha=0.35, label="the convex hull, which it is to avoid")
-    axes.legend(loc="upper left", fontsize=9)
+    axes.legend(handles=[Patch(color=BLUE, label="the thesis's angle sum (lines: 95 %)"),
+                         Patch(color=BLACK, alpha=0.35, label="the convex hull, which it is to avoid")], loc="upper left", fontsize=9)
     axes.set_ylabel("area outside taken for inside,\n% of the outline's own")
     axes.set_ylim(0, 195)
     axes.set_title("factor 0.99, angles without signs")

@@ -42,13 +42,14 @@ class CellTree {
     if (numbers.size() > kMostInLeaf && depth < kDeepest) {
       const auto cells = Splitter()(nodes_[number].cell, boxes_, numbers);
       std::vector<std::vector<std::uint32_t>> own(cells.size());
-      std::size_t sum = 0;
+      std::size_t sum = 0, most = 0;
       for (std::size_t k = 0; k < cells.size(); ++k) {
         for (const std::uint32_t i : numbers)
           if (meet(boxes_[i], cells[k])) own[k].push_back(i);
         sum += own[k].size();
+        most = std::max(most, own[k].size());
       }
-      if (2 * sum <= cells.size() * numbers.size() && sum <= 2 * numbers.size()) {  // else it would not pay
+      if (sum <= 2 * numbers.size() && 5 * most <= 4 * numbers.size()) {  // else it would not pay
         numbers = {};
         const auto first = static_cast<std::uint32_t>(nodes_.size());
         nodes_[number].first_child = first;

@@ -39,6 +39,14 @@ TEST(Overlap, OfAllThingsIsFound) {
       "");  // two robots side by side: the one that moves is tested when it moves
 }
 
+// Parts of one thing need not stand next to each other in the list of all parts.
+TEST(Overlap, APieceLiesInItsOwnStorage) {
+  EXPECT_EQ(overlap({"storages[0]=@storage", "storages[0].name=rack", "storages[0].angle=200", "storages[1]=@storage",
+                     "storages[1].name=shelf", "storages[1].angle=120", "materials[0]=@material",
+                     "materials[0].name=second", "materials[0].storage=rack"}),
+            "");
+}
+
 // A post in a pipe lies within the pipe's box.
 TEST(Overlap, WhatIsWithinTheHollowOfAnotherStandsFree) {
   EXPECT_EQ(overlap({"obstacles=[" + kPipe + ", " + kPost + "]"}), "");
