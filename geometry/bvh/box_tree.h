@@ -21,9 +21,9 @@ namespace touchstone {
 ///
 /// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
 /// this tree took 0.6 to 1 of the processor time of Embree 3, whose boxes are floats that cannot support exact answers;
-/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took 0.4
-/// times Embree's time to find the nearest triangle, and 1 to 1.1 times to test little more than boxes. Per triangle
-/// this tree takes 12 bytes; the libraries take 117, 65 and 136.
+/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took half
+/// of Embree's time to find the nearest triangle, and 1 to 1.4 times to test little more than boxes. Per triangle this
+/// tree takes 13 bytes; the libraries take 117, 65 and 136.
 class BoxTree {
  public:
   static constexpr std::size_t kWidth = 4;                         ///< the number of children of a node
