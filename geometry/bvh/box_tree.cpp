@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -160,8 +161,13 @@ class Builder {
     std::size_t axis = 0, slice = 0;
   };
 
-  /// Returns the cut with the least sum of the surfaces of both sides, each times the number of its boxes. Its cost is
-  /// infinite if all centres are the same.
+  /// Returns how many leaves these boxes need at least.
+  [[nodiscard]] static float leaves_for(std::uint32_t count) {
+    return static_cast<float>((count + BoxTree::kMostInLeaf - 1) / BoxTree::kMostInLeaf);
+  }
+
+  /// Returns the cut with the least sum of the surfaces of both sides, each times the number of leaves that it needs.
+  /// Its cost is infinite if all centres are the same.
   [[nodiscard]] Cut best_cut(const Range& range, const std::array<Slices, 3>& slices) const {
     struct Bin {
       Bounds bounds;
@@ -188,8 +194,8 @@ class Builder {
         below.bounds.join(bins[axis][slice - 1].bounds);
         below.count += bins[axis][slice - 1].count;
         if (below.count == 0 || above[slice].count == 0) continue;
-        const float cost = below.bounds.surface() * static_cast<float>(below.count) +
-                           above[slice].bounds.surface() * static_cast<float>(above[slice].count);
+        const float cost = below.bounds.surface() * leaves_for(below.count) +
+                           above[slice].bounds.surface() * leaves_for(above[slice].count);
         if (cost < best.cost) best = {cost, axis, slice};
       }
     }
@@ -246,7 +252,8 @@ class Builder {
       if (!some) continue;
       if (quarters[lane].size() <= BoxTree::kMostInLeaf) {
         nodes[here].child[lane] = quarters[lane].begin;
-        nodes[here].count[lane] = quarters[lane].size();
+        nodes[here].count[lane] = static_cast<std::uint8_t>(quarters[lane].size());
+        nodes[here].leaves |= 1U << lane;
       } else {
         below(here, lane, quarters[lane]);
       }
@@ -297,6 +304,10 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
     items[i] = {bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)};
   });
   Builder(items, nodes_).build();
+  for (Node& node : nodes_) {
+    node.first_leaf = leaf_count_;
+    leaf_count_ += static_cast<std::uint32_t>(std::popcount(node.leaves));
+  }
   order_.reserve(items.size());
   for (const Item& item : items) order_.push_back(item.number);
   built_surface_ = surface();

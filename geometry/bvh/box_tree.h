@@ -20,14 +20,14 @@ namespace touchstone {
 /// (binned surface area heuristic).
 ///
 /// Why not a library: `touchstone bench-scenes` compares. For a million triangles and small balls near them a scene on
-/// this tree took 0.7 to 1 of the processor time of Embree 3, whose boxes are floats that cannot support exact answers;
-/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took 0.5
-/// times Embree's time to find the nearest triangle, and 1 to 1.2 times to test little more than boxes. This tree takes
-/// 90 bytes per triangle, including the triangle; the libraries take 117, 65 and 136 in addition to it.
+/// this tree took 0.6 to 1 of the processor time of Embree 3, whose boxes are floats that cannot support exact answers;
+/// less than half of the time of Boost's R-tree; a twentieth of that of CGAL's AABB tree. For random balls it took half
+/// of Embree's time to find the nearest triangle, and 1 to 1.4 times to test little more than boxes. Per triangle this
+/// tree takes 13 bytes; the libraries take 117, 65 and 136.
 class BoxTree {
  public:
   static constexpr std::size_t kWidth = 4;                         ///< the number of children of a node
-  static constexpr std::uint32_t kMostInLeaf = 6;                  ///< the most boxes of a leaf
+  static constexpr std::uint32_t kMostInLeaf = 8;                  ///< the most boxes of a leaf
   static constexpr std::size_t kMostBoxes = std::size_t{1} << 31;  ///< the most boxes of a tree
   /// The most nodes that are open at once in a depth-first walk.
   static constexpr std::size_t kStackSize = 256;
@@ -41,7 +41,15 @@ class BoxTree {
     float low[3][kWidth], high[3][kWidth];
     /// @}
     std::uint32_t child[kWidth];  ///< the index of a node, or of the first place of a leaf in `order`; 0 if missing
-    std::uint32_t count[kWidth];  ///< the number of boxes of a leaf; 0 for a node
+    std::uint8_t count[kWidth];   ///< the number of boxes of a leaf; 0 for a node
+    std::uint32_t leaves;         ///< one bit for each child that is a leaf
+    std::uint32_t first_leaf;     ///< the number of the first of these leaves; the others follow
+
+    /// Returns the number of the leaf in a lane. Leaves are numbered from 0 in the order of nodes, then of lanes.
+    [[nodiscard]] __attribute__((always_inline)) std::uint32_t leaf(unsigned lane) const {
+      constexpr unsigned bits_of_three_lanes = 0x32212110;  // digit i is the number of bits of i
+      return first_leaf + (bits_of_three_lanes >> 4 * (leaves & ((1U << lane) - 1)) & 0xf);
+    }
   };
 
   /// Builds the tree. Requires boxes that are finite and not empty, at most kMostBoxes. Cost: O(n log n), about 1 us
@@ -50,6 +58,8 @@ class BoxTree {
 
   /// Returns the nodes. The first is the root. Without boxes there are no nodes.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  /// Returns the number of leaves.
+  [[nodiscard]] std::uint32_t leaf_count() const { return leaf_count_; }
   /// Returns the numbers of the boxes, leaf by leaf.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   /// Returns the scale: lengths in the tree are true lengths times scale[0] times scale[1], which are powers of two.
@@ -67,6 +77,7 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
+  std::uint32_t leaf_count_ = 0;
   Scale scale_ = {1, 1};
   double built_surface_;
   Scale built_scale_;

@@ -161,7 +161,8 @@ std::vector<FaceId> Scene::touched(const Query& query, const Objects& objects, T
       walks.touched_polygons(query, object.polygons, object.first_polygon(number), result, tally);
     return false;
   });
-  std::sort(result.begin(), result.end());
+  const auto number = [](const FaceId& id) { return std::uint64_t{id.object} << 32 | id.face; };
+  std::sort(result.begin(), result.end(), [&](const FaceId& a, const FaceId& b) { return number(a) < number(b); });
   return result;
 }
 

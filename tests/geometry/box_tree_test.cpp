@@ -48,6 +48,18 @@ bool holds(const BoxTree& tree, const BoxTree::Node& node, std::size_t lane, con
   return true;
 }
 
+/// The leaves of all nodes, in order, have the numbers from 0 on.
+void expect_numbered_leaves(const BoxTree& tree) {
+  std::uint32_t leaves = 0;
+  for (const BoxTree::Node& node : tree.nodes())
+    for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane) {
+      EXPECT_EQ((node.leaves >> lane & 1) != 0, node.count[lane] != 0);
+      if (node.count[lane] == 0) continue;
+      EXPECT_EQ(node.leaf(lane), leaves++);
+    }
+  EXPECT_EQ(tree.leaf_count(), leaves);
+}
+
 /// Checks the boxes of a node's lanes, adds the numbers below it, and lets `depth` grow to the deepest.
 void check(const BoxTree& tree, const std::vector<Box>& boxes, std::size_t index, std::size_t level, std::size_t& depth,
            std::multiset<std::uint32_t>& found) {
@@ -70,6 +82,7 @@ void expect_sound(const BoxTree& tree, const std::vector<Box>& boxes) {
   std::multiset<std::uint32_t> found;
   std::size_t depth = 0;
   if (!boxes.empty()) check(tree, boxes, 0, 0, depth, found);
+  expect_numbered_leaves(tree);
   EXPECT_EQ(found.size(), boxes.size());
   EXPECT_EQ(std::set<std::uint32_t>(found.begin(), found.end()).size(), boxes.size());
   EXPECT_LE(3 * depth + 1, BoxTree::kStackSize);

@@ -43,6 +43,9 @@ struct TriangleGroup {
   unsigned prepared;  ///< one bit per lane; the other lanes hold zeros
 };
 
+/// Prepares one to eight triangles with finite vertices. Requires round to nearest, without flush-to-zero.
+[[nodiscard]] TriangleGroup group_of(std::span<const Triangle> triangles);
+
 struct TriangleSet::Parts {
   explicit Parts(std::span<const Triangle> given);
 

@@ -20,22 +20,34 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// The lanes whose triangle the ball certainly touches, and those whose triangle it certainly misses; one bit per lane.
-struct CertainLanes {
-  unsigned touched, missed;
+/// The squares of the distances of eight triangles, in steps, as floats know them: each is at most `most` and at least
+/// `least`, up to an error of the distance.
+struct LaneDistances {
+  FloatPack most, least;
+  double error;  ///< in the group's units
+
+  /// Returns the lanes whose triangle a ball of this radius certainly touches; one bit per lane.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned touched(double radius) const {
+    const double inner = TriangleGroup::kSteps * (radius - error);
+    return negative_lanes(most - all_float_lanes(static_cast<float>(inner > 0 ? inner * inner : -1)));
+  }
+  /// Returns the lanes whose triangle it certainly misses.
+  [[nodiscard]] TOUCHSTONE_INLINE unsigned missed(double radius) const {
+    const double outer = TriangleGroup::kSteps * (radius + error);
+    return negative_lanes(all_float_lanes(static_cast<float>(outer * outer)) - least);
+  }
 };
 
-/// Returns the lanes that floats can decide, for a ball (x, y, z, radius) in the group's units. Requires that these
-/// numbers are at most kReach, and that the ball may touch the ball of radius 1 about the origin.
+/// Returns the distances from the centre of a ball (x, y, z, radius) in the group's units. Requires that these numbers
+/// are at most kReach, and that the ball may touch the ball of radius 1 about the origin. They serve this ball and
+/// smaller ones.
 ///
 /// A distance from the boundary counts for both answers where the foot is certainly outside, and the height alone where
 /// it is certainly inside. Elsewhere the distance is at most that from the boundary, and at least the height. Lengths
 /// in lanes are in steps.
-TOUCHSTONE_INLINE CertainLanes certain_lanes(const TriangleGroup& group, const double (&ball)[4]) {
+TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double (&ball)[4]) {
   constexpr double steps = TriangleGroup::kSteps;
-  const double unit = bounds::kFloatUnit * (ball[3] + 1), error = bounds::kLaneDistance * unit;
-  const double outer = steps * (ball[3] + error), inner = steps * (ball[3] - error);
-  const double certain_miss_sq = outer * outer, certain_hit_sq = inner > 0 ? inner * inner : -1;
+  const double unit = bounds::kFloatUnit * (ball[3] + 1);
   const auto all_lanes_of = [](double number) { return all_float_lanes(static_cast<float>(number)); };
   const Vector3<FloatPack> from_origin{all_lanes_of(ball[0]), all_lanes_of(ball[1]), all_lanes_of(ball[2])};
   const FloatPack margin = all_lanes_of(steps * bounds::kLaneEdge * 2 * unit), zero = all_float_lanes(0);
@@ -54,9 +66,8 @@ TOUCHSTONE_INLINE CertainLanes certain_lanes(const TriangleGroup& group, const d
     depth = minimum(depth, inside);
     to_boundary = minimum(to_boundary, lane::squared_edge_distance(inside, along, load(edge.half), zero));
   }
-  const FloatPack most = multiply_add(z, z, where(depth - margin, to_boundary));
-  const FloatPack least = multiply_add(z, z, where(depth + margin, to_boundary));
-  return {negative_lanes(most - all_lanes_of(certain_hit_sq)), negative_lanes(all_lanes_of(certain_miss_sq) - least)};
+  return {multiply_add(z, z, where(depth - margin, to_boundary)),
+          multiply_add(z, z, where(depth + margin, to_boundary)), bounds::kLaneDistance * unit};
 }
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
@@ -75,32 +86,55 @@ TOUCHSTONE_INLINE void count_sure(unsigned lanes, Counts& counts) {
   for (; lanes != 0; lanes &= lanes - 1) counts.count(Stage::Double);
 }
 
+/// Returns whether the numbers of a ball are at most kLargest.
+TOUCHSTONE_INLINE bool in_reach_of_groups(const Ball& ball) {
+  return negative_lanes(all_lanes(TriangleGroup::kLargest) - magnitude(load(numbers_of(ball)))) == 0;
+}
+
+/// Writes a ball in the group's units, as lane_distances takes it. Returns false if that is beyond the group's reach.
+/// Requires in_reach_of_groups(ball).
+TOUCHSTONE_INLINE bool see(const Ball& ball, const TriangleGroup& group, double (&seen)[4]) {
+  const Pack relative = load(numbers_of(ball)) - load(group.origin);
+  if (negative_lanes(all_lanes(group.reach) - magnitude(relative)) != 0) return false;
+  store(seen, relative * all_lanes(group.scale));
+  return true;
+}
+
+TOUCHSTONE_INLINE double squared_length(const double (&seen)[4]) {
+  return seen[0] * seen[0] + seen[1] * seen[1] + seen[2] * seen[2];
+}
+
+/// Returns whether a ball that the group sees certainly misses the ball of radius 1 about the origin.
+TOUCHSTONE_INLINE bool misses_group(const double (&seen)[4]) {
+  const double apart = seen[3] + 1;
+  return squared_length(seen) > apart * apart * bounds::kWide;
+}
+
 /// The triangles of a group that the ball touches, and those that have to be asked about alone; one bit per lane.
 struct GroupAnswers {
   unsigned touched, unsure;
 };
 
-/// Returns what floats can tell about the triangles in the given lanes of a group. Requires a ball whose numbers are at
-/// most kLargest.
+/// Returns what floats can tell about the triangles in the given lanes of a group: those that the ball misses, and
+/// those that a concentric ball with the radius `inner`, which is not larger, touches. Requires a ball whose numbers
+/// are at most kLargest.
 template <class Counts>
-TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, const TriangleGroup& group, unsigned lanes,
+TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, double inner, const TriangleGroup& group, unsigned lanes,
                                              Counts& counts) {
-  const Pack relative = load(numbers_of(ball)) - load(group.origin);
-  if (negative_lanes(all_lanes(group.reach) - magnitude(relative)) != 0) [[unlikely]]
-    return {0, lanes};
   double scaled[4];
-  store(scaled, relative * all_lanes(group.scale));
-  const double squared = scaled[0] * scaled[0] + scaled[1] * scaled[1] + scaled[2] * scaled[2];
-  const double apart = scaled[3] + 1, around = scaled[3] - 1;
-  const bool misses_all = squared > apart * apart * bounds::kWide;
+  if (!see(ball, group, scaled)) [[unlikely]]
+    return {0, lanes};
+  const double squared = squared_length(scaled), around = inner * group.scale - 1;
+  const bool misses_all = misses_group(scaled);
   if (misses_all || (around > 0 && squared < around * around * bounds::kNarrow)) {
     count_sure(lanes, counts);
     return {misses_all ? 0 : lanes, 0};
   }
-  const CertainLanes certain = certain_lanes(group, scaled);
-  const unsigned sure = (certain.touched | certain.missed) & group.prepared & lanes;
+  const LaneDistances distances = lane_distances(group, scaled);
+  const unsigned touched = distances.touched(inner * group.scale), missed = distances.missed(scaled[3]);
+  const unsigned sure = (touched | missed) & group.prepared & lanes;
   count_sure(sure, counts);
-  return {certain.touched & sure, lanes & ~sure};
+  return {touched & sure, lanes & ~sure};
 }
 
 /// Fetches from memory the group that is asked about some groups after this one. Outside the nearest cache, this saves
@@ -117,12 +151,13 @@ template <class Counts, class Visit>
 TOUCHSTONE_INLINE bool for_each_group(const Ball& ball, const TriangleSet::Parts& parts, Counts& counts,
                                       const Visit& visit) {
   const std::size_t size = parts.triangles.size();
-  const bool reaches = negative_lanes(all_lanes(TriangleGroup::kLargest) - magnitude(load(numbers_of(ball)))) == 0;
+  const bool reaches = in_reach_of_groups(ball);
   for (std::size_t first = 0; first < size; first += TriangleGroup::kWidth) {
     const unsigned lanes = (1U << std::min(TriangleGroup::kWidth, size - first)) - 1;
     const TriangleGroup& group = parts.groups[first / TriangleGroup::kWidth];
     prefetch_after(parts.groups, first / TriangleGroup::kWidth);
-    if (visit(first, reaches ? group_contact(ball, group, lanes, counts) : GroupAnswers{0, lanes})) return true;
+    if (visit(first, reaches ? group_contact(ball, ball.radius, group, lanes, counts) : GroupAnswers{0, lanes}))
+      return true;
   }
   return false;
 }

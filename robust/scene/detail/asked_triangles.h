@@ -10,6 +10,8 @@
 #include "robust/scene/detail/held_vertex.h"
 #include "robust/scene/detail/own_frame.h"
 #include "robust/scene/detail/posed_vertices.h"
+#include "robust/scene/detail/tree_walk.h"
+#include "robust/scene/detail/triangle_leaves.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a ball that asks about them.
 namespace touchstone::scene {
@@ -42,7 +44,7 @@ TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& find
 class StandingTriangles {
  public:
   StandingTriangles(const TriangleSet& set, const Ball& ball)
-      : triangles_(set.placed->triangles.data()), ball_(ball), finder_(ball) {}
+      : leaves_(*set.placed), triangles_(set.placed->triangles.data()), ball_(ball), finder_(ball) {}
 
   [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
@@ -51,6 +53,28 @@ class StandingTriangles {
     ball_.radius = radius;
     finder_ = VertexFinder(ball_);
   }
+
+  void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
+  /// Returns whether the ball touches a triangle of a leaf.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
+    const filtered::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
+    if (known.touched != 0) return true;
+    for (unsigned lanes = known.unsure; lanes != 0; lanes &= lanes - 1)
+      if (touches(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return true;
+    return false;
+  }
+  /// Calls f(place) for the triangles of a leaf that the ball touches.
+  template <class F>
+  TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
+    const filtered::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
+    for_lanes(known.touched, leaf, f);
+    for_lanes(known.unsure, leaf, [&](std::uint32_t place) {
+      if (touches(place)) f(place);
+    });
+  }
+  /// Returns the triangles of a leaf that the ball may touch, and a radius at which it touches one, as floats know
+  /// them.
+  [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Leaf& leaf) const { return leaves_.near(ball_, leaf); }
 
   [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
   /// Returns whether the ball may touch the triangle at a place.
@@ -70,6 +94,7 @@ class StandingTriangles {
   }
 
  private:
+  TriangleLeaves leaves_;
   const Triangle* triangles_;
   Ball ball_;
   VertexFinder finder_;
@@ -79,7 +104,8 @@ class StandingTriangles {
 class TrianglesInOwnFrame {
  public:
   TrianglesInOwnFrame(const TriangleSet& set, const Ball& ball)
-      : triangles_(set.placed->triangles.data()),
+      : leaves_(*set.placed),
+        triangles_(set.placed->triangles.data()),
         frame_(*set.frame),
         ball_(ball),
         seen_(frame_.seen(ball)),
@@ -91,6 +117,31 @@ class TrianglesInOwnFrame {
     ball_.radius = radius;
     seen_ = frame_.seen(ball_);
     finder_ = VertexFinder(seen_.inner_ball());
+  }
+
+  void prefetch_leaf(const Leaf& leaf) const { leaves_.prefetch_leaf(leaf); }
+  /// Returns whether the ball touches a triangle of a leaf.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
+    const filtered::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
+    if (known.touched != 0) return true;
+    for (unsigned lanes = known.unsure; lanes != 0; lanes &= lanes - 1)
+      if (touches(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return true;
+    return false;
+  }
+  /// Calls f(place) for the triangles of a leaf that the ball touches.
+  template <class F>
+  TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
+    const filtered::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
+    for_lanes(known.touched, leaf, f);
+    for_lanes(known.unsure, leaf, [&](std::uint32_t place) {
+      if (touches(place)) f(place);
+    });
+  }
+  /// Returns the triangles of a leaf that the ball may touch, and a radius at which it touches one, as floats know
+  /// them.
+  [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Leaf& leaf) const {
+    const NearLanes own = leaves_.near(seen_.outer, leaf);
+    return {own.lanes, frame_.radius_under_pose(ball_.center, own.radius)};
   }
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const {
@@ -125,6 +176,7 @@ class TrianglesInOwnFrame {
     return filtered::contact(filtered::view_of(ball_, posed), counts);
   }
 
+  TriangleLeaves leaves_;
   const Triangle* triangles_;
   const OwnFrame& frame_;
   Ball ball_;

@@ -98,6 +98,15 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number) : tree(std::move(tree_)) {
   triangles.reserve(by_number.size());
   for (const std::uint32_t number : tree.order()) triangles.push_back(by_number[number]);
+  groups.resize(tree.leaf_count());
+  const std::vector<BoxTree::Node>& nodes = tree.nodes();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 64), [&](const auto& range) {
+    const FloatingPointState nearest;
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
+        if (const std::uint8_t count = nodes[i].count[lane]; count != 0)
+          groups[nodes[i].leaf(lane)] = filtered::group_of(std::span(triangles).subspan(nodes[i].child[lane], count));
+  });
 }
 
 TriangleSet::TriangleSet(const std::vector<Triangle>& by_number) {
@@ -128,7 +137,7 @@ Triangle TriangleSet::triangle(std::uint32_t place) const {
 std::size_t TriangleSet::memory() const {
   const auto memory = [](const PlacedTriangles& p) {
     return p.tree.nodes().capacity() * sizeof(BoxTree::Node) + p.tree.order().capacity() * sizeof(std::uint32_t) +
-           p.triangles.capacity() * sizeof(Triangle);
+           p.triangles.capacity() * sizeof(Triangle) + p.groups.capacity() * sizeof(filtered::TriangleGroup);
   };
   return memory(*model) + (placed == model ? 0 : memory(*placed));
 }

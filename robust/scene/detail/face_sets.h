@@ -10,18 +10,20 @@
 #include "geometry/shapes/polygon.h"
 #include "geometry/shapes/pose.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/filtered/detail/triangle_groups.h"
 #include "robust/scene/detail/lazy_prepared_polygons.h"
 #include "robust/scene/detail/own_frame.h"
 
 namespace touchstone::scene {
 
-/// Triangles in the order of their tree's leaves.
+/// Triangles in the order of their tree's leaves, and each leaf as a group that floats decide together.
 struct PlacedTriangles {
   /// Requires valid triangles.
   PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
-  std::vector<Triangle> triangles;  ///< by place in tree.order()
+  std::vector<Triangle> triangles;              ///< by place in tree.order()
+  std::vector<filtered::TriangleGroup> groups;  ///< by leaf of the tree
 };
 
 /// Triangles under a pose. They stay in their own frame, so that a new pose costs the same for any number of them, or

@@ -7,6 +7,7 @@
 #include "robust/scene/detail/asked_triangles.h"
 #include "robust/scene/detail/first_contact_search.h"
 #include "robust/scene/detail/swept.h"
+#include "robust/scene/detail/tree_walk.h"
 
 /// The triangles of a set, where they stand or in their own frame, and a moving ball that asks about them.
 namespace touchstone::scene {
@@ -40,6 +41,19 @@ class StandingTrianglesOnWay {
       : triangles_(set.placed->triangles.data()), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
 
   [[nodiscard]] const Motion& asked() const { return motion_; }
+  void prefetch_leaf(const Leaf& leaf) const { prefetch(triangles_ + leaf.first, leaf.count); }
+  /// Returns whether the ball touches a triangle of a leaf.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+      if (touches(place)) return true;
+    return false;
+  }
+  /// Calls f(place) for the triangles of a leaf that the ball touches.
+  template <class F>
+  TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+      if (touches(place)) f(place);
+  }
   /// Returns a motion that touches the boxes of all triangles that the ball touches, not later than the ball does.
   [[nodiscard]] const Motion& culling() const { return motion_; }
   /// Shortens the motion: it ends at this time.
@@ -78,6 +92,19 @@ class TrianglesInOwnFrameOnWay {
         at_start_(set, motion.ball) {}
 
   [[nodiscard]] const Motion& asked() const { return motion_; }
+  void prefetch_leaf(const Leaf& leaf) const { prefetch(triangles_ + leaf.first, leaf.count); }
+  /// Returns whether the ball touches a triangle of a leaf.
+  [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+      if (touches(place)) return true;
+    return false;
+  }
+  /// Calls f(place) for the triangles of a leaf that the ball touches.
+  template <class F>
+  TOUCHSTONE_INLINE void for_touched(const Leaf& leaf, const F& f) const {
+    for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
+      if (touches(place)) f(place);
+  }
   [[nodiscard]] const Motion& culling() const { return seen_.outer; }
   void end_at(double time) { swept_.end_at(time); }
 

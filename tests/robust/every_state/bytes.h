@@ -68,6 +68,7 @@ class Bytes {
       for (int axis = 0; axis < 3; ++axis)
         for (std::size_t i = 0; i < BoxTree::kWidth; ++i) add(node.low[axis][i]), add(node.high[axis][i]);
       for (std::size_t i = 0; i < BoxTree::kWidth; ++i) add(node.child[i]), add(node.count[i]);
+      add(node.leaves), add(node.first_leaf);
     }
     add(tree.order()), add(tree.scale()[0]), add(tree.scale()[1]);
   }

@@ -18,7 +18,8 @@ using scene::Scene;
 
 /// A scene and its faces, prepared for the exact path.
 struct Subject {
-  Subject(Kind kind, std::uint64_t index) : objects(draw_objects(kind, 2026, index)) {
+  Subject(Kind kind, std::uint64_t index) : Subject(draw_objects(kind, 2026, index)) {}
+  explicit Subject(std::vector<scene::Faces> given) : objects(std::move(given)) {
     for (std::uint32_t object = 0; object < objects.size(); ++object) {
       built.add("object " + std::to_string(object), objects[object]);
       std::uint32_t face = 0;
@@ -65,6 +66,22 @@ TEST(Scene, FindsExactlyTheFacesThatAreTouched) {
     EXPECT_EQ(subject.built.touched(ball), expected) << what;
     EXPECT_EQ(subject.built.touches(ball), !expected.empty()) << what;
   });
+}
+
+// Floats cannot hold needles, which share leaves with triangles that they can.
+TEST(Scene, AnswersAboutNeedlesInTheLeavesOfOtherTriangles) {
+  scene::Faces faces;
+  for (int i = 0; i < 16; ++i) {
+    const Eigen::Vector3d corner(i % 4, i / 4, 0.125 * i);
+    const Eigen::Vector3d across = i % 2 == 0 ? Eigen::Vector3d(0.5, 0x1p-34, 0) : Eigen::Vector3d(0.25, 0.75, 0);
+    faces.triangles.push_back({corner, corner + Eigen::Vector3d(1, 0, 0), corner + across});
+  }
+  const Subject subject({faces});
+  for (int i = 0; i < 400; ++i) {
+    const Ball ball{{i % 10 * 0.4375, i / 10 % 10 * 0.4375, i / 100 * 0.5}, 0.25 + 0.125 * (i % 3)};
+    EXPECT_EQ(subject.built.touched(ball), subject.touched(ball)) << i;
+    EXPECT_EQ(subject.built.nearest(ball)->face, subject.nearest(ball)) << i;
+  }
 }
 
 TEST(Scene, FindsTheNearestFaceAndTheLowestOfEquals) {

@@ -23,6 +23,7 @@ struct FloatPack {
   __m256 lanes;
 };
 TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) { return {_mm256_set1_ps(value)}; }
+TOUCHSTONE_INLINE void store(float* eight, const FloatPack& a) { _mm256_storeu_ps(eight, a.lanes); }
 TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
   return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(eight))))};
 }
@@ -64,6 +65,10 @@ struct FloatPack {
   __m128 low, high;
 };
 TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) { return {_mm_set1_ps(value), _mm_set1_ps(value)}; }
+TOUCHSTONE_INLINE void store(float* eight, const FloatPack& a) {
+  _mm_storeu_ps(eight, a.low);
+  _mm_storeu_ps(eight + 4, a.high);
+}
 TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
   const __m128i integers = _mm_load_si128(reinterpret_cast<const __m128i*>(eight));
   // Each integer in the upper half of 32 bits, then shifted down with its sign.
@@ -110,6 +115,9 @@ TOUCHSTONE_INLINE FloatPack each_float_lane(F f) {
 }
 TOUCHSTONE_INLINE FloatPack all_float_lanes(float value) {
   return each_float_lane([&](int) { return value; });
+}
+TOUCHSTONE_INLINE void store(float* eight, const FloatPack& a) {
+  for (int i = 0; i < kFloatLanes; ++i) eight[i] = a.lanes[i];
 }
 TOUCHSTONE_INLINE FloatPack load(const std::int16_t* eight) {
   return each_float_lane([&](int i) { return static_cast<float>(eight[i]); });
