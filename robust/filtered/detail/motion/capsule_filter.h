@@ -25,7 +25,8 @@ struct CapsuleSigns {
   double velocity;                ///< maximum
 };
 
-/// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot.
+/// Returns whether the capsule touches the triangle, if doubles can decide it. Writes `signs` if they cannot, and
+/// `signs.at_start` if it touches.
 ///
 /// The distance of the segment from the triangle is 0 if the segment pierces the triangle. Else it is that of one of
 /// the segment's ends from the triangle, of a vertex from the segment's interior, or of an edge's interior from the
@@ -97,9 +98,9 @@ TOUCHSTONE_INLINE FilterResult capsule_filter(const MotionTriangleView& view, Ca
   const bool misses_start = start.certainly_misses(), misses_end = end.certainly_misses();
   const bool yes = touches_start | touches_end | (hit != 0) | pierces;
   const bool no = misses_start & misses_end & (missed == all) & passes_by;
+  signs.at_start = touches_start ? FilterResult::Yes : misses_start ? FilterResult::No : FilterResult::Unsure;
   if (yes != no) [[likely]]
     return yes ? FilterResult::Yes : FilterResult::No;
-  signs.at_start = misses_start ? FilterResult::No : FilterResult::Unsure;
   signs.at_end = misses_end ? FilterResult::No : FilterResult::Unsure;
   signs.vertices = lanes(vertex_missed) ^ all, signs.edges = lanes(edge_missed) ^ all;
   signs.may_pierce = !passes_by;

@@ -45,6 +45,10 @@ class PolygonMotionDoubles {
             {radius_, 0}};
   }
   [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
+  [[nodiscard]] const Bounded<DoubleDouble>& normal_length() const {
+    if (!normal_length_) normal_length_.emplace(root(dot(normal_, normal_)));
+    return *normal_length_;
+  }
   [[nodiscard]] double unscaled(double length) const { return edges_.unscaled(length); }
   [[nodiscard]] double center(int axis) const { return edges_.center(axis); }
   [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const {
@@ -84,6 +88,7 @@ class PolygonMotionDoubles {
   const double radius_;
   bool usable_;
   BoundedVector<DoubleDouble> velocity_, normal_;
+  mutable std::optional<Bounded<DoubleDouble>> normal_length_;
   int planar_axis_;
 };
 

@@ -10,9 +10,9 @@
 
 /// The time and the point of an event, correctly rounded, in double-doubles with a rounding test.
 ///
-/// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()`, `center(axis)`,
-/// `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices have the same coordinate,
-/// `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
+/// `Doubles` are a motion and a polygon or triangle in double-doubles: `moving(i)`, `normal()` and its
+/// `normal_length()`, `center(axis)`, `vertex(i, axis)`, `rounded_vertex(i, axis)`, `flat(axis)`, whether all vertices
+/// have the same coordinate, `lifts(axis)`, and `unscaled(length)`, which converts to the caller's unit of length.
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
@@ -26,7 +26,7 @@ template <class Doubles>
 PlaneEntry<DoubleDouble> face_entry(const Doubles& doubles) {
   const MovingEdge<DoubleDouble> edge = doubles.moving(0);
   const auto& normal = doubles.normal();
-  return plane_entry(dot(normal, edge.to_center), dot(normal, edge.velocity), edge.radius * root(dot(normal, normal)));
+  return plane_entry(dot(normal, edge.to_center), dot(normal, edge.velocity), edge.radius * doubles.normal_length());
 }
 
 /// Returns the time of a feature's event, which certainly happens.
@@ -52,7 +52,7 @@ class TouchedPoint {
     if (feature.kind == Feature::Kind::Face && moving_.radius.value.high > 0) {
       const auto& normal = doubles.normal();
       const auto height = dot(normal, moving_.to_center);
-      multiple_ = quotient(moving_.radius, root(dot(normal, normal)));
+      multiple_ = quotient(moving_.radius, doubles.normal_length());
       if (height.value.high > 0) multiple_.value = -multiple_.value;
     }
   }

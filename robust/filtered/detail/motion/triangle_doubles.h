@@ -34,6 +34,10 @@ class TriangleMotionDoubles {
   }
   [[nodiscard]] double unscaled(double length) const { return unit_ != nullptr ? unit_->unscaled(length) : length; }
   [[nodiscard]] const BoundedVector<DoubleDouble>& normal() const { return normal_; }
+  [[nodiscard]] const Bounded<DoubleDouble>& normal_length() const {
+    if (!normal_length_) normal_length_.emplace(root(dot(normal_, normal_)));
+    return *normal_length_;
+  }
   [[nodiscard]] double center(int axis) const { return view_.center(axis); }
   [[nodiscard]] Bounded<DoubleDouble> vertex(std::size_t i, int axis) const { return {view_.vertex[i][axis], 0}; }
   /// Returns the coordinate of a vertex as given; zero as +0.
@@ -91,6 +95,7 @@ class TriangleMotionDoubles {
   const MotionTriangleView view_;
   const LengthUnit* const unit_;
   BoundedVector<DoubleDouble> edges_[3], velocity_, normal_;
+  mutable std::optional<Bounded<DoubleDouble>> normal_length_;
 };
 
 }  // namespace TOUCHSTONE_TARGET

@@ -43,16 +43,16 @@ struct MotionFilterResult {
   /// @}
 };
 
-/// Looks for the first contact in doubles.
-TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
+/// Looks for the first contact in doubles. `contact_at_start()` returns what they know about the contact at time 0.
+template <class Start>
+TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view, const Start& contact_at_start) {
   const Vector3<Pack> vertex = vertex_lanes(view.vertex);
   if (!in_range(vertex, view, bounds::kLongestMotion)) [[unlikely]]
     return {FilterResult::OutOfRange};
   const TriangleMotionLanes lanes(vertex, view);
   const PlaneEntry<Pack> plane = lanes.plane();
   if ((plane.misses & TriangleEvents::all) != 0) return {FilterResult::No};
-  TriangleSigns signs;
-  const FilterResult start = triangle_filter({view.vertex, view.motion}, signs);
+  const FilterResult start = contact_at_start();
   if (start != FilterResult::No) return {start, start};
   const TriangleEvents events{start_event(lanes.moving), interior_event(lanes.moving), face_event(lanes, plane.entry)};
   const PossibleEvents possible = events.possible();
@@ -73,6 +73,13 @@ TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& vie
   const double earliest = candidate.earliest(), latest = candidate.latest();
   if (!candidate.certain()) return {FilterResult::Unsure, start, {}, possible, earliest, latest};
   return {FilterResult::Yes, start, candidate.feature(), possible, earliest, latest};
+}
+
+TOUCHSTONE_INLINE MotionFilterResult motion_filter(const MotionTriangleView& view) {
+  return motion_filter(view, [&view] {
+    TriangleSigns signs;
+    return triangle_filter({view.vertex, view.motion}, signs);
+  });
 }
 
 // If the largest number is smaller than this, lengths are scaled.
@@ -140,13 +147,21 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
 
 template <class Counts>
 void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Counts& counts) {
-  const MotionFilterResult known = motion_filter(view);
-  if (known.contact == FilterResult::No) {
-    counts.count(Stage::Double);
-    contact = {};
-  } else {
-    contact = later_first_contact(view, known, counts);
+  // Signs alone exclude most contacts at a third of the price of times.
+  CapsuleSigns signs;
+  const FilterResult capsule = capsule_filter(view, signs);
+  if (capsule != FilterResult::No) {
+    const MotionFilterResult known = capsule == FilterResult::OutOfRange ? MotionFilterResult{capsule}
+                                     : signs.at_start == FilterResult::Yes
+                                         ? MotionFilterResult{FilterResult::Yes, FilterResult::Yes}
+                                         : motion_filter(view, [&signs] { return signs.at_start; });
+    if (known.contact != FilterResult::No) {
+      contact = later_first_contact(view, known, counts);
+      return;
+    }
   }
+  counts.count(Stage::Double);
+  contact = {};
 }
 
 /// Returns whether the ball touches where the first stage does not suffice.
