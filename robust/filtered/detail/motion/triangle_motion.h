@@ -145,11 +145,23 @@ __attribute__((noinline)) FirstContact later_first_contact(const MotionTriangleV
   return exact_first_contact(given);
 }
 
+/// Returns whether double-doubles exclude a contact that doubles leave open.
+template <class Counts>
+__attribute__((noinline)) bool misses_in_doubles(const MotionTriangleView& view, const CapsuleSigns& signs,
+                                                 Counts& counts) {
+  const FloatingPointState nearest;
+  return !at_rest(view) && unsure_capsule(view, signs, counts) == FilterResult::No;
+}
+
 template <class Counts>
 void triangle_first_contact(MotionTriangleView view, FirstContact& contact, Counts& counts) {
   // Signs alone exclude most contacts at a third of the price of times.
   CapsuleSigns signs;
   const FilterResult capsule = capsule_filter(view, signs);
+  if (capsule == FilterResult::Unsure && misses_in_doubles(view, signs, counts)) {
+    contact = {};
+    return;
+  }
   if (capsule != FilterResult::No) {
     const MotionFilterResult known = capsule == FilterResult::OutOfRange ? MotionFilterResult{capsule}
                                      : signs.at_start == FilterResult::Yes
