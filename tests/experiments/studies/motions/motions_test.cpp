@@ -67,7 +67,7 @@ TEST(GrazingRadius, IsTheSameFromEveryEstimate) {
                                   radius + 0x1p-40, radius / 2, 1e300, largest})
       EXPECT_EQ(workloads::grazing_radius(motion, touches, estimate), radius) << estimate;
     questions = 0;
-    workloads::grazing_radius(motion, touches, radius);
+    (void)workloads::grazing_radius(motion, touches, radius);
     EXPECT_LE(questions, 2);
   }
 }
