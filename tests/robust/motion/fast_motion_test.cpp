@@ -139,9 +139,12 @@ RC_GTEST_PROP(FastMotion, PowersOfTwoScaleThePointOnly, ()) {
 /// little.
 bool is_near_boundary(const MovingCase& c, const FirstContact& first) {
   const exact::PreparedPolygon polygon(c.polygon);
+  const PlaneSide side = exact::plane_side(c.motion.ball, polygon);
   for (const double sign : {-1, 1}) {
     Motion motion = c.motion;
     motion.ball.radius = std::max(0.0, motion.ball.radius + sign * 0x1p-30 * extent(c.polygon));
+    // Where the plane is tangent at the start up to rounding, fast may lose it, and whatever is touched later.
+    if (exact::plane_side(motion.ball, polygon) != side) return true;
     const FirstContact other = exact::first_contact(motion, polygon);
     if (other.kind != first.kind || (first.contact() && std::abs(other.time - first.time) > 0x1p-20)) return true;
   }
