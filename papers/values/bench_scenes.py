@@ -14,7 +14,12 @@ def values(study):
     data = Data(study)
     if data.wrong(OURS)[0]:
         raise ValueError(f"{OURS} is wrong")
-    yield "triangles", count(largest(data)[1])
+    scene, triangles = largest(data)
+    yield "triangles", count(triangles)
+    times = {row["library"]: row["nanoseconds"] for row in data.motions if (row["scene"], row["triangles"], row["motions"]) == (scene, triangles, "short")}
+    for key, library in (("at-rest", f"{OURS}, at the start"), ("fcl", "FCL BVHModel"), ("bullet", "Bullet")):
+        if library in times:
+            yield f"moving/{key}", decimal(times[OURS] / times[library] if key == "at-rest" else times[library] / times[OURS])
 
 
 def tables(study):

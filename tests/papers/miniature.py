@@ -91,6 +91,8 @@ FILES = {
                              ("torus", [100, 1000], "near", ["any", "all", "nearest"], ["Scene", "Embree 3"], 500, 0, 8),
                              ("torus", 1000, ["anywhere", "touching"], "any", "Scene", 300, 0, 8),
                              ("torus", 1000, ["anywhere", "touching"], "any", "Embree 3", 112_345, 3, 8)),
+        "motions.csv": table("scene triangles motions library nanoseconds wrong checked", ("torus", 1000, "short", "Scene, at the start", 200, "", ""),
+                             ("torus", 1000, "short", "Scene", 400, 0, 8), ("torus", 1000, "short", ["FCL BVHModel", "Bullet"], 9000, 2, 8)),
         "builds.csv": table("scene triangles library seconds bytes_a_triangle", ("torus", 1000, ["Scene", "Embree 3"], 0.5, 91))},
     "thesis": {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),

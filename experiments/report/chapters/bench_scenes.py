@@ -21,6 +21,30 @@ def finding(study):
                                                                                                f"differ: {words(wrong)}" if wrong else "") + ".")
 
 
+LENGTHS = {"short": "ways of one radius", "long": "ways of thirty radii"}
+
+
+def motions_table(data, scene):
+    """First contacts of moving balls, beside the same balls at rest at the start of their ways."""
+    rows = []
+    for (size, motions), own in grouped(row for row in data.motions if row["scene"] == scene).items():
+        ours = own[OURS]["nanoseconds"]
+        for library, row in own.items():
+            said = "" if row["wrong"] is None else f"{count(row['wrong'])} of {count(row['checked'])}"
+            rows.append([f"{LENGTHS.get(motions, motions)}, {count(size)} triangles", escaped(library), f"{rounded(row['nanoseconds'] / 1000)} µs",
+                         "" if library == OURS else multiple(row["nanoseconds"] / ours), said])
+    return table(f"First contact of moving balls: time of a question, in times of {OURS}, and wrong answers. “{OURS}, at the start”: the same balls "
+                 "at rest where their ways begin, touching any?", ["motions", "library", "time", f"of {OURS}", "wrong"], rows, (2, 3, 4)) if rows else ""
+
+
+def grouped(rows):
+    """By triangles and kind of motion: the rows by library."""
+    groups = {}
+    for row in rows:
+        groups.setdefault((row["triangles"], row["motions"]), {})[row["library"]] = row
+    return groups
+
+
 def chapter(study):
     data = Data(study)
     text = f"""<p>{code(OURS)} asks about many faces at once, with the answers of {code('exact')} about every one, and passes
@@ -58,5 +82,5 @@ thread.</p>"""
                                   "library, a panel for each "
                             "kind of ball and question.", f"Time of a query against the size of the scene "
                                                           f"“{escaped(scene)}”.{follows}")
-        text += folded(f"The numbers of {scene}", numbers)
+        text += folded(f"The numbers of {scene}", numbers + motions_table(data, scene))
     return text

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whole scenes beside other libraries."""
-from results import finite, natural
+from results import finite, maybe, natural
 
 OURS = "Scene"
 
@@ -10,6 +10,8 @@ class Data:
         self.queries = study.rows("queries.csv", scene=str, triangles=natural, balls=str, question=str, library=str, nanoseconds=finite,
                                   wrong=natural, checked=natural)
         self.builds = study.rows("builds.csv", scene=str, triangles=natural, library=str, seconds=finite, bytes_a_triangle=finite)
+        self.motions = study.rows("motions.csv", scene=str, triangles=natural, motions=str, library=str, nanoseconds=finite, wrong=maybe(natural),
+                                  checked=maybe(natural))
         self.libraries = list(dict.fromkeys(row["library"] for row in self.queries))
         self.scenes = list(dict.fromkeys(row["scene"] for row in self.queries))
 
@@ -17,5 +19,5 @@ class Data:
         return max(row["triangles"] for row in self.queries if row["scene"] == scene)
 
     def wrong(self, library):
-        rows = [row for row in self.queries if row["library"] == library]
+        rows = [row for row in [*self.queries, *self.motions] if row["library"] == library]
         return sum(row["wrong"] for row in rows), sum(row["checked"] for row in rows)
