@@ -115,6 +115,14 @@ std::vector<PublicFunction> shape_functions() {
               tree.refit(std::span(in.boxes).last(10));
               return tree.growth();
             }),
+      gives("BoxTree::Node::leaf",
+            [](const Input& in) {
+              std::vector<std::uint32_t> leaves;
+              for (const BoxTree::Node& node : BoxTree(in.boxes).nodes())
+                for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
+                  if (node.count[lane] > 0) leaves.push_back(node.leaf(lane));
+              return leaves;
+            }),
       hands_on("BoxTree::nodes", [](const Input& in) { return BoxTree(in.boxes); }),
       hands_on("read_mesh", [](const Input& in) { return read_mesh(written(in), OnFault::Skip); }),
       gives("exact::validate",
