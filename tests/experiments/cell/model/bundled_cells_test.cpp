@@ -13,9 +13,8 @@
 #include "experiments/cell/model/model.h"
 #include "experiments/cell/model/reach.h"
 #include "experiments/cell/model/read_cell.h"
-#include "experiments/harness/write_file.h"
 #include "experiments/workloads/random.h"
-#include "tests/experiments/support/scratch.h"
+#include "tests/experiments/support/melfa_meshes.h"
 
 namespace touchstone::cell_model_tests {
 namespace {
@@ -128,28 +127,7 @@ TEST(Aristo, ItsReachHoldsForEveryPoseOfTheJointsThatMove) {
   EXPECT_GT(furthest, 0.98 * reach.outer);
 }
 
-/// The meshes that melfa.json names, as tetrahedra.
-class Melfa : public testing::Test {
- protected:
-  Melfa() {
-    for (const char* const folder : {"melfa-sim", "VMC_toolchange"})
-      std::filesystem::create_directory(scratch.path / folder);
-    for (int i = 1; i <= 7; ++i) write("melfa-sim/link" + std::to_string(i) + ".stl");
-    for (const char* const part : {"base", "head", "saddle", "table", "arm", "carousel"})
-      write(std::string("VMC_toolchange/") + part + ".stl");
-  }
-  void write(const std::string& file) const {
-    const std::vector<std::string> corners{"0 0 0", "9 0 0", "0 9 0", "0 0 9"};
-    std::string text = "solid t\n";
-    for (const auto& [a, b, c] : {std::tuple{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
-      text += "facet normal 0 0 0\nouter loop\n";
-      for (const int i : {a, b, c}) text += "vertex " + corners[static_cast<std::size_t>(i)] + "\n";
-      text += "endloop\nendfacet\n";
-    }
-    harness::write_file(scratch.path / file, text + "endsolid t\n");
-  }
-  const run_tests::Scratch scratch;
-};
+class Melfa : public testing::Test, public run_tests::MelfaMeshes {};
 
 // LinuxCNC's modified table (alpha, a, d before each joint): (0, 0, 350), (-90, 85, 0), (0, 380, 0), (-90, 100, 425),
 // (90, 0, 0),

@@ -7,14 +7,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "experiments/cell/kinematics/laid_out.h"
 #include "experiments/cell/kinematics/solve_layout.h"
 #include "experiments/methods/registry.h"
 #include "robust/exact/exact.h"
 #include "tests/experiments/cell/simulation/cells.h"
+#include "tests/experiments/support/melfa_meshes.h"
 
 namespace touchstone::cell_simulation_tests {
 namespace {
@@ -58,6 +61,26 @@ TEST(Process, TheCaptionsOfBothCaseStudiesComeOutToTheDegree) {
                                                         {kElbow, 23}, {kBase, 100},  {kShoulder, 14}};
   EXPECT_EQ(moves_to_machine(first), one);
   EXPECT_EQ(moves_to_machine(second), two);
+}
+
+// The real arm's layout: its hand stays level, and what it grips from above it sets down there and takes home again.
+// Its meshes are tetrahedra here.
+TEST(Process, TheRealArmCarriesItsPartFromAboveAndBack) {
+  const run_tests::MelfaMeshes meshes;
+  const cell::Cell cell = cell::read_cell(kAristo.parent_path() / "melfa.json", meshes.scratch.path);
+  const cell::Workcell workcell(
+      cell, cell::build_model(cell),
+      std::make_shared<const std::vector<cell::Covered>>(cell::cover_arm(cell::build_model(cell), 8)));
+  const Process process = cell::simulate(workcell);
+  EXPECT_EQ(process.failure, "");
+  EXPECT_EQ(process.stops.back().commanded, workcell.arm().home);
+  ASSERT_EQ(process.transfers.size(), 5U);
+  EXPECT_TRUE(cell.gripper.hold);
+  const Pose home = workcell.arm().link_poses(workcell.arm().home).back();
+  for (const cell::Stop& stop : process.stops) {
+    const Pose flange = workcell.arm().link_poses(stop.commanded).back();
+    EXPECT_LT((flange.rotation.col(0) - home.rotation.col(0)).norm(), 1e-12);
+  }
 }
 
 // The same moves by the cell's file and by the layout that was solved for, which knows of no more than the material.
