@@ -3,7 +3,8 @@
 
 A suite that cannot fail proves nothing. Each entry of mutants.json plants one bug in a copy of one file; translation
 units that see it are compiled again and linked before the libraries into a program of tests, which is run: it must
-fail. Exit status 1 if a mutant survives, or if its text is not found exactly once.
+fail. A program that crashes has noticed the bug only if it passes with the unchanged file compiled and linked the same
+way. Exit status 1 if a mutant survives, or if its text is not found exactly once.
 
 With --one-in N only about one mutant in N is planted; the hash of the commit draws them, so that every commit plants
 others, and the same commit the same ones.
@@ -24,7 +25,9 @@ import re
 import shlex
 import subprocess
 import sys
+import threading
 
+CRASH = "exit status"
 SECONDS = 90  # a suite that does not end has noticed something
 # The suites that are run where a mutant names none. Those left out are slow, or see their own copy of the headers.
 SUITES = {
@@ -47,36 +50,45 @@ class Workshop:
     def __init__(self, source, build, programs):
         self.source, self.build = pathlib.Path(source).resolve(), pathlib.Path(build).resolve()
         self.scratch = self.build / "tests" / "mutants"
-        commands = json.loads((self.build / "compile_commands.json").read_text())
-        self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in commands}
-        self.links = {program: self.link_command(program) for program in programs}
+        self.commands = {program: self.commands_of(program) for program in programs}
+        self.controls = {}
+        self.at_controls = threading.Lock()
 
-    def link_command(self, program):
-        ninja = subprocess.run(["ninja", "-C", self.build, "-t", "commands", program],
-                               check=True, capture_output=True, text=True).stdout
-        # The last command that makes the program; what CMake chains before and after it is no concern of ours.
-        link = [line for line in ninja.splitlines() if f"-o {program}" in line or f"-o tests/{program}" in line][-1]
-        return shlex.split(re.sub(r"^: && | && :$", "", link).split(" && ")[0])
+    def commands_of(self, program):
+        """The commands that compile and link what the program is made of."""
+        return subprocess.run(["ninja", "-C", self.build, "-t", "commands", program],
+                              check=True, capture_output=True, text=True).stdout.splitlines()
 
-    def plant(self, mutant):
-        """The folder with the mutated copy of the file, and with copies of the units to compile with it."""
-        text = (self.source / mutant["file"]).read_text()
-        if text.count(mutant["old"]) != 1:
-            raise ValueError(f"its text stands {text.count(mutant['old'])} times in {mutant['file']}")
-        folder = self.scratch / mutant["name"]
+    def program_with(self, mutant, text):
+        """The program of the mutant, linked with `text` as the content of the mutant's file."""
+        folder, program = self.scratch / mutant["name"], program_of(mutant)
         for unit in units(mutant):
             (folder / unit).parent.mkdir(parents=True, exist_ok=True)
             (folder / unit).write_text((self.source / unit).read_text())
         (folder / mutant["file"]).parent.mkdir(parents=True, exist_ok=True)
-        (folder / mutant["file"]).write_text(text.replace(mutant["old"], mutant["new"]))
-        return folder
+        (folder / mutant["file"]).write_text(text)
+        objects = [self.compile(folder, program, unit) for unit in units(mutant)]
+        return self.link_tests(folder, program, objects)
 
-    def compile(self, folder, unit):
-        if str(self.source / unit) not in self.commands:
-            raise ValueError(f"{unit} is not among the compile commands of the build")
-        command = list(self.commands[str(self.source / unit)])
-        if pathlib.Path(command[0]).name == "ccache":  # it would not see the mutated header
-            del command[0]
+    def plant(self, mutant):
+        text = (self.source / mutant["file"]).read_text()
+        if text.count(mutant["old"]) != 1:
+            raise ValueError(f"its text stands {text.count(mutant['old'])} times in {mutant['file']}")
+        return self.program_with(mutant, text.replace(mutant["old"], mutant["new"]))
+
+    def control(self, mutant):
+        """What fails in the mutant's program with its units compiled again, and no bug in them."""
+        with self.at_controls:
+            of = (program_of(mutant), suites_of(mutant), *units(mutant))
+            if of not in self.controls:
+                unchanged = dict(mutant, name=f"{mutant['name']}-control")
+                program = self.program_with(unchanged, (self.source / mutant["file"]).read_text())
+                self.controls[of] = first_failure(program, program.parent, suites_of(mutant))
+                program.unlink()
+            return self.controls[of]
+
+    def compile(self, folder, program, unit):
+        command = compile_command(self.commands[program], str(self.source / unit))
         target = folder / f"{pathlib.Path(unit).stem}.o"
         command[command.index("-o") + 1] = str(target)
         command[command.index("-c") + 1] = str(folder / unit)
@@ -90,7 +102,7 @@ class Workshop:
         return str(target)
 
     def link_tests(self, folder, program, mutated):
-        command = list(self.links[program])
+        command = link_command(self.commands[program], program)
         at = command.index("-o") + 1
         command[at] = str(folder / program)
         command[at + 1:at + 1] = mutated  # before the archives, so that theirs are not taken
@@ -105,6 +117,26 @@ def units(mutant):
 
 def program_of(mutant):
     return mutant.get("program", "contact_tests")
+
+
+def suites_of(mutant):
+    return mutant["suites"] if "suites" in mutant else SUITES[program_of(mutant)]
+
+
+def compile_command(commands, file):
+    """The one command among those of a program that compiles the file: targets may compile a file in several ways."""
+    found = [words for words in map(shlex.split, commands) if "-c" in words and words[words.index("-c") + 1] == file]
+    if len(found) != 1:
+        raise ValueError(f"{len(found)} commands of the program compile {file}")
+    words = found[0]
+    launcher = [i for i, word in enumerate(words) if pathlib.Path(word).name == "ccache"]
+    return words[launcher[0] + 1:] if launcher else words  # a cache would not see the mutated header
+
+
+def link_command(commands, program):
+    # The last command that makes the program; what CMake chains before and after it is no concern of ours.
+    link = [line for line in commands if f"-o {program}" in line or f"-o tests/{program}" in line][-1]
+    return shlex.split(re.sub(r"^: && | && :$", "", link).split(" && ")[0])
 
 
 def run(command, folder, complaint):
@@ -124,18 +156,18 @@ def first_failure(program, folder, suites):
         return None
     failed = re.search(r"\[  FAILED  \] (\S+?)[,\s]", result.stdout)
     case = re.search(r"case (\S+) of (\S+)", result.stdout)
-    name = failed.group(1) if failed else f"exit status {result.returncode}"
+    name = failed.group(1) if failed else f"{CRASH} {result.returncode}"
     return f"{name}, case {case.group(1)} of {case.group(2)}" if case else name
 
 
 def judge(workshop, mutant):
     """(killed, sentence) of one mutant."""
-    name = program_of(mutant)
     try:
-        folder = workshop.plant(mutant)
-        program = workshop.link_tests(folder, name, [workshop.compile(folder, unit) for unit in units(mutant)])
-        killer = first_failure(program, folder, mutant["suites"] if "suites" in mutant else SUITES[name])
+        program = workshop.plant(mutant)
+        killer = first_failure(program, program.parent, suites_of(mutant))
         program.unlink()
+        if killer and killer.startswith(CRASH) and (failure := workshop.control(mutant)):
+            raise ValueError(f"without the bug, the program that is linked for it fails too: {failure}")
     except ValueError as error:
         return False, f"cannot be planted: {error}"
     return (True, f"killed by {killer}") if killer else (False, "SURVIVES")
@@ -186,10 +218,10 @@ def main(*arguments):
         print(f"One in {options.one_in} of {len(mutants)}, drawn by commit {commit or '(none)'}")
         mutants = drawn(mutants, options.one_in, commit)
     workshop = Workshop(source, build, sorted({program_of(mutant) for mutant in mutants}))
-    suites_of = sorted({(program_of(m), m["suites"] if "suites" in m else SUITES[program_of(m)]) for m in mutants})
+    programs = sorted({(program_of(mutant), suites_of(mutant)) for mutant in mutants})
     with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        failures = pool.map(lambda of: first_failure(workshop.build / "tests" / of[0], workshop.build, of[1]), suites_of)
-        for (program, _), failure in zip(suites_of, failures):
+        failures = pool.map(lambda of: first_failure(workshop.build / "tests" / of[0], workshop.build, of[1]), programs)
+        for (program, _), failure in zip(programs, failures):
             if failure:
                 print(f"{program} fails without any bug planted: {failure}")
                 return 1
