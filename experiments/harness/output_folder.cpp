@@ -60,7 +60,7 @@ std::string host() {
 
 OutputFolder::OutputFolder(std::filesystem::path folder, const std::string& command, Existing existing)
     : path_(std::move(folder)), lock_file_(path_ / kLock) {
-  make_folder(path_);
+  made_ = make_folder(path_);
   lock();
   try {
     refuse_content(existing);
@@ -124,6 +124,7 @@ void OutputFolder::release() {
   if (descriptor_ < 0) return;
   ::unlink(lock_file_.c_str());
   ::close(std::exchange(descriptor_, -1));
+  if (made_) ::rmdir(path_.c_str());  // which fails if there is anything in it
 }
 
 void OutputFolder::refuse(const std::string& why) const { throw std::runtime_error(path_.string() + ": " + why); }

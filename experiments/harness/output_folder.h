@@ -12,7 +12,8 @@ struct Existing {
   bool resume = false;  ///< continue from the existing checkpoint
 };
 
-/// The output folder of a run, locked during the lifetime of this object.
+/// The output folder of a run, locked during the lifetime of this object. Removed at its end if it made the folder and
+/// nothing was written.
 ///
 /// The lock is a lock of the operating system (flock) on the file `.lock` in the folder; the file names the holder. The
 /// lock ends with the process, however the process ends. Child processes do not hold it, unless `share` is called. If
@@ -44,6 +45,7 @@ class OutputFolder {
 
   std::filesystem::path path_, lock_file_;
   int descriptor_ = -1;
+  bool made_ = false;  // by this object
 };
 
 }  // namespace touchstone::harness

@@ -104,11 +104,12 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-void make_folder(const std::filesystem::path& folder) {
+bool make_folder(const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  const bool made = std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw std::runtime_error(folder.string() + ": cannot be made: " + (error ? error.message() : "it is not a folder"));
+  return made;
 }
 
 }  // namespace touchstone::harness

@@ -27,7 +27,7 @@ void refuse_overwrite(const std::filesystem::path& file, bool force);
 [[nodiscard]] std::string csv_field(const std::string& text);
 
 /// Creates a folder and its parents if it does not exist, so that a folder that cannot be written to is reported before
-/// the work begins. Throws std::runtime_error, which names the folder.
-void make_folder(const std::filesystem::path& folder);
+/// the work begins. Returns whether it did not exist. Throws std::runtime_error, which names the folder.
+bool make_folder(const std::filesystem::path& folder);
 
 }  // namespace touchstone::harness

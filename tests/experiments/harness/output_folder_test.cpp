@@ -9,6 +9,7 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -85,8 +86,22 @@ auto holding(const fs::path& folder) {
 
 TEST(OutputFolder, IsMadeAndLeftWithoutAnythingOfItsOwn) {
   const Scratch scratch;
-  EXPECT_EQ(refusal(scratch.path / "a" / "b"), "");
-  EXPECT_TRUE(is_empty_folder(scratch.path / "a" / "b"));
+  const fs::path folder = scratch.path / "a" / "b";
+  {
+    const OutputFolder output(folder, "touchstone", {});
+    std::ofstream(folder / "result") << "1";
+  }
+  fs::remove(folder / "result");
+  EXPECT_TRUE(is_empty_folder(folder));
+}
+
+TEST(OutputFolder, IsRemovedOnlyIfItWasMadeAndNothingWasWritten) {
+  const Scratch scratch;
+  EXPECT_EQ(refusal(scratch.path / "made"), "");
+  EXPECT_FALSE(fs::exists(scratch.path / "made"));
+  fs::create_directory(scratch.path / "found");
+  EXPECT_EQ(refusal(scratch.path / "found"), "");
+  EXPECT_TRUE(is_empty_folder(scratch.path / "found"));
 }
 
 TEST(OutputFolder, IsHeldByOneProcessAtATimeWhichTheOthersAreTold) {
