@@ -12,7 +12,10 @@
 namespace touchstone::show {
 namespace {
 
-std::string doubles(std::int64_t count) { return count == 1 ? "1 double" : fmt::format("{} doubles", count); }
+std::string doubles(std::int64_t count) {
+  if (count > 1'000'000) return "over a million doubles";
+  return count == 1 ? "1 double" : fmt::format("{} doubles", count);
+}
 
 }  // namespace
 

@@ -38,7 +38,8 @@ struct CaseView {
 /// fault.
 [[nodiscard]] Verdict verdict_of(const CaseView& view, const cases::Method& method);
 
-/// Returns the margin as a sentence: `The ball touches: its radius is 3 doubles above the least one that touches.`
+/// Returns the margin as a sentence: `The ball touches: its radius is 3 doubles above the least one that does.`
+/// Margins of more than a million doubles are not counted.
 [[nodiscard]] std::string margin_text(const CaseView& view);
 
 }  // namespace touchstone::show

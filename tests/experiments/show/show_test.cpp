@@ -83,6 +83,11 @@ TEST(CaseView, AsksMethodsAtEveryRadius) {
   EXPECT_EQ(margin_text(shown), "The ball does not touch: its radius is 1 double below the least one that does.");
 }
 
+TEST(CaseView, CountsTheDoublesOfASmallMarginOnly) {
+  EXPECT_TRUE(has(margin_text(view({{{0.5, 0.5, 2}, workloads::move_by_doubles(2, 3)}, kSquare})), "3 doubles above"));
+  EXPECT_TRUE(has(margin_text(view({{{0.5, 0.5, 2}, 3}, kSquare})), "over a million doubles above"));
+}
+
 TEST(CaseView, SaysWhenAMethodCannotAnswer) {
   CaseView shown = view({{{0.5, 0.5, 9}, 1}, kSquare, Eigen::Vector3d(0.5, 0.5, 0)});
   EXPECT_EQ(verdict_of(shown, *methods::find_method("thesis")).fault, "cannot answer about moving balls");
