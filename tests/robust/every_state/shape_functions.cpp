@@ -118,7 +118,8 @@ std::vector<PublicFunction> shape_functions() {
       gives("BoxTree::Node::leaf",
             [](const Input& in) {
               std::vector<std::uint32_t> leaves;
-              for (const BoxTree::Node& node : BoxTree(in.boxes).nodes())
+              const BoxTree tree(in.boxes);
+              for (const BoxTree::Node& node : tree.nodes())
                 for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
                   if (node.count[lane] > 0) leaves.push_back(node.leaf(lane));
               return leaves;

@@ -10,7 +10,7 @@ constexpr double kGenerous = 1 + 1e-14, kOff = 1e-15;  // more than the rounding
 class BoundingSphere {
  public:
   struct Query {
-    explicit Query(const Ball& ball) : ball(ball), size(ball.center.cwiseAbs().sum()) {}
+    explicit Query(const Ball& asked) : ball(asked), size(asked.center.cwiseAbs().sum()) {}
     Ball ball;
     double size;
   };

@@ -70,7 +70,9 @@ TEST(BoundaryOf, ASphereIsClosedAndWithinIt) {
     const double volume = 4.0 / 3 * std::numbers::pi * 8;
     EXPECT_GT(boundary.volume.get_d(), 0);
     EXPECT_LT(boundary.volume.get_d(), volume);
-    if (sides == 10) EXPECT_GT(boundary.volume.get_d(), 0.85 * volume);
+    if (sides == 10) {
+      EXPECT_GT(boundary.volume.get_d(), 0.85 * volume);
+    }
   }
 }
 
