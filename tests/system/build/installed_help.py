@@ -14,7 +14,7 @@ def main(cmake, source, touchstone, scratch):
     scratch = pathlib.Path(scratch)
     shutil.rmtree(scratch, ignore_errors=True)
     for _ in range(2):  # also over an installation that is there
-        subprocess.run([cmake, f"-Dprogram={touchstone}", f"-Dfolder={scratch}", "-Dman=share/man", "-Ddata=share", "-P",
+        subprocess.run([cmake, f"-Dtouchstone_program={touchstone}", f"-Dfolder={scratch}", "-Dman=share/man", "-Ddata=share", "-P",
                         f"{source}/cmake/install_help.cmake"], check=True, stdout=subprocess.DEVNULL)
     pages = sorted((scratch / "share/man/man1").iterdir())
     names = [page.name for page in pages]

@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: packages.py SOURCE BUILD SCRATCH
 
-Makes the Debian packages of BUILD, a build of the preset `packages`, and uses what they hold: its shared libraries export
-what is touchstone's and nothing else, the consumer's sample builds and runs against them by find_package and by pkg-config,
-the program and the module of Python answer. A build without the program or the module is tested without them.
+Makes the Debian packages of BUILD, a build of the preset `packages`. Their shared libraries export what is touchstone's and
+nothing else. In a new, minimal Debian, which mmdebstrap makes from this machine's sources, they install, the consumer's
+sample builds and runs against them by find_package and by pkg-config, and the program and the module of Python answer. A
+build without the program or the module is tested without them.
 """
 
-import os
 import pathlib
+import platform
 import re
 import shutil
 import subprocess
 import sys
 
 SOURCE, BUILD, SCRATCH = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-ROOT = SCRATCH / "root"
-ASKS_PYTHON = "import touchstone; print(touchstone.filtered.contact([0.5, 0.25, 1, 1], touchstone.Polygon(" \
-              "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])))"
+TOOLS = "g++,cmake,ninja-build,pkg-config"
+HERE = pathlib.Path(__file__).parent
 
 
-def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **options)
+def run(*command):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -31,20 +31,27 @@ def expect(holds, message):
         sys.exit(message)
 
 
-def unpack():
-    """Makes the packages and unpacks them under ROOT. Returns their names."""
-    run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", SCRATCH / "packages")
-    names = set()
-    for package in sorted((SCRATCH / "packages").glob("*.deb")):
-        run("dpkg-deb", "-x", package, ROOT)
+def make_packages(folder):
+    """Returns their names."""
+    run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", folder)
+    shutil.rmtree(folder / "_CPack_Packages", ignore_errors=True)
+    names, files = set(), {}
+    for package in sorted(folder.glob("*.deb")):
         fields = dict(line.split(": ", 1) for line in run("dpkg-deb", "-f", package).splitlines() if ": " in line)
         print(f"{fields['Package']} {fields['Version']} needs {fields['Depends']}")
+        contents = [line.split()[5] for line in run("dpkg-deb", "-c", package).splitlines() if not line.endswith("/")]
+        for document in ("CONTRACT.md", "LICENSE-APACHE"):
+            expect(any(path.endswith(document) for path in contents), f"{package.name} does not hold {document}")
+        for path in contents:
+            other = files.setdefault(path, package.name)
+            expect(other == package.name, f"{other} and {package.name} hold {path}")
         names.add(fields["Package"])
     return names
 
 
-def check_exports():
-    shared = sorted((ROOT / "usr/lib").rglob("libtouchstone_*.so.?.?.?"))
+def check_exports(package):
+    run("dpkg-deb", "-x", package, SCRATCH / "library")
+    shared = sorted((SCRATCH / "library/usr/lib").rglob("libtouchstone_*.so.?.?.?"))
     expect(len(shared) == 2, f"expected two shared libraries, found {shared}")
     for library in shared:
         symbols = re.findall(r"[TDBRVWu] (\w+)", run("nm", "-D", "--defined-only", library))
@@ -54,43 +61,47 @@ def check_exports():
         print(f"{library.name} exports {len(symbols)} symbols, all of touchstone")
 
 
-def check_consumer(environment):
-    """Builds the README's sample by find_package and by pkg-config."""
-    readme = (SOURCE / "README.md").read_text()
-    (SCRATCH / "sample.cpp").write_text(re.search(r"```cpp\n(.*?)```", readme, re.DOTALL)[1])
-    (SCRATCH / "whole.cpp").write_text("#include <touchstone/touchstone.h>\n" + (SCRATCH / "sample.cpp").read_text())
-    promised = re.search(r"prints `([^`]*)`", readme)[1]
-    run("cmake", "-S", SOURCE / "tests/system/consumer", "-B", SCRATCH / "consumer", "-G", "Ninja", f"-DSAMPLE={SCRATCH}/sample.cpp",
-        f"-DCMAKE_PREFIX_PATH={ROOT}/usr")
-    run("cmake", "--build", SCRATCH / "consumer")
-    found = run(SCRATCH / "consumer/sample", env=environment).strip()
-    expect(found == promised, f"by find_package the sample prints {found}, not {promised}")
-    pkg_config = next(ROOT.rglob("touchstone.pc")).parent
-    flags = run("pkg-config", "--cflags", "--libs", "touchstone", env={**environment, "PKG_CONFIG_PATH": str(pkg_config)}).split()
-    run("c++", "-std=c++20", "-O1", SCRATCH / "whole.cpp", *flags, "-o", SCRATCH / "by_pkg_config")
-    found = run(SCRATCH / "by_pkg_config", env=environment).strip()
-    expect(found == promised, f"by pkg-config the sample prints {found}, not {promised}")
-    print("the sample builds and runs by find_package and by pkg-config")
+def sources():
+    """The files from which apt installs on this machine."""
+    folder = pathlib.Path("/etc/apt")
+    return [path for path in [folder / "sources.list", *sorted((folder / "sources.list.d").glob("*.*"))]
+            if path.exists() and path.suffix in (".list", ".sources")]
+
+
+def use_in_clean_root(given):
+    """What in_clean_root.sh answers in a new Debian with the folder `given` in it, by what was asked."""
+    answers = SCRATCH / "answers"
+    run("mmdebstrap", "--variant=minbase", "--format=null", "--quiet", f"--include={TOOLS}",
+        f"--customize-hook=copy-in {given} /",
+        f"--customize-hook=chroot \"$1\" sh /input/in_clean_root.sh >'{answers}'",
+        platform.freedesktop_os_release()["VERSION_CODENAME"], "/dev/null", *sources())
+    return dict(line.split(": ", 1) for line in answers.read_text().splitlines())
 
 
 def main():
     shutil.rmtree(SCRATCH, ignore_errors=True)
-    SCRATCH.mkdir(parents=True)
-    names = unpack()
-    expect({"libtouchstone-dev", "libtouchstone0.2"} <= names, f"made are {sorted(names)}")
-    libraries = next(ROOT.rglob("libtouchstone_robust.so.*")).parent
-    environment = {**os.environ, "LD_LIBRARY_PATH": str(libraries)}
-    check_exports()
-    check_consumer(environment)
-    for document in ("CONTRACT.md", "LICENSE-APACHE"):
-        expect(list((ROOT / "usr/share/doc").rglob(document)), f"no package holds {document}")
+    given = SCRATCH / "input"
+    given.mkdir(parents=True)
+    names = make_packages(given / "packages")
+    library = next(iter((given / "packages").glob("libtouchstone0*.deb")), None)
+    expect({"libtouchstone-dev", "libtouchstone0.2"} <= names and library, f"made are {sorted(names)}")
+    check_exports(library)
+
+    readme = (SOURCE / "README.md").read_text()
+    (given / "sample.cpp").write_text(re.search(r"```cpp\n(.*?)```", readme, re.DOTALL)[1])
+    shutil.copytree(SOURCE / "tests/system/consumer", given / "consumer")
+    shutil.copy(SOURCE / "tests/corpus/vertex.jsonl", given / "cases.jsonl")
+    shutil.copy(HERE / "in_clean_root.sh", given)
+    promised = re.search(r"prints `([^`]*)`", readme)[1]
+    wanted = {"by find_package": promised, "by pkg-config": promised}
     if "touchstone" in names:
-        expect("usage" in run(ROOT / "usr/bin/touchstone", "--help", env=environment).lower(), "the program has no help")
-        print("the program runs")
+        wanted["program"] = "agrees with the corpus"
     if "python3-touchstone" in names:
-        modules = {**environment, "PYTHONPATH": f"{ROOT}/usr/lib/python3/dist-packages"}
-        expect(run("/usr/bin/python3", "-c", ASKS_PYTHON, env=modules).strip() == "True", "the module gives a wrong answer")
-        print("the module of Python answers")
+        wanted["module"] = "True"
+    answers = use_in_clean_root(given)
+    for what, answer in wanted.items():
+        expect(answers.get(what) == answer, f"in a clean root, {what} answers {answers.get(what)}, not {answer}")
+        print(f"in a clean root, {what}: {answer}")
 
 
 if __name__ == "__main__":
