@@ -72,7 +72,8 @@ Member study_home(const Linkage& linkage, const LinkAngles& home) {
 std::size_t free_parameters() { return kParameters.size() + 1; }  // and the storage's height
 
 std::uint64_t layout_work(HomeSteps steps) {
-  const std::size_t grid = 2 * kHomeReach / steps.grid + 1, line = 2 * kHomeReach / steps.line + 1;
+  const auto grid = static_cast<std::size_t>(2 * kHomeReach / steps.grid + 1);
+  const auto line = static_cast<std::size_t>(2 * kHomeReach / steps.line + 1);
   return kCouplings.size() * kHands.size() * (grid * grid + line) + free_parameters() + 2 * (kAngles + kHeights);
 }
 

@@ -60,7 +60,7 @@ class BroadPhaseScene : public BuiltScene {
       return false;
     });
     std::ranges::sort(candidates_);
-    candidates_.erase(std::ranges::unique(candidates_).begin(), candidates_.end());
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
     triangles.clear();
     for (const std::uint32_t i : candidates_)
       if (fast::contact(ball, triangles_[i])) triangles.push_back(i);

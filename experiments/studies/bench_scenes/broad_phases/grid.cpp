@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-
 #include "experiments/studies/bench_scenes/broad_phases/broad_phase.h"
 
 namespace touchstone::bench_scenes {
@@ -50,6 +48,8 @@ class Grid {
   }
 
  private:
+  using Cell = Eigen::Matrix<long, 3, 1>;
+
   [[nodiscard]] long place(double x, int i) const {
     const double size = whole_.high[i] - whole_.low[i];
     if (!(size > 0)) return 0;
@@ -58,7 +58,7 @@ class Grid {
   }
   template <class Visit>
   void each_cell(const Box& box, const Visit& visit) const {
-    std::array<long, 3> low{}, high{};
+    Cell low, high;
     for (int i = 0; i < 3; ++i) low[i] = place(box.low[i], i), high[i] = place(box.high[i], i);
     for (long x = low[0]; x <= high[0]; ++x)
       for (long y = low[1]; y <= high[1]; ++y)
@@ -68,7 +68,7 @@ class Grid {
 
   std::vector<Box> boxes_;
   Box whole_;
-  std::array<long, 3> counts_{1, 1, 1};
+  Cell counts_{1, 1, 1};
   std::vector<std::size_t> begin_;  // of each cell's numbers
   std::vector<std::uint32_t> numbers_;
 };
