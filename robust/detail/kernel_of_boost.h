@@ -6,6 +6,7 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
+#include <utility>
 
 #include "robust/detail/integers.h"
 
@@ -103,6 +104,8 @@ inline Vector_3 cross_product(const Vector_3& a, const Vector_3& b) {
 }
 
 struct Point_2 {
+  Point_2(Mpzf at_x, Mpzf at_y) : x(std::move(at_x)), y(std::move(at_y)) {}
+
   Mpzf x, y;
 };
 using Point_3 = Vector_3;

@@ -42,7 +42,7 @@ def answers(source, scratch, compiler, name, *libraries):
 
 
 def main():
-    source, scratch = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    source, scratch = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     compiler, full = sys.argv[3], sys.argv[4:6]
     build = scratch / "build"
     shutil.rmtree(scratch, ignore_errors=True)
