@@ -24,7 +24,7 @@ function spacing(x) {
 
 /// All doubles from `low` to `high`; nothing if there are more than `most`.
 function doublesBetween(low, high, most) {
-  if (rank(high) - rank(low) >= BigInt(most)) return null;
+  if (rank(high) - rank(low) >= BigInt(Math.floor(most))) return null;
   const list = [];
   for (let x = low; x <= high; x = neighbour(x)) list.push(x);
   return list;

@@ -54,6 +54,12 @@ class Engine {
     return this.wasm.take_polygon(loops.length) ? "" : this.refusal();
   }
 
+  /// Takes a case. Returns why it is refused, the first reason in the contract's order, or "".
+  take({loops, ball, to}) {
+    const finite = [...loops.flat(2), ...ball.center, ball.radius, ...(to || [])].every(Number.isFinite);
+    return finite ? this.checkBall(ball, to) || this.takePolygon(loops) : "not-finite: a number is beyond the finite doubles";
+  }
+
   /// Returns why the ball, and where it moves to, is refused, or "".
   checkBall({center, radius}, to) {
     this.put([...center, radius, ...(to || [])]);
@@ -80,7 +86,7 @@ class Engine {
     this.wasm.first_contact(exact ? 1 : 0);
     const n = Array.from(this.numbers()), first = FIRSTS[n[0]];
     if (first === "none") return {contact: false, first, time: null, momentary: null, feature: null, point: null};
-    return {contact: true, first, time: n[1], momentary: n[2] === 1, feature: feature(n[3], n[4]), point: n.slice(5, 8)};
+    return {contact: true, first, time: n[1], momentary: first === "way" ? n[2] === 1 : null, feature: feature(n[3], n[4]), point: n.slice(5, 8)};
   }
 
   /// Returns a colour for each centre: the certified answer (0 yes or inside, 1 boundary, 2 no or outside), 4 if fast

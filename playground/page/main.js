@@ -7,7 +7,7 @@ let engine, map, state, plane, view, answers = null, drawn = null, drawPending =
 /// Takes a polygon and a ball; refuses what the contract refuses, and then keeps what was there.
 function take({loops, ball, to, view: wanted, question, map: mapped}) {
   const asked = ball ?? ballFor(loops);
-  const refusal = engine.checkBall(asked, to) || engine.takePolygon(loops);
+  const refusal = engine.take({loops, ball: asked, to});
   if (refusal) {
     if (state) engine.takePolygon(state.loops);
     return refuse(refusal);
