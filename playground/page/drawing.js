@@ -26,7 +26,7 @@ function drawDots(pencil, view) {
   if (!dots) return;
   pencil.fillStyle = colourOf("--dot");
   const xs = dots[0].map((a) => view.x(a)), ys = dots[1].map((b) => view.y(b));
-  const size = Math.min(6, Math.max(2, (xs[1] - xs[0]) / 8));
+  const size = Math.min(6, Math.max(1.5, Math.min(xs[1] - xs[0], ys[0] - ys[1]) / 3));
   for (const y of ys) for (const x of xs) pencil.fillRect(x - size / 2, y - size / 2, size, size);
 }
 

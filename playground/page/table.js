@@ -40,5 +40,5 @@ function summaryOf(answers) {
   const wrong = (method) => ["contact", "foot"].filter((key) => differs(answers[method][key], answers.filtered[key]));
   const say = (method) => wrong(method).length ? `${method} differs in ${wrong(method).join(" and ")}` : `${method} agrees`;
   return `Certified: ${answers.filtered.relation}, foot ${answers.filtered.foot}, decided in stage ${answers.filtered.stage}. ` +
-    `On contact and foot ${say("fast")}, ${say("thesis")}; exact ${differs({...answers.exact, stage: 0}, {...answers.filtered, stage: 0}) ? "DIFFERS" : "agrees"}.`;
+    `On contact and foot, ${say("fast")}, ${say("thesis")}; exact ${differs({...answers.exact, stage: 0}, {...answers.filtered, stage: 0}) ? "DIFFERS" : "agrees"}.`;
 }

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library with TOUCHSTONE_EXACT=OFF and TOUCHSTONE_TBB=OFF needs Boost and Eigen alone, and answers the same.
 
-Usage: without_exact.py SOURCE SCRATCH COMPILER ROBUST GEOMETRY
+Usage: without_exact.py SOURCE SCRATCH COMPILER BUILD
 
 Configures where CMake may not find CGAL, GMP, MPFR and TBB, and builds: no compiled file includes a header of theirs, and
 no object needs a symbol of theirs. tests/system/matrix/answers.cpp prints the same hash of 2,000 questions as with the
-libraries ROBUST and GEOMETRY of the full build. Then the consumer of tests/system/consumer uses the installed package.
+libraries of the full build in the folder BUILD. Then the consumer of tests/system/consumer uses the installed package.
 What cannot be built without them is refused with a sentence.
 """
 
@@ -43,7 +43,7 @@ def answers(source, scratch, compiler, name, *libraries):
 
 def main():
     source, scratch = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
-    compiler, full = sys.argv[3], sys.argv[4:6]
+    compiler, full = sys.argv[3], [f"{sys.argv[4]}/{name}/libtouchstone_{name}.a" for name in ("robust", "geometry")]
     build = scratch / "build"
     shutil.rmtree(scratch, ignore_errors=True)
     run(*configuration(source, build, compiler))
