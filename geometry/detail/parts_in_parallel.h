@@ -10,8 +10,8 @@
 namespace touchstone {
 
 /// Calls f(begin, end) for parts of [0, count) of about `at_once` numbers or more, on all cores. Each core has the
-/// rounding mode with which TBB started it, so `f` must set its own. Without TBB (TOUCHSTONE_TBB=OFF) there is one part,
-/// and the caller's thread works on it.
+/// rounding mode with which TBB started it, so `f` must set its own. Without TBB (TOUCHSTONE_TBB=OFF) there is one
+/// part, and the caller's thread works on it.
 template <class F>
 void parts_in_parallel(std::size_t count, [[maybe_unused]] std::size_t at_once, const F& f) {
 #if defined(TOUCHSTONE_WITHOUT_TBB)

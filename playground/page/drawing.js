@@ -30,23 +30,33 @@ function drawDots(pencil, view) {
   for (const y of ys) for (const x of xs) pencil.fillRect(x - size / 2, y - size / 2, size, size);
 }
 
-function outline(pencil, view, plane, loop) {
-  loop.forEach((p, i) => pencil[i ? "lineTo" : "moveTo"](near(view.x(p[plane.a])), near(view.y(p[plane.b]))));
-  pencil.closePath();
-}
-
 /// Canvases draw badly far outside of themselves.
 function near(pixels) {
   return Math.min(Math.max(pixels, -1e7), 1e7);
 }
 
-function drawLoops(pencil, view, plane, loops, mapped) {
+function line(pencil, view, plane, p, q) {
+  const [start, end] = segmentOf(view, [p[plane.a], p[plane.b]], [q[plane.a], q[plane.b]]);
+  pencil.moveTo(...start);
+  pencil.lineTo(...end);
+}
+
+function fillFace(pencil, view, plane, loops) {
+  const pixels = loops.map((loop) => loop.map((p) => [view.x(p[plane.a]), view.y(p[plane.b])]));
+  if (!pixels.flat(2).every((each) => Math.abs(each) < FAR)) return;  // the outline alone shows the polygon
   pencil.beginPath();
-  for (const loop of loops) outline(pencil, view, plane, loop);
-  if (!mapped) {
-    pencil.fillStyle = colourOf("--face");
-    pencil.fill("evenodd");
+  for (const loop of pixels) {
+    loop.forEach((p, i) => pencil[i ? "lineTo" : "moveTo"](...p));
+    pencil.closePath();
   }
+  pencil.fillStyle = colourOf("--face");
+  pencil.fill("evenodd");
+}
+
+function drawLoops(pencil, view, plane, loops, mapped) {
+  if (!mapped) fillFace(pencil, view, plane, loops);
+  pencil.beginPath();
+  for (const loop of loops) loop.forEach((p, i) => line(pencil, view, plane, p, loop[(i + 1) % loop.length]));
   pencil.lineWidth = 1.75, pencil.strokeStyle = colourOf("--ink");
   pencil.stroke();
   pencil.fillStyle = colourOf("--ink");
@@ -63,10 +73,8 @@ function drawLoops(pencil, view, plane, loops, mapped) {
 function drawEdge(pencil, view, plane, loops, edge) {
   const loop = loops.find((each) => edge < each.length || ((edge -= each.length), false));
   if (!loop) return;
-  const [p, q] = [loop[edge], loop[(edge + 1) % loop.length]];
   pencil.beginPath();
-  pencil.moveTo(near(view.x(p[plane.a])), near(view.y(p[plane.b])));
-  pencil.lineTo(near(view.x(q[plane.a])), near(view.y(q[plane.b])));
+  line(pencil, view, plane, loop[edge], loop[(edge + 1) % loop.length]);
   pencil.stroke();
 }
 
@@ -81,8 +89,7 @@ function drawTrace(pencil, drawn) {
 
 function drawWay(pencil, view, plane, from, to) {
   pencil.beginPath();
-  pencil.moveTo(near(view.x(from[plane.a])), near(view.y(from[plane.b])));
-  pencil.lineTo(near(view.x(to[plane.a])), near(view.y(to[plane.b])));
+  line(pencil, view, plane, from, to);
   pencil.lineWidth = 2, pencil.setLineDash([2, 5]), pencil.strokeStyle = colourOf("--ball");
   pencil.stroke();
   pencil.setLineDash([]);

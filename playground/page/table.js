@@ -29,6 +29,7 @@ function showAnswers(body, answers) {
       cell.dataset.method = method, cell.dataset.key = key;
       cell.textContent = (wrong ? "≠ " : "") + wordsOf(answers[method][key]);
       cell.classList.toggle("differs", wrong);
+      cell.classList.toggle("number", ["distance", "point", "off_plane"].includes(key));
       return cell;
     }));
     return row;

@@ -10,7 +10,7 @@
 
 #include "robust/detail/integers.h"
 
-/// What CGAL's kernel Simple_cartesian<Mpzf> gives, by the same names: see CGAL's manual.
+/// A stand-in for CGAL's kernel Simple_cartesian<Mpzf>, by the same names: see CGAL's manual.
 namespace touchstone::kernel_of_boost {
 
 enum Sign { NEGATIVE = -1, ZERO = 0, POSITIVE = 1, SMALLER = NEGATIVE, EQUAL = ZERO, LARGER = POSITIVE };

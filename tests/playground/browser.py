@@ -199,6 +199,15 @@ def doubles_are_dots(page):
     counts = page.script("return map.counts")
     expect(counts["thesis"] > 0 and counts["pixels"] > 10000, f"near a corner nobody differs: {counts}")
 
+    # The line between doubles that lie beyond the window, through one that is half-way between them.
+    off = page.script("""
+      const m = [1.1, 0.7], far = new View({a: neighbour(m[0], 2), b: neighbour(m[1], -1), scale: 80 * 2 ** 52});
+      [far.width, far.height] = [600, 400];
+      const [[x, y], [u, v]] = segmentOf(far, [m[0] - 0.5, m[1] - 0.25], [m[0] + 0.5, m[1] + 0.25]);
+      const [dx, dy] = [u - x, v - y], [mx, my] = [far.x(m[0]), far.y(m[1])];
+      return [Math.abs((mx - x) * dy - (my - y) * dx) / Math.hypot(dx, dy), dx / dy];""")
+    expect(off[0] < 0.01 and abs(off[1] + 2) < 1e-9, f"the line passes {off[0]} pixels from its middle, in the direction {off[1]}")
+
     # Each painted pixel is what the methods answer there.
     same = page.script("""
       const pencil = map.canvas.getContext("2d"), colours = {}, style = getComputedStyle(document.documentElement);
@@ -220,7 +229,9 @@ def doubles_are_dots(page):
       return wrong;""")
     expect(not same, f"the map is wrong at {same[:5]} and {len(same)} pixels in all")
 
-    # The address brings back the same numbers.
+    # The address brings back the same numbers, of many digits, too.
+    page.script("take({loops: [[[1 / 3, 0, 0.1], [5, 1 / 7, 0.1], [2 / 3, 4, 0.1]], [[1, 1 / 0.7, 0.1], [1.1, 1, 0.1], [1.3, 4 / 3, 0.1]]],"
+                "ball: {center: [4 / 3, 1 / 9, 5e-324], radius: 1e-17 / 3}})")
     link, state = page.script("return location.hash"), page.state()
     page.open(link)
     expect(page.state() == state, f"the address gives {page.state()}, not {state}")

@@ -18,6 +18,8 @@ BUGS = [
     ("the map is painted half a window away", "centers.set(plane.point(middle(order.a, i)", "centers.set(plane.point(middle(order.a, i >> 1)"),
     ("fast and thesis are exchanged in the map", '["--fast", "--thesis", "--both"]', '["--thesis", "--fast", "--both"]'),
     ("a hole is filled", "const loops = [polygon.outer, ...(polygon.holes ?? [])];", "const loops = [polygon.outer];"),
+    ("lines beyond the window are drawn from rounded ends", "if (ends.flat().every((pixels) => Math.abs(pixels) < FAR)) return ends;",
+     "return ends.map((end) => end.map((pixels) => Math.min(Math.max(pixels, -FAR), FAR)));"),
     ("the ball is dragged upside down", "this.b - (y - this.height / 2 + this.restB) / this.scale",
      "this.b + (y - this.height / 2 + this.restB) / this.scale"),
 ]

@@ -74,7 +74,7 @@ def main():
         sys.exit(f"without_exact: touchstone.pc says\n{flags}")
 
     for part in ("EXPERIMENTS", "TESTS", "PYTHON"):
-        refused = subprocess.run(configuration(source, scratch / "refused", compiler, f"-DTOUCHSTONE_{part}=ON"),
+        refused = subprocess.run(configuration(source, scratch / part, compiler, f"-DTOUCHSTONE_{part}=ON"),
                                  capture_output=True, text=True)
         if refused.returncode == 0 or f"TOUCHSTONE_{part}=ON needs TOUCHSTONE_EXACT=ON" not in refused.stderr:
             sys.exit(f"without_exact: TOUCHSTONE_{part}=ON is not refused: {refused.stderr}")
