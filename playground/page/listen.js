@@ -78,8 +78,8 @@ function listenToFields() {
   for (const id of ["x", "y", "z", "radius"])
     at(id).addEventListener("change", () => setBall({center: [number("x"), number("y"), number("z")], radius: number("radius")}));
   at("lift-slider").addEventListener("input", () => {
-    const {center} = state.ball;
-    setBall({...state.ball, center: plane.point(center[plane.a], center[plane.b], sizeOf(state.loops) * number("lift-slider"))});
+    const {center} = state.ball, lift = sizeOf(state.loops) * number("lift-slider");
+    setBall({...state.ball, center: plane.point(center[plane.a], center[plane.b], lift)}, {lift});
   });
   at("radius-slider").addEventListener("input", () => setBall({...state.ball, radius: sizeOf(state.loops) * number("radius-slider")}));
   at("less").addEventListener("click", () => setBall({...state.ball, radius: Math.max(0, neighbour(state.ball.radius, -1))}));

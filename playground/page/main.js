@@ -14,6 +14,7 @@ function take({loops, ball, to, view: wanted, question, map: mapped}) {
   }
   state = {loops, ball: asked, to, question: question ?? state?.question ?? "contact", map: mapped ?? state?.map ?? true};
   plane = new SeenPlane(loops);
+  state.lift = plane.liftOf(asked.center);
   const box = at("window").getBoundingClientRect();
   view = wanted ? new View(wanted) : View.around(loops.flat(), plane, box.width, box.height);
   at("question").value = state.question, at("mapped").checked = state.map;
@@ -51,7 +52,7 @@ function changed({window = true} = {}) {
   ball.center.forEach((x, axis) => (at("xyz"[axis]).value = x));
   at("radius").value = ball.radius;
   const size = sizeOf(loops);
-  at("lift-slider").value = Math.max(-1, Math.min(1, plane.liftOf(ball.center) / size));
+  at("lift-slider").value = Math.max(-1, Math.min(1, state.lift / size));
   at("radius-slider").value = Math.max(0, Math.min(1, ball.radius / size));
   if (window) repaint();
   draw();
@@ -64,7 +65,7 @@ function firstWords({first, time, momentary, feature: met, point}) {
 
 function repaint() {
   if (!state.map) return map.stop();
-  map.order({...state, radius: state.ball.radius, lift: plane.liftOf(state.ball.center), view});
+  map.order({...state, radius: state.ball.radius, view});
 }
 
 function draw() {
@@ -100,22 +101,22 @@ function resize() {
 /// Puts the ball's centre over a pixel; its height over the plane stays.
 function moveBall(x, y) {
   const [a, b] = view.at(x, y);
-  setBall({...state.ball, center: plane.point(a, b, plane.liftOf(state.ball.center))}, {window: false});
+  setBall({...state.ball, center: plane.point(a, b, state.lift)}, {window: false, lift: state.lift});
 }
-function setBall(ball, options) {
+function setBall(ball, {window, lift = plane.liftOf(ball.center)} = {}) {
   const refusal = engine.checkBall(ball, state.to);
   if (!refuse(refusal)) return;
-  state.ball = ball;
+  Object.assign(state, {ball, lift});
   at("pasted").value = caseText(state);
-  changed(options);
+  changed({window});
 }
 /// Moves the ball by doubles, or by pixels where a double is less than one.
 function stepBall(da, db, one) {
   const {center} = state.ball, moved = [...center];
-  const lift = plane.liftOf(center), by = (x, steps) => (one || view.dots() ? neighbour(x, steps) : x + 8 * steps / view.scale);
+  const {lift} = state, by = (x, steps) => (one || view.dots() ? neighbour(x, steps) : x + 8 * steps / view.scale);
   if (da) moved[plane.a] = by(center[plane.a], da);
   if (db) moved[plane.b] = by(center[plane.b], db);
-  setBall({...state.ball, center: plane.point(moved[plane.a], moved[plane.b], lift)}, {window: false});
+  setBall({...state.ball, center: plane.point(moved[plane.a], moved[plane.b], lift)}, {window: false, lift});
 }
 
 function zoomAt(factor, x, y) {

@@ -217,7 +217,7 @@ def doubles_are_dots(page):
         colours[name] = probe.getImageData(0, 0, 1, 1).data.slice(0, 3).join();
       }
       engine.takePolygon(state.loops);
-      const lift = plane.liftOf(state.ball.center), wrong = [];
+      const {lift} = state, wrong = [];
       for (let i = 0; i < 400; ++i) {
         const x = 2 * Math.floor((i * 7919) % view.width / 2), y = 2 * Math.floor((i * 104729) % view.height / 2);
         const a = view.at(x + 1.5, 0)[0], b = view.at(0, y + 1.5)[1];
@@ -280,6 +280,7 @@ def whole_page(html, pictures, name, **arguments):
             expect(small == 0, f"{small} buttons are too small for a finger")
             page.script("scrollTo(0, document.querySelector('table').getBoundingClientRect().top + scrollY - 60)")
             page.picture(name + "-answers")
+            expect(page.script("const e = document.querySelector('.scroll'); return e.scrollWidth <= e.clientWidth"), "a column is cut off")
             page.script("scrollTo(0, 0)")
             x, y = page.place(*page.state()["center"][:2])
             for kind, dx in (("touchStart", 0), ("touchMove", -20), ("touchMove", -60), ("touchEnd", None)):
