@@ -2,6 +2,8 @@
 # touchstone_cgal: how every target of the project that includes CGAL's headers is compiled and linked.
 #
 # CGAL is header-only. Its intervals need -frounding-math where the compiler has it.
+find_package(GMP REQUIRED)
+find_package(MPFR REQUIRED)
 find_package(CGAL 5.5 REQUIRED)
 add_library(touchstone_cgal INTERFACE)
 target_compile_definitions(touchstone_cgal INTERFACE CGAL_USE_GMP CGAL_USE_MPFR)

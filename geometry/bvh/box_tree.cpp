@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/bvh/box_tree.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,6 +9,7 @@
 #include <limits>
 
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 
 namespace touchstone {
 namespace {
@@ -47,10 +45,9 @@ float rounded_up(double x) { return -rounded_down(-x); }
 /// which may differ from the caller's.
 template <class F>
 void for_each_number(std::size_t count, std::size_t at_once, const F& f) {
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, count, at_once), [&](const Range& range) {
+  parts_in_parallel(count, at_once, [&f](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) f(i);
+    for (std::size_t i = begin; i < end; ++i) f(i);
   });
 }
 

@@ -20,8 +20,8 @@ struct Squared {
   Number numerator, denominator;
 };
 
-CGAL::Comparison_result compare(const Squared& a, const Squared& b) {
-  return CGAL::compare(a.numerator * b.denominator, b.numerator * a.denominator);
+kernel::Comparison_result compare(const Squared& a, const Squared& b) {
+  return kernel::compare(a.numerator * b.denominator, b.numerator * a.denominator);
 }
 
 /// A ball in the scaled space of a polygon.
@@ -29,7 +29,7 @@ struct Query {
   Query(const Ball& ball, const PreparedPolygon& prepared)
       : polygon(lifted(prepared)),
         center(polygon.scale * vector(required(ball).center)),
-        radius_squared(CGAL::square(polygon.scale * Number(ball.radius))),
+        radius_squared(kernel::square(polygon.scale * Number(ball.radius))),
         height(polygon.normal * (center - polygon.vertices[0])) {}
 
   const Lifted& polygon;
@@ -37,13 +37,13 @@ struct Query {
   Number radius_squared;
   Number height;  // s = N.(c - g)
 
-  [[nodiscard]] Squared plane_distance() const { return {CGAL::square(height), polygon.normal_squared}; }
+  [[nodiscard]] Squared plane_distance() const { return {kernel::square(height), polygon.normal_squared}; }
   [[nodiscard]] Squared vertex_distance(std::size_t i) const {
     return {(center - polygon.vertices[i]).squared_length(), Number(1)};
   }
   /// Returns SMALLER, EQUAL or LARGER for distance < r, = r or > r.
-  [[nodiscard]] CGAL::Comparison_result against_radius(const Squared& distance) const {
-    return CGAL::compare(distance.numerator, radius_squared * distance.denominator);
+  [[nodiscard]] kernel::Comparison_result against_radius(const Squared& distance) const {
+    return kernel::compare(distance.numerator, radius_squared * distance.denominator);
   }
 };
 
@@ -58,11 +58,11 @@ struct EdgeView {
   Vector direction, from_start;
   Number along, length_squared;  // the foot on the line is start + (along / length_squared) direction
 
-  [[nodiscard]] bool before() const { return !CGAL::is_positive(along); }
+  [[nodiscard]] bool before() const { return !kernel::is_positive(along); }
   [[nodiscard]] bool after() const { return along >= length_squared; }
   [[nodiscard]] bool between() const { return !before() && !after(); }
   [[nodiscard]] Squared line_distance() const {
-    return {CGAL::cross_product(from_start, direction).squared_length(), length_squared};
+    return {kernel::cross_product(from_start, direction).squared_length(), length_squared};
   }
 };
 
@@ -74,8 +74,8 @@ Squared edge_distance(const Query& query, std::size_t i) {
 }
 
 PlaneSide plane_side(const Query& query) {
-  if (query.against_radius(query.plane_distance()) != CGAL::LARGER) return PlaneSide::Intersects;
-  return CGAL::is_positive(query.height) ? PlaneSide::InFront : PlaneSide::Behind;
+  if (query.against_radius(query.plane_distance()) != kernel::LARGER) return PlaneSide::Intersects;
+  return kernel::is_positive(query.height) ? PlaneSide::InFront : PlaneSide::Behind;
 }
 
 /// The signs of the foot, which is q = c - (s / N.N) N. Comparisons use N.N q, so nothing is divided.
@@ -86,16 +86,16 @@ class FootSigns {
         v_((query.polygon.dropped_axis + 2) % 3),
         foot_v_(query.polygon.normal_squared * query.center[v_] - query.height * query.polygon.normal[v_]) {}
 
-  [[nodiscard]] CGAL::Sign above(std::size_t i) const {
-    return CGAL::compare(query_.polygon.normal_squared * query_.polygon.vertices[i][v_], foot_v_);
+  [[nodiscard]] kernel::Sign above(std::size_t i) const {
+    return kernel::compare(query_.polygon.normal_squared * query_.polygon.vertices[i][v_], foot_v_);
   }
-  [[nodiscard]] CGAL::Sign side(std::size_t i) const {
+  [[nodiscard]] kernel::Sign side(std::size_t i) const {
     const EdgeView edge(query_, i);
-    return CGAL::sign(query_.polygon.normal * CGAL::cross_product(edge.direction, edge.from_start));
+    return kernel::sign(query_.polygon.normal * kernel::cross_product(edge.direction, edge.from_start));
   }
   [[nodiscard]] bool covers(std::size_t i) const {
     const EdgeView edge(query_, i);
-    return !CGAL::is_negative(edge.along) && edge.along <= edge.length_squared;
+    return !kernel::is_negative(edge.along) && edge.along <= edge.length_squared;
   }
 
  private:
@@ -109,7 +109,7 @@ PointLocation foot(const Query& query) { return locate(query.polygon, FootSigns(
 std::vector<std::size_t> edges_hit(const Query& query) {
   std::vector<std::size_t> hit;
   for (std::size_t i = 0; i < query.polygon.vertices.size(); ++i)
-    if (query.against_radius(edge_distance(query, i)) != CGAL::LARGER) hit.push_back(i);
+    if (query.against_radius(edge_distance(query, i)) != kernel::LARGER) hit.push_back(i);
   return hit;
 }
 
@@ -117,7 +117,7 @@ std::vector<std::size_t> edges_hit(const Query& query) {
 std::pair<Feature, Squared> nearest_on_boundary(const Query& query) {
   std::optional<std::pair<Feature, Squared>> nearest;
   const auto consider = [&nearest](Feature feature, const Squared& distance) {
-    if (!nearest || compare(distance, nearest->second) == CGAL::SMALLER) nearest = {feature, distance};
+    if (!nearest || compare(distance, nearest->second) == kernel::SMALLER) nearest = {feature, distance};
   };
   const std::size_t count = query.polygon.vertices.size();
   for (std::size_t i = 0; i < count; ++i)
@@ -133,8 +133,8 @@ std::pair<Feature, Squared> nearest_feature(const Query& query, PointLocation pl
 
 Relation relation(const Query& query, const Squared& distance) {
   switch (query.against_radius(distance)) {
-    case CGAL::SMALLER: return Relation::Overlapping;
-    case CGAL::EQUAL: return Relation::Touching;
+    case kernel::SMALLER: return Relation::Overlapping;
+    case kernel::EQUAL: return Relation::Touching;
     default: return Relation::Separate;
   }
 }
@@ -210,13 +210,13 @@ Answer answer(const Ball& ball, const PreparedPolygon& polygon) {
   const auto [feature, distance] = nearest_feature(query, place);
   return {
       .plane = plane_side(query),
-      .plane_tangent = query.against_radius(query.plane_distance()) == CGAL::EQUAL,
+      .plane_tangent = query.against_radius(query.plane_distance()) == kernel::EQUAL,
       .foot = place,
       .edges_hit = edges_hit(query),
       .relation = relation(query, distance),
       .nearest = feature,
       .point = closest_point(query, feature),
-      .distance = rounded(distance.numerator, distance.denominator * CGAL::square(query.polygon.scale), nearest_root),
+      .distance = rounded(distance.numerator, distance.denominator * kernel::square(query.polygon.scale), nearest_root),
       .off_plane = query.polygon.off_plane};
 }
 
@@ -234,7 +234,7 @@ int compare_distances(const Ball& ball, const PreparedPolygon& first, const Prep
   const auto distance = [&ball](const PreparedPolygon& polygon) {
     const Query query(ball, polygon);
     Squared squared = nearest_feature(query, foot(query)).second;
-    squared.denominator = squared.denominator * CGAL::square(query.polygon.scale);
+    squared.denominator = squared.denominator * kernel::square(query.polygon.scale);
     return squared;
   };
   return compare(distance(first), distance(second));

@@ -21,7 +21,7 @@ struct Moving {
       : polygon(lifted_polygon),
         center(polygon.scale * vector(motion.ball.center)),
         velocity(polygon.scale * vector(motion.to) - center),
-        radius_squared(CGAL::square(polygon.scale * Number(motion.ball.radius))),
+        radius_squared(kernel::square(polygon.scale * Number(motion.ball.radius))),
         height{polygon.normal * (center - polygon.vertices[0]), polygon.normal * velocity} {}
 
   const Lifted& polygon;
@@ -41,14 +41,14 @@ struct Moving {
 std::optional<SmallerRoot> plane_time(const Moving& moving) {
   const auto& [s, change] = moving.height;
   return SmallerRoot::within_unit_interval(
-      {CGAL::square(change), s * change, CGAL::square(s) - moving.radius_squared * moving.polygon.normal_squared});
+      {kernel::square(change), s * change, kernel::square(s) - moving.radius_squared * moving.polygon.normal_squared});
 }
 
 /// The time at which the centre's distance from an edge's line becomes r.
 std::optional<SmallerRoot> line_time(const Moving& moving, std::size_t edge) {
   const Vector direction = moving.edge(edge);
-  const Vector moment = CGAL::cross_product(moving.from(edge), direction),
-               change = CGAL::cross_product(moving.velocity, direction);
+  const Vector moment = kernel::cross_product(moving.from(edge), direction),
+               change = kernel::cross_product(moving.velocity, direction);
   return SmallerRoot::within_unit_interval(
       {change.squared_length(), moment * change,
        moment.squared_length() - moving.radius_squared * direction.squared_length()});
@@ -67,7 +67,7 @@ class FootSignsAt {
   FootSignsAt(const Moving& moving, const SmallerRoot& time)
       : moving_(moving), time_(time), v_((moving.polygon.dropped_axis + 2) % 3) {}
 
-  [[nodiscard]] CGAL::Sign above(std::size_t i) const {
+  [[nodiscard]] kernel::Sign above(std::size_t i) const {
     // The foot is c - (s / N.N) N.
     const Lifted& polygon = moving_.polygon;
     const auto foot = [&](const Number& center, const Number& height) -> Number {
@@ -75,21 +75,21 @@ class FootSignsAt {
     };
     return -time_.sign_of({foot(moving_.from(i)[v_], moving_.height.p), foot(moving_.velocity[v_], moving_.height.q)});
   }
-  [[nodiscard]] CGAL::Sign side(std::size_t i) const {
-    return time_.sign_of(moving_.along(CGAL::cross_product(moving_.polygon.normal, moving_.edge(i)), i));
+  [[nodiscard]] kernel::Sign side(std::size_t i) const {
+    return time_.sign_of(moving_.along(kernel::cross_product(moving_.polygon.normal, moving_.edge(i)), i));
   }
   [[nodiscard]] bool covers(std::size_t i) const {
     const Vector edge = moving_.edge(i);
     const Linear along = moving_.along(edge, i);
-    return time_.sign_of(along) != CGAL::NEGATIVE &&
-           time_.sign_of({along.p - edge.squared_length(), along.q}) != CGAL::POSITIVE;
+    return time_.sign_of(along) != kernel::NEGATIVE &&
+           time_.sign_of({along.p - edge.squared_length(), along.q}) != kernel::POSITIVE;
   }
   /// Returns whether the foot on the edge's line lies strictly between its ends.
   [[nodiscard]] bool between(std::size_t i) const {
     const Vector edge = moving_.edge(i);
     const Linear along = moving_.along(edge, i);
-    return time_.sign_of(along) == CGAL::POSITIVE &&
-           time_.sign_of({along.p - edge.squared_length(), along.q}) == CGAL::NEGATIVE;
+    return time_.sign_of(along) == kernel::POSITIVE &&
+           time_.sign_of({along.p - edge.squared_length(), along.q}) == kernel::NEGATIVE;
   }
 
  private:
@@ -128,7 +128,8 @@ std::optional<Event> vertex_event(const Moving& moving, std::size_t i) {
 bool stays_off_plane(const Moving& moving) {
   const auto& [s, change] = moving.height;
   const Number end = s + change, reach_squared = moving.radius_squared * moving.polygon.normal_squared;
-  return CGAL::sign(s) == CGAL::sign(end) && CGAL::square(s) > reach_squared && CGAL::square(end) > reach_squared;
+  return kernel::sign(s) == kernel::sign(end) && kernel::square(s) > reach_squared &&
+         kernel::square(end) > reach_squared;
 }
 
 /// Returns whether there is any event. Looks first for the kinds that cost least.
@@ -148,7 +149,7 @@ std::optional<Event> first_event(const Moving& moving) {
   if (stays_off_plane(moving)) return std::nullopt;
   std::optional<Event> first = face_event(moving);
   const auto consider = [&first](std::optional<Event> event) {
-    if (event && (!first || compare(event->time, first->time) == CGAL::SMALLER)) first = std::move(event);
+    if (event && (!first || compare(event->time, first->time) == kernel::SMALLER)) first = std::move(event);
   };
   for (std::size_t i = 0; i < moving.polygon.vertices.size(); ++i) consider(edge_event(moving, i));
   for (std::size_t i = 0; i < moving.polygon.vertices.size(); ++i) consider(vertex_event(moving, i));
@@ -166,14 +167,15 @@ bool slides_on(const Moving& moving, std::size_t vertex) {
   while (polygon.next[previous] != vertex) ++previous;
   const Vector edges[] = {moving.edge(vertex), -moving.edge(previous)};  // away from the vertex
   for (const Vector& edge : edges)
-    if (CGAL::cross_product(moving.velocity, edge) == CGAL::NULL_VECTOR && CGAL::is_positive(moving.velocity * edge))
+    if (kernel::cross_product(moving.velocity, edge) == kernel::NULL_VECTOR &&
+        kernel::is_positive(moving.velocity * edge))
       return true;
   const auto& [s, change] = moving.height;
-  if (!CGAL::is_zero(change) || CGAL::square(s) != moving.radius_squared * polygon.normal_squared) return false;
+  if (!kernel::is_zero(change) || kernel::square(s) != moving.radius_squared * polygon.normal_squared) return false;
   const auto side = [&](const Vector& edge) {
-    return CGAL::sign(polygon.normal * CGAL::cross_product(moving.velocity, edge));
+    return kernel::sign(polygon.normal * kernel::cross_product(moving.velocity, edge));
   };
-  return side(edges[0]) * side(edges[1]) == CGAL::NEGATIVE;
+  return side(edges[0]) * side(edges[1]) == kernel::NEGATIVE;
 }
 
 /// Returns whether the ball leaves the polygon right after the first event.
@@ -185,14 +187,14 @@ bool is_momentary(const Moving& moving, const Event& first) {
   if (first.feature.kind == Feature::Kind::Face) return true;  // a point passes through it
   const std::size_t count = moving.polygon.vertices.size();
   const auto simultaneous = [&first](const std::optional<Event>& event) {
-    return event && compare(event->time, first.time) == CGAL::EQUAL;
+    return event && compare(event->time, first.time) == kernel::EQUAL;
   };
   for (std::size_t i = 0; i < count; ++i) {
     if (const auto event = edge_event(moving, i); simultaneous(event)) {
       if (!event->time.is_double()) return false;
       // The foot crosses the edge from the outside, so it goes inside.
       const auto& [s, change] = moving.height;
-      if (CGAL::is_zero(change) && CGAL::square(s) == moving.radius_squared * moving.polygon.normal_squared)
+      if (kernel::is_zero(change) && kernel::square(s) == moving.radius_squared * moving.polygon.normal_squared)
         return false;
     }
     if (const auto event = vertex_event(moving, i); simultaneous(event))

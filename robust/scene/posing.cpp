@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/posing.h"
 
-#include <gmpxx.h>
-
 #include <cmath>
 #include <optional>
 
 #include "geometry/detail/floating_point_state.h"
+#include "robust/detail/integers.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
 #include "robust/filtered/detail/bounds.h"
@@ -31,20 +30,20 @@ bool within(const Numbers& numbers, double least, double largest) {
 constexpr int kSmallestExponent = -1074;
 
 /// Returns x 2^1074, an integer.
-mpz_class in_smallest_units(double x) {
+Integer in_smallest_units(double x) {
   constexpr int digits = 53;
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
-  const mpz_class integer(std::ldexp(mantissa, digits));
+  const Integer integer(std::ldexp(mantissa, digits));
   const int shift = exponent - digits - kSmallestExponent;
-  if (shift >= 0) return mpz_class(integer << static_cast<mp_bitcnt_t>(shift));
-  return mpz_class(integer >> static_cast<mp_bitcnt_t>(-shift));  // drops bits that a subnormal number does not have
+  if (shift >= 0) return shifted_up(integer, shift);
+  return shifted_down(integer, -shift);  // drops bits that a subnormal number does not have
 }
 
 double rounded_by_integers(const Pose& pose, const Eigen::Vector3d& p, int axis) {
-  static const mpz_class unit = mpz_class(1) << static_cast<mp_bitcnt_t>(-kSmallestExponent);
-  static const mpz_class squared_unit = unit * unit;
-  mpz_class sum = in_smallest_units(pose.translation[axis]) * unit;
+  static const Integer unit = power_of_two(-kSmallestExponent);
+  static const Integer squared_unit = unit * unit;
+  Integer sum = in_smallest_units(pose.translation[axis]) * unit;
   for (int k = 0; k < 3; ++k) sum += in_smallest_units(pose.rotation(axis, k)) * in_smallest_units(p[k]);
   return exact::nearest_double(sum, squared_unit);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/scene.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "geometry/detail/required.h"
 #include "robust/scene/detail/walks.h"
 #include "robust/scene/posing.h"
@@ -282,7 +281,9 @@ void Scene::touches_each(std::span<const Query> queries, std::span<bool> answers
   const FloatingPointState state;  // TBB clears the exception flags where it changes the rounding mode
   expect(objects);
   expect_equal_lengths(name, queries.size(), "answers", answers.size());
-  tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) { answers[i] = touches(queries[i], objects); });
+  parts_in_parallel(queries.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = touches(queries[i], objects);
+  });
 }
 
 template <class Query, class Answer>
@@ -291,8 +292,9 @@ std::vector<Answer> Scene::answers_to(std::span<const Query> queries, const Obje
   const FloatingPointState state;
   expect(objects);
   std::vector<Answer> answers(queries.size());
-  tbb::parallel_for(std::size_t{0}, queries.size(),
-                    [&](std::size_t i) { answers[i] = (this->*answer)(queries[i], objects); });
+  parts_in_parallel(queries.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = (this->*answer)(queries[i], objects);
+  });
   return answers;
 }
 

@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 VERSION = 14
-FOLDERS = ("experiments", "geometry", "python", "robust", "tests")
+FOLDERS = ("cmake", "experiments", "geometry", "playground", "python", "robust", "tests")
 SKIPPED = 77
 
 

@@ -16,7 +16,7 @@ import tempfile
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 BELOW = {"geometry": ("geometry",), "robust": ("geometry", "robust"), "touchstone": ("geometry", "robust", "touchstone"),
-         "python": ("geometry", "robust", "python")}
+         "python": ("geometry", "robust", "python"), "playground": ("geometry", "robust")}
 PAGE = "docs/architecture.md"
 BEGIN, END = "<!-- rooms -->\n", "<!-- /rooms -->"
 # Compiled only where the engine is installed.

@@ -15,14 +15,14 @@ namespace {
 Vector newell_normal(const Polygon& polygon) {
   Vector sum(0, 0, 0);
   for (std::size_t i = 0; i < polygon.loop_end(0); ++i)
-    sum = sum + CGAL::cross_product(vector(polygon.vertex(i)), vector(polygon.vertex(polygon.next(i))));
+    sum = sum + kernel::cross_product(vector(polygon.vertex(i)), vector(polygon.vertex(polygon.next(i))));
   return sum;
 }
 
 int largest_component(const Vector& v) {
   int axis = 0;
   for (int k : {1, 2})
-    if (CGAL::abs(v[k]) > CGAL::abs(v[axis])) axis = k;
+    if (kernel::abs(v[k]) > kernel::abs(v[axis])) axis = k;
   return axis;
 }
 
@@ -31,7 +31,7 @@ int largest_component(const Vector& v) {
 std::optional<int> dropped_axis(const Polygon& polygon) {
   const FloatingPointState nearest;
   const Vector normal = newell_normal(polygon);
-  if (normal == CGAL::NULL_VECTOR) return std::nullopt;
+  if (normal == kernel::NULL_VECTOR) return std::nullopt;
   return largest_component(normal);
 }
 
@@ -39,7 +39,7 @@ const PreparedPolygon::Lifted& lifted(const PreparedPolygon& polygon) { return *
 
 PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0) {
   normal = newell_normal(polygon);
-  if (normal == CGAL::NULL_VECTOR)
+  if (normal == kernel::NULL_VECTOR)
     throw Rejected({RejectionCode::ZeroNormal, "the Newell normal of the outer loop is zero"});
   normal_squared = normal.squared_length();
   dropped_axis = largest_component(normal);
@@ -56,10 +56,10 @@ PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0)
   const Number plane = normal * outer_sum;  // n N.g
   std::vector<Number> height(count);        // n N.(p - g)
   for (std::size_t i = 0; i < count; ++i) height[i] = n * (normal * vertices[i]) - plane;
-  if (std::all_of(height.begin(), height.end(), [](const Number& h) { return CGAL::is_zero(h); })) return;
+  if (std::all_of(height.begin(), height.end(), [](const Number& h) { return kernel::is_zero(h); })) return;
 
-  const bool positive = CGAL::is_positive(normal[dropped_axis]);
-  scale = n * CGAL::abs(normal[dropped_axis]);
+  const bool positive = kernel::is_positive(normal[dropped_axis]);
+  scale = n * kernel::abs(normal[dropped_axis]);
   Number farthest(0);
   for (std::size_t i = 0; i < count; ++i) {
     std::array<Number, 3> lifted;
@@ -67,7 +67,7 @@ PreparedPolygon::Lifted::Lifted(const Polygon& polygon) : scale(1), off_plane(0)
     Number& along = lifted[static_cast<std::size_t>(dropped_axis)];
     along = positive ? Number(along - height[i]) : Number(along + height[i]);
     vertices[i] = Vector(lifted[0], lifted[1], lifted[2]);
-    farthest = std::max(farthest, Number(CGAL::abs(height[i])));
+    farthest = std::max(farthest, Number(kernel::abs(height[i])));
   }
   off_plane = rounded(farthest, scale, nearest_double);
 }

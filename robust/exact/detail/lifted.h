@@ -38,21 +38,21 @@ const Lifted& lifted(const PreparedPolygon& polygon);
 ///   covers(i): whether a point on the edge's line lies on the edge.
 template <class Signs>
 PointLocation locate(const Lifted& polygon, const Signs& signs) {
-  std::vector<CGAL::Sign> above(polygon.vertices.size());
+  std::vector<kernel::Sign> above(polygon.vertices.size());
   for (std::size_t i = 0; i < above.size(); ++i) above[i] = signs.above(i);
 
   bool inside = false;
   for (std::size_t i = 0; i < above.size(); ++i) {
-    const CGAL::Sign start = above[i], end = above[polygon.next[i]];
-    if (start * end == CGAL::POSITIVE) continue;
-    const CGAL::Sign side = signs.side(i);
-    if (side == CGAL::ZERO) {
+    const kernel::Sign start = above[i], end = above[polygon.next[i]];
+    if (start * end == kernel::POSITIVE) continue;
+    const kernel::Sign side = signs.side(i);
+    if (side == kernel::ZERO) {
       if (signs.covers(i)) return PointLocation::Boundary;
       continue;
     }
-    const bool upwards = start != CGAL::POSITIVE && end == CGAL::POSITIVE;
-    const bool downwards = start == CGAL::POSITIVE && end != CGAL::POSITIVE;
-    if ((upwards && side == CGAL::POSITIVE) || (downwards && side == CGAL::NEGATIVE)) inside = !inside;
+    const bool upwards = start != kernel::POSITIVE && end == kernel::POSITIVE;
+    const bool downwards = start == kernel::POSITIVE && end != kernel::POSITIVE;
+    if ((upwards && side == kernel::POSITIVE) || (downwards && side == kernel::NEGATIVE)) inside = !inside;
   }
   return inside ? PointLocation::Inside : PointLocation::Outside;
 }

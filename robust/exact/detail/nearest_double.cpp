@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/exact/detail/nearest_double.h"
 
-#include <mpfr.h>
-
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace touchstone::exact {
 namespace {
@@ -15,28 +15,28 @@ namespace {
 // truncated ("sticky"), rounding it to the 53 bits of a double is the same as rounding the exact value.
 constexpr long kQuotientBits = 64;
 
-long bits(const mpz_class& value) { return static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2)); }
+/// value 2^shift, or the value itself if shift < 0.
+Integer shifted(const Integer& value, long shift) { return shift >= 0 ? shifted_up(value, shift) : value; }
 
-/// value 2^shift, with shift of either sign.
-mpz_class shifted(const mpz_class& value, long shift) {
-  return shift >= 0 ? mpz_class(value << static_cast<mp_bitcnt_t>(shift)) : value;
-}
+/// Rounds (integer + t) 2^exponent, where 0 <= t < 1 and `inexact` says t > 0, to the nearest double. Requires an
+/// integer of at least 64 bits.
+double rounded(const Integer& integer, bool inexact, long exponent) {
+  constexpr long word_bits = 64, digits = 53, least_exponent = -1074, largest_exponent = 1023 - (digits - 1);
+  const long beyond = bits(integer) - word_bits;
+  const Integer first_bits = shifted_down(integer, beyond);
+  const std::uint64_t leading = word(first_bits);  // its first bit is set
+  const bool rest = inexact || shifted_up(first_bits, beyond) != integer;
 
-/// Frees the memory that MPFR keeps for each thread when the thread ends.
-struct ThreadCaches {
-  ~ThreadCaches() { mpfr_free_cache(); }
-};
-
-/// Rounds (integer + t) 2^exponent, where 0 <= t < 1 and `inexact` says t > 0, to the nearest double.
-double rounded(const mpz_class& integer, bool inexact, long exponent) {
-  static thread_local const ThreadCaches caches;
-  const mpz_class with_sticky = 2 * integer + (inexact ? 1 : 0);
-  mpfr_t value;
-  mpfr_init2(value, static_cast<mpfr_prec_t>(bits(with_sticky)));
-  mpfr_set_z_2exp(value, with_sticky.get_mpz_t(), exponent - 1, MPFR_RNDN);  // exact
-  const double result = mpfr_get_d(value, MPFR_RNDN);  // one rounding, possibly to a subnormal number or infinity
-  mpfr_clear(value);
-  return result;
+  // The double is a multiple of 2^unit, one bit more than half of which is the first that it drops.
+  const long unit = std::max(exponent + beyond + (word_bits - digits), least_exponent);
+  const long dropped = unit - (exponent + beyond);
+  if (dropped > word_bits) return 0;
+  std::uint64_t kept = dropped == word_bits ? 0 : leading >> dropped;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1), tail = leading & (half | (half - 1));
+  if (tail > half || (tail == half && (rest || kept % 2 != 0))) ++kept;
+  if (unit > largest_exponent || (unit == largest_exponent && kept >> digits != 0))
+    return std::numeric_limits<double>::infinity();
+  return std::ldexp(static_cast<double>(kept), static_cast<int>(unit));  // exact
 }
 
 /// Returns the double of opposite sign, except that zero remains +0.
@@ -47,14 +47,14 @@ double negated(double value) {
 
 /// An integer part, and whether a positive fraction was truncated.
 struct Truncated {
-  mpz_class floor;
+  Integer floor;
   bool inexact;
 };
 
 /// (term + sign sqrt(radicand)) 2^shift. Requires shift >= 0.
-Truncated sum_with_root(const mpz_class& term, int sign, const mpz_class& radicand, long shift) {
-  mpz_class root, rest;
-  mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), shifted(radicand, 2 * shift).get_mpz_t());
+Truncated sum_with_root(const Integer& term, int sign, const Integer& radicand, long shift) {
+  Integer root, rest;
+  take_root(shifted(radicand, 2 * shift), root, rest);
   const bool inexact = sign != 0 && rest != 0;
   if (sign < 0 && inexact) ++root;
   return {shifted(term, shift) + sign * root, inexact};
@@ -62,34 +62,32 @@ Truncated sum_with_root(const mpz_class& term, int sign, const mpz_class& radica
 
 }  // namespace
 
-double nearest_double(const mpz_class& numerator, const mpz_class& denominator) {
+double nearest_double(const Integer& numerator, const Integer& denominator) {
   assert(denominator > 0);
   if (numerator == 0) return 0;
-  const mpz_class magnitude = abs(numerator);
+  const Integer magnitude = numerator < 0 ? Integer(-numerator) : numerator;
   const long shift = kQuotientBits - (bits(magnitude) - bits(denominator));
-  mpz_class quotient, remainder;
-  mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), shifted(magnitude, shift).get_mpz_t(),
-              shifted(denominator, -shift).get_mpz_t());
+  Integer quotient, remainder;
+  divide(shifted(magnitude, shift), shifted(denominator, -shift), quotient, remainder);
   const double result = rounded(quotient, remainder != 0, -shift);
   return numerator < 0 ? negated(result) : result;
 }
 
-double nearest_root(const mpz_class& numerator, const mpz_class& denominator) {
+double nearest_root(const Integer& numerator, const Integer& denominator) {
   assert(numerator >= 0 && denominator > 0);
   if (numerator == 0) return 0;
   long shift = 2 * kQuotientBits - (bits(numerator) - bits(denominator));
   if (shift % 2 != 0) ++shift;
-  mpz_class quotient, remainder, root, root_remainder;
-  mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), shifted(numerator, shift).get_mpz_t(),
-              shifted(denominator, -shift).get_mpz_t());
-  mpz_sqrtrem(root.get_mpz_t(), root_remainder.get_mpz_t(), quotient.get_mpz_t());
+  Integer quotient, remainder, root, root_remainder;
+  divide(shifted(numerator, shift), shifted(denominator, -shift), quotient, remainder);
+  take_root(quotient, root, root_remainder);
   return rounded(root, remainder != 0 || root_remainder != 0, -shift / 2);
 }
 
-double nearest_sum_with_root(const mpz_class& term, int sign, const mpz_class& radicand, const mpz_class& denominator) {
+double nearest_sum_with_root(const Integer& term, int sign, const Integer& radicand, const Integer& denominator) {
   assert(radicand >= 0 && denominator > 0);
   const int root_sign = radicand == 0 ? 0 : sign;
-  const int size = cmp(mpz_class(term * term), mpz_class(root_sign * root_sign * radicand));  // |term| against the root
+  const int size = sgn(Integer(term * term - root_sign * root_sign * radicand));  // |term| against the root
   const int value_sign = size > 0 ? sgn(term) : size < 0 ? root_sign : root_sign == sgn(term) ? root_sign : 0;
   if (value_sign == 0) return 0;
   if (value_sign < 0) return negated(nearest_sum_with_root(-term, -sign, radicand, denominator));
@@ -98,9 +96,8 @@ double nearest_sum_with_root(const mpz_class& term, int sign, const mpz_class& r
   long shift = kQuotientBits + bits(denominator) - std::max(bits(term), bits(radicand) / 2);
   for (;; shift += kQuotientBits) {
     const Truncated sum = sum_with_root(term, root_sign, radicand, std::max(shift, 0L));
-    mpz_class quotient, remainder;
-    mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), sum.floor.get_mpz_t(),
-                shifted(denominator, std::max(-shift, 0L)).get_mpz_t());
+    Integer quotient, remainder;
+    divide(sum.floor, shifted(denominator, std::max(-shift, 0L)), quotient, remainder);
     if (bits(quotient) >= kQuotientBits && quotient > 0)
       return rounded(quotient, sum.inexact || remainder != 0, -shift);
   }

@@ -26,14 +26,14 @@ class SmallerRoot {
   [[nodiscard]] static std::optional<SmallerRoot> within_unit_interval(const Quadratic& quadratic);
 
   /// Returns whether it is a double root.
-  [[nodiscard]] bool is_double() const { return CGAL::is_zero(discriminant_); }
+  [[nodiscard]] bool is_double() const { return kernel::is_zero(discriminant_); }
   /// Returns the sign of the function at the root.
-  [[nodiscard]] CGAL::Sign sign_of(const Linear& function) const;
+  [[nodiscard]] kernel::Sign sign_of(const Linear& function) const;
   /// Returns the double nearest to the function's value at the root, divided by the divisor. Requires divisor > 0.
   [[nodiscard]] double rounded(const Linear& function, const Number& divisor) const;
 
   /// Returns SMALLER, EQUAL or LARGER.
-  friend CGAL::Comparison_result compare(const SmallerRoot& first, const SmallerRoot& second);
+  friend kernel::Comparison_result compare(const SmallerRoot& first, const SmallerRoot& second);
 
  private:
   SmallerRoot(const Quadratic& quadratic, Number discriminant);

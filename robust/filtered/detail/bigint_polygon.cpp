@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/detail/bigint_polygon.h"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Mpzf.h>
-#include <gmpxx.h>
-
 #include <array>
 #include <cmath>
 
+#include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/nearest_double.h"
 
 namespace touchstone::filtered {
 namespace {
 
-using Number = CGAL::Mpzf;
+using Number = kernel::Mpzf;
 using Vector = Vector3<Number>;
 
 Vector vector(const Eigen::Vector3d& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
@@ -21,24 +18,14 @@ Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.
 Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 Vector operator*(const Number& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
-mpq_class rational(const Number& number) { return mpq_class(static_cast<CGAL::Gmpq>(number).mpq()); }
-
-mpq_class shifted(mpq_class value, int exponent) {
-  if (exponent >= 0)
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return value;
-}
-
-double nearest(const mpq_class& value) { return exact::nearest_double(value.get_num(), value.get_den()); }
+double nearest(const Rational& value) { return exact::nearest_double(numerator_of(value), denominator_of(value)); }
 
 /// Returns the value to within u^2 of itself, u = 2^-53, or to 2^-1075 if that underflows: the double nearest to the
 /// value leaves a rest of at most u of it or 2^-1075, and the double nearest to the rest leaves at most as much of the
 /// rest.
-DoubleDouble nearest_double_double(const mpq_class& value) {
+DoubleDouble nearest_double_double(const Rational& value) {
   const double high = nearest(value);
-  return {high, nearest(value - mpq_class(high))};
+  return {high, nearest(value - Rational(high))};
 }
 
 /// A quotient of lengths or of squared lengths; the denominator is positive.
@@ -48,8 +35,7 @@ struct Quotient {
 
 template <class Round>
 double rounded(const Quotient& quotient, Round round) {
-  const mpq_class a = rational(quotient.numerator), b = rational(quotient.denominator);
-  return round(mpz_class(a.get_num() * b.get_den()), mpz_class(b.get_num() * a.get_den()));
+  return touchstone::rounded(quotient.numerator, quotient.denominator, round);
 }
 
 }  // namespace
@@ -72,7 +58,7 @@ struct BigIntPolygon::Numbers {
     Vector lifted = scale * vector(polygon.vertex(i));
     if (planar) return lifted;
     Number& along = dropped_axis == 0 ? lifted.x : dropped_axis == 1 ? lifted.y : lifted.z;
-    along = CGAL::is_positive(normal[dropped_axis]) ? Number(along - height(i)) : Number(along + height(i));
+    along = kernel::is_positive(normal[dropped_axis]) ? Number(along - height(i)) : Number(along + height(i));
     return lifted;
   }
 };
@@ -88,20 +74,20 @@ BigIntPolygon::Numbers::Numbers(const Polygon& loops) : polygon(loops), planar(t
   }
   dropped_axis = 0;
   for (int axis : {1, 2})
-    if (CGAL::abs(normal[axis]) > CGAL::abs(normal[dropped_axis])) dropped_axis = axis;
-  if (CGAL::is_zero(normal[dropped_axis]))
+    if (kernel::abs(normal[axis]) > kernel::abs(normal[dropped_axis])) dropped_axis = axis;
+  if (kernel::is_zero(normal[dropped_axis]))
     throw Rejected({RejectionCode::ZeroNormal, "the Newell normal of the outer loop is zero"});
 
   vertices = Number(static_cast<int>(outer));
   plane = dot(normal, sum);
   Number farthest(0);
   for (std::size_t i = 0; i < polygon.vertex_count(); ++i) {
-    const Number h = CGAL::abs(height(i));
+    const Number h = kernel::abs(height(i));
     if (h > farthest) farthest = h;
   }
-  if (CGAL::is_zero(farthest)) return;
+  if (kernel::is_zero(farthest)) return;
   planar = false;
-  scale = vertices * CGAL::abs(normal[dropped_axis]);
+  scale = vertices * kernel::abs(normal[dropped_axis]);
   off_plane = rounded({farthest, scale}, exact::nearest_double);
 }
 
@@ -156,16 +142,16 @@ bool BigIntPolygon::planar() const { return numbers_->planar; }
 double BigIntPolygon::off_plane() const { return numbers_->off_plane; }
 
 DoubleDouble BigIntPolygon::normal(int axis, int exponent) const {
-  return nearest_double_double(shifted(rational(numbers_->normal[axis]), exponent));
+  return nearest_double_double(scaled(rational(numbers_->normal[axis]), exponent));
 }
 
 bool BigIntPolygon::normal_fits(int axis, int exponent) const {
   const DoubleDouble both = normal(axis, exponent);
-  return mpq_class(both.high) + mpq_class(both.low) == shifted(rational(numbers_->normal[axis]), exponent);
+  return Rational(both.high) + Rational(both.low) == scaled(rational(numbers_->normal[axis]), exponent);
 }
 
 DoubleDouble BigIntPolygon::plane_height(int exponent) const {
-  return nearest_double_double(shifted(-rational(numbers_->height(0)) / rational(numbers_->vertices), exponent));
+  return nearest_double_double(scaled(-rational(numbers_->height(0)) / rational(numbers_->vertices), exponent));
 }
 
 int BigIntPolygon::sign(SignKind kind, const Ball& ball, std::size_t edge, int axis) const {
@@ -174,7 +160,7 @@ int BigIntPolygon::sign(SignKind kind, const Ball& ball, std::size_t edge, int a
 
 int BigIntPolygon::compare_distances(const Ball& ball, const Feature& first, const Feature& second) const {
   const Quotient a = squared_distance(*numbers_, ball, first), b = squared_distance(*numbers_, ball, second);
-  return CGAL::compare(a.numerator * b.denominator, b.numerator * a.denominator);
+  return kernel::compare(a.numerator * b.denominator, b.numerator * a.denominator);
 }
 
 double BigIntPolygon::point(const Ball& ball, const Feature& feature, int axis) const {

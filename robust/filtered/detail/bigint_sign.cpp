@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/detail/bigint_sign.h"
 
-#include <CGAL/Mpzf.h>
+#include "robust/detail/exact_kernel.h"
 
 namespace touchstone::filtered {
 namespace {
 
-using Number = CGAL::Mpzf;  // integers times powers of two: the signs need no division
+using Number = kernel::Mpzf;  // integers times powers of two: the signs need no division
 
 Vector3<Number> difference(const double* a, const double* b) {
   return {Number(a[0]) - Number(b[0]), Number(a[1]) - Number(b[1]), Number(a[2]) - Number(b[2])};

@@ -42,7 +42,7 @@ class FaceGraph {
 
   [[nodiscard]] std::size_t edge_count() const { return kind_.size(); }
   [[nodiscard]] Edge edge(std::size_t number) const {
-    return {kind_[number], {by_edge_.begin() + first_[number], by_edge_.begin() + first_[number + 1]}};
+    return {kind_[number], std::span(by_edge_).subspan(first_[number], first_[number + 1] - first_[number])};
   }
   [[nodiscard]] Edge edge_of(HalfEdge h) const { return edge(edge_[h]); }
   /// Returns the other half-edge of a shared edge. Requires EdgeKind::Shared.

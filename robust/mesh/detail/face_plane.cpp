@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mesh/detail/face_plane.h"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Mpzf.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "robust/detail/exact_kernel.h"
 #include "robust/exact/detail/dropped_axis.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/detail/orientation.h"
@@ -58,24 +55,23 @@ double FacePlane::approximate_height(const Vector3d& point) const {
 }
 
 double off_plane(const Polygon& polygon, std::span<const Vector3d> points) {
-  using Number = CGAL::Mpzf;  // integers times powers of two
-  using Vector = CGAL::Simple_cartesian<Number>::Vector_3;
+  using Number = kernel::Mpzf;  // integers times powers of two
+  using Vector = kernel::Simple_cartesian<Number>::Vector_3;
   const auto vector = [](const Vector3d& p) { return Vector(Number(p.x()), Number(p.y()), Number(p.z())); };
   const std::size_t outer = polygon.loop_end(0);
   Vector normal(0, 0, 0), sum(0, 0, 0);
   for (std::size_t i = 0; i < outer; ++i) {
     const Vector vertex = vector(polygon.vertex(i));
-    normal = normal + CGAL::cross_product(vertex, vector(polygon.vertex(polygon.next(i))));
+    normal = normal + kernel::cross_product(vertex, vector(polygon.vertex(polygon.next(i))));
     sum = sum + vertex;
   }
   // All heights times the number n of vertices in the outer loop: n N.(p - g).
   const Number n(static_cast<int>(outer)), plane = normal * sum;
   Number farthest(0);
   for (const Vector3d& point : points)
-    farthest = std::max(farthest, Number(CGAL::abs(Number(n * (normal * vector(point)) - plane))));
-  const auto rational = [](const Number& x) { return mpq_class(static_cast<CGAL::Gmpq>(x).mpq()); };
-  const mpq_class quotient = rational(farthest) / rational(n * CGAL::abs(normal[exact::dropped_axis(polygon).value()]));
-  return exact::nearest_double(quotient.get_num(), quotient.get_den());
+    farthest = std::max(farthest, Number(kernel::abs(Number(n * (normal * vector(point)) - plane))));
+  const Number scale = n * kernel::abs(normal[exact::dropped_axis(polygon).value()]);
+  return rounded(farthest, scale, exact::nearest_double);
 }
 
 }  // namespace touchstone::mesh

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/scene/detail/face_sets.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -11,6 +8,7 @@
 #include <optional>
 
 #include "geometry/detail/floating_point_state.h"
+#include "geometry/detail/parts_in_parallel.h"
 #include "robust/scene/detail/lifted_box.h"
 #include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/posing.h"
@@ -31,9 +29,9 @@ void for_each_face(std::size_t count, const Number& number, const F& f) {
   std::atomic<std::size_t> lowest{count};
   std::optional<Rejection> reason;
   std::mutex mutex;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 256), [&](const tbb::blocked_range<std::size_t>& range) {
+  parts_in_parallel(count, 256, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       if (number(i) > lowest.load(std::memory_order_relaxed)) continue;
       try {
         f(i);
@@ -100,9 +98,9 @@ PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_
   for (const std::uint32_t number : tree.order()) triangles.push_back(by_number[number]);
   groups.resize(tree.leaf_count());
   const std::vector<BoxTree::Node>& nodes = tree.nodes();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 64), [&](const auto& range) {
+  parts_in_parallel(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
+    for (std::size_t i = begin; i < end; ++i)
       for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
         if (const std::uint8_t count = nodes[i].count[lane]; count != 0)
           groups[nodes[i].leaf(lane)] = filtered::group_of(std::span(triangles).subspan(nodes[i].child[lane], count));

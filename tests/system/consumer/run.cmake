@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Usage: cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DCOMPILER=... -DFLAGS=... -P run.cmake
+# Usage: cmake -DBUILD=... -DSOURCE=... -DSCRATCH=... -DCOMPILER=... -DFLAGS=... [-DABSENT=HEADER] [-DFORBIDDEN=PACKAGE...]
+#              -P run.cmake
 # Installs the build into a scratch prefix, builds the consumer against it and compares what the sample prints with
 # what the README says that it prints. Every installed header must compile alone; the sample must also compile against
 # the source tree; and no folder `geometry` or `robust` of the consumer's own may hide one of Touchstone's.
+# ABSENT: a header of touchstone/ that this build does not install. FORBIDDEN: packages that CMake may not look for.
 function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE output)
   set(output "${output}" PARENT_SCOPE)
@@ -23,6 +25,7 @@ set(include ${SCRATCH}/prefix/include/touchstone)
 file(GLOB_RECURSE headers RELATIVE ${include} ${include}/*.h)
 file(GLOB front_door RELATIVE ${include} ${include}/*.h)
 file(GLOB in_source RELATIVE ${SOURCE}/touchstone ${SOURCE}/touchstone/*.h)
+list(REMOVE_ITEM in_source ${ABSENT})
 if(NOT front_door OR NOT front_door STREQUAL in_source)
   message(FATAL_ERROR "installed are ${front_door}; the folder touchstone/ has ${in_source}")
 endif()
@@ -39,6 +42,9 @@ endforeach()
 
 set(common -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
     -DSAMPLE=${SCRATCH}/sample.cpp)
+foreach(package ${FORBIDDEN})
+  list(APPEND common -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/system/consumer -B ${SCRATCH}/build ${common} -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
     -DOWN_HEADERS=${SCRATCH}/own "-DHEADERS=${headers}")
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
@@ -48,5 +54,8 @@ if(NOT promised OR NOT output STREQUAL promised)
   message(FATAL_ERROR "the sample prints `${output}`; README.md promises `${promised}`")
 endif()
 
+if(FORBIDDEN)
+  return()
+endif()
 run(${CMAKE_COMMAND} -S ${SOURCE}/tests/system/consumer -B ${SCRATCH}/in_source ${common} -DTOUCHSTONE_SOURCE=${SOURCE})
 run(ninja -C ${SCRATCH}/in_source sample)
