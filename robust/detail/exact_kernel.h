@@ -21,10 +21,7 @@ namespace kernel = CGAL;
 /// Returns the same number as a rational number of GMP.
 template <class Number>
 Rational rational(const Number& number) {
-  if constexpr (requires { number.exact(); })
-    return rational(number.exact());
-  else
-    return Rational(static_cast<CGAL::Gmpq>(number).mpq());
+  return Rational(static_cast<CGAL::Gmpq>(number).mpq());
 }
 
 }  // namespace touchstone
