@@ -11,14 +11,14 @@ import re
 import sys
 
 import studies
-from chapters import (bench, bench_scenes, cell, cell_area, merging, meshes, motions, near_edge, regress, soak, soak_moving, stability, thesis,
+from chapters import (bench, bench_scenes, cell, cell_area, merging, meshes, motions, near_edge, recorded, regress, soak, soak_moving, stability, thesis,
                       tradeoff, tunnelling)
 from chapters.opening import never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, folded, rounded, table, words
 from replacing import replacing
 from results import DataError, study_in
 
-CHAPTERS = {"meshes": meshes, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "regress": regress, "soak": soak,
+CHAPTERS = {"meshes": meshes, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "regress": regress, "recorded": recorded, "soak": soak,
             "motions": motions, "tunnelling": tunnelling, "soak-moving": soak_moving,
             "bench-scenes": bench_scenes, "merging": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
 

@@ -61,6 +61,8 @@ STUDIES = [
           full=[["soak", "--moving", "--output", OUTPUT]], quick=[["soak", "--moving", "--samples", "20000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
     Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("recorded", "questions of a simulation of others", resumes=True,
+          full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
           full=[["bench", "--output", OUTPUT]],
           paper=[["bench", "--repetitions", "7", "--output", OUTPUT]]),
