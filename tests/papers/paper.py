@@ -81,6 +81,13 @@ def faster_predicate(path):
     path.write_text(json.dumps(bench))
 
 
+def cheap_variant(path):
+    bench = json.loads(path.read_text())
+    contest = next(contest for contest in bench["contests"] if contest["family"] == "variants")
+    next(c for c in contest["contestants"] if c["name"] == "no double")["ratio"]["median"] = 1
+    path.write_text(json.dumps(bench))
+
+
 def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     def spoiled(name, spoil):
         broken = scratch / "broken"
@@ -103,6 +110,8 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("rates.csv: no column trials", lambda at: edit(at / "near-edge/rates.csv", "trials", "tries"))
     spoiled("rates.csv: line 2: failures cannot be", lambda at: edit(at / "near-edge/rates.csv", ",1,4,", ",-1,4,"))
     spoiled("soak: ValueError: 1 answers of filtered differ", lambda at: edit(at / "soak/soak.csv", "1,1,1,0", "1,1,1,1"))
+    spoiled("seed-4/rates.csv", lambda at: (at / "seeds/seed-4/rates.csv").unlink())
+    spoiled("bench: ValueError: no double costs nothing on random-triangles, against the text", lambda at: cheap_variant(at / "bench/bench.json"))
     spoiled("recorded: ValueError: filtered differs", lambda at: edit(at / "recorded/recorded.csv", "filtered,8,4,0", "filtered,8,4,1"))
     spoiled("motions: ValueError: exact and filtered differ", lambda at: edit(at / "motions/ways.csv", "all,filtered,8,0", "all,filtered,8,1"))
     spoiled("stability: ValueError: filtered failed", lambda at: edit(at / "stability/failures.csv", "filtered,1,0,4", "filtered,1,1,4"))
