@@ -157,11 +157,12 @@ def run_latex(output, studies):
     date = max(study.run["date"] for study in studies.values())
     epoch = subprocess.run(["date", "-d", date, "+%s"], check=True, capture_output=True, text=True).stdout.strip()
     environment = os.environ | {"SOURCE_DATE_EPOCH": epoch, "FORCE_SOURCE_DATE": "1", "max_print_line": "1000"}
-    made = subprocess.run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-silent", "touchstone.tex"], cwd=output,
+    made = subprocess.run(["latexmk", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-silent", "touchstone.tex"], cwd=output,
                           env=environment, capture_output=True, text=True)
     log = (output / "touchstone.log").read_text(errors="replace") if (output / "touchstone.log").exists() else made.stdout
     lines = log.splitlines()
-    faults = ([line for line in lines if line.startswith("!")] or
+    bibliography = (output / "touchstone.blg").read_text(errors="replace").splitlines() if (output / "touchstone.blg").exists() else []
+    faults = ([line for line in lines if line.startswith("!")] or [line for line in bibliography if "---line" in line] or
               [line for line in lines if re.search(r"undefined|multiply defined|Overfull .hbox \(\d\d", line)])
     if made.returncode != 0 or faults:
         raise DataError("\n".join([f"{output}/touchstone.log:", *faults]))

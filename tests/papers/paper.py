@@ -33,6 +33,17 @@ def text_of(root):
     return {file: re.sub(r"(?<!\\)%.*", "", file.read_text()) for file in files}
 
 
+def every_citation_is_an_entry(root):
+    """And every entry is closed before the next one, as BibTeX wants it."""
+    entries = re.findall(r"^@\w+\{([^,]*),(.*?)(?=^@|\Z)", (root / "papers/references.bib").read_text(), re.MULTILINE | re.DOTALL)
+    for key, body in entries:
+        expect(body.count("{") + 1 == body.count("}"), f"references.bib: the braces of {key} do not match")
+    for file, text in text_of(root).items():
+        for keys in re.findall(r"\\cite\w*\{([^}]*)\}", text):
+            for key in keys.split(","):
+                expect(key in dict(entries), f"{file.name}: no reference {key}")
+
+
 def files_below(folder):
     return {path.relative_to(folder): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
@@ -170,6 +181,7 @@ def main(root):
         scratch = pathlib.Path(folder)
         results, output = scratch / "results", scratch / "paper"
         miniature.write(results)
+        every_citation_is_an_entry(root)
         what_the_text_asks_for_is_made(root, results, output)
         what_is_wrong_with_the_data_is_named(root, results, output, scratch)
         data_make_the_numbers(root, results, output, scratch)
