@@ -72,7 +72,7 @@ STUDIES = [
     Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
     Study("seeds", "random polygons, with other seeds", resumes=True, full=[of_seed(seed) for seed in SEEDS],
           paper=[of_seed(seed, "--samples", "60") for seed in SEEDS]),
-    Study("recorded", "questions of a simulation of others", resumes=True,
+    Study("recorded", "questions of a third-party simulation", resumes=True,
           full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
           full=[["bench", "--output", OUTPUT]],

@@ -126,7 +126,7 @@ STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
 BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
                       contest("motions", "contact, random triangles"), contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines"),
                       *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times")),
-                      *(contest("variants", family) for family in ("random-triangles", "near", "lattice-tangent")),
+                      *(contest("variants", family) for family in ("random-triangles", "2^-44", "near", "lattice-tangent")),
                       *(contest("nearness", f"2^-{k}") | {"shares": {stage: 0.2 for stage in STAGES} if k > 20 else dict(zip(STAGES, (1, 0, 0, 0, 0)))}
                         for k in (52, 24, 1))]}
 

@@ -95,7 +95,7 @@ def faster_predicate(path):
 def cheap_variant(path):
     bench = json.loads(path.read_text())
     contest = next(contest for contest in bench["contests"] if contest["family"] == "variants")
-    next(c for c in contest["contestants"] if c["name"] == "no double")["ratio"]["median"] = 1
+    next(c for c in contest["contestants"] if c["name"] == "no double")["ratio"]["median"] = 0.9
     path.write_text(json.dumps(bench))
 
 

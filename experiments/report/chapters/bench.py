@@ -159,7 +159,7 @@ def chapter(study):
     return f"""<p>{code('fast')}, {code('filtered')} and two of CGAL's kernels answer contact, yes or no, in turns, in one run on one
 core: {count(queries['asked'])} distinct questions of each kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
 are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
-asked about triangles where their questions are the same.</p>""" + nearness_picture(study) + break_even_picture(study) + folded(
+asked about triangles where their questions are the same.</p>""" + f'<div class="pair">{nearness_picture(study)}{break_even_picture(study)}</div>' + folded(
         "Every ratio: families of triangles, polygons, moving balls", table(
             "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
             range(1, len(head))) + motions_table(every)) + folded("What each stage saves", variants_table(study))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The chapter of `touchstone recorded`: the questions of a simulation of others."""
+"""The chapter of `touchstone recorded`: the questions of a third-party simulation."""
 from page import code, count, percent, share_of_size, table, upper_limit, words
 from readings.recorded import Data, asked
 

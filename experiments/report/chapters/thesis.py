@@ -115,7 +115,7 @@ Without signs, that is wrong for non-convex outlines"""
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
     shown = "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)
-    return f'{text}<div class="narrow">{shown}</div>'
+    return text + (folded("Why: the angle sum about a gripper's gap", f'<div class="narrow">{shown}</div>') if shown else "")
 
 
 def agreement(data, entry):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -14,15 +15,24 @@ namespace {
 
 using TriangleQueries = std::vector<workloads::TriangleQuery>;
 
-timing::Benchmark draw(workloads::TriangleFamily family, const Settings& settings) {
+using Draw = std::function<workloads::TriangleQuery(std::uint64_t seed, std::uint64_t index)>;
+
+/// The radius at (1 +- 2^-44) x the exact distance: where doubles for one sign decide.
+workloads::TriangleQuery draw_close(std::uint64_t seed, std::uint64_t index) {
+  workloads::TriangleQuery query = workloads::draw_query_at_contact(seed, index);
+  query.ball.radius *= index % 2 == 0 ? 1 + 0x1p-44 : 1 - 0x1p-44;
+  return query;
+}
+
+timing::Benchmark draw(const std::string& name, const Draw& draw_query, const Settings& settings) {
   constexpr std::uint64_t kMostQueries = 20'000, kMostChecked = 2'000;
   TriangleQueries drawn;
   for (std::uint64_t i = 0; i < std::min(settings.samples, kMostQueries); ++i)
-    drawn.push_back(workloads::draw_triangle_query(family, settings.seed, i));
+    drawn.push_back(draw_query(settings.seed, i));
   const auto queries = std::make_shared<const TriangleQueries>(std::move(drawn));
 
   timing::Benchmark benchmark;
-  benchmark.name = to_string(family);
+  benchmark.name = name;
   benchmark.checked = settings.checks ? std::min<std::size_t>(queries->size(), kMostChecked) : 0;
   std::vector<bool> touches;
   for (std::size_t i = 0; i < benchmark.checked; ++i) {
@@ -47,8 +57,18 @@ timing::Benchmark draw(workloads::TriangleFamily family, const Settings& setting
 Family variants_family() {
   Family family{"variants", "filtered without one of its stages, or with other exact arithmetic behind the first", {}};
   using workloads::TriangleFamily;
-  for (const auto of : {TriangleFamily::Random, TriangleFamily::Near, TriangleFamily::LatticeTangent})
-    family.benchmarks.emplace_back([of](const Settings& settings) { return draw(of, settings); });
+  const auto add = [&family](const std::string& name, const Draw& draw_query) {
+    family.benchmarks.emplace_back(
+        [name, draw_query](const Settings& settings) { return draw(name, draw_query, settings); });
+  };
+  const auto of = [](TriangleFamily each) {
+    return
+        [each](std::uint64_t seed, std::uint64_t index) { return workloads::draw_triangle_query(each, seed, index); };
+  };
+  add("random-triangles", of(TriangleFamily::Random));
+  add("2^-44", draw_close);
+  add("near", of(TriangleFamily::Near));
+  add("lattice-tangent", of(TriangleFamily::LatticeTangent));
   return family;
 }
 
