@@ -17,6 +17,7 @@ namespace touchstone::commands {
 [[nodiscard]] harness::Command bench_command();
 [[nodiscard]] harness::Command bench_scenes_command();
 [[nodiscard]] harness::Command soak_command();
+[[nodiscard]] harness::Command recorded_command();
 [[nodiscard]] harness::Command tradeoff_command();
 [[nodiscard]] harness::Command tunnelling_command();
 [[nodiscard]] harness::Command stability_command();

@@ -66,10 +66,11 @@ int main(int argc, char** argv) {
   try {
     using namespace touchstone::commands;
     std::vector<touchstone::harness::Command> commands{
-        judge_command(),   methods_command(),  near_edge_command(),  angles_command(),    meshes_command(),
-        merging_command(), motions_command(),  cases_command(),      bench_command(),     bench_scenes_command(),
-        soak_command(),    tradeoff_command(), tunnelling_command(), stability_command(), scenes_command(),
-        cell_command(),    regress_command(),  corpus_command(),     thesis_command(),    show_command()};
+        judge_command(),   methods_command(),  near_edge_command(), angles_command(),     meshes_command(),
+        merging_command(), motions_command(),  cases_command(),     bench_command(),      bench_scenes_command(),
+        soak_command(),    recorded_command(), tradeoff_command(),  tunnelling_command(), stability_command(),
+        scenes_command(),  cell_command(),     regress_command(),   corpus_command(),     thesis_command(),
+        show_command()};
     commands.push_back(columns_command(commands));
     for (const auto& command : help_commands(kAbout, commands)) commands.push_back(command);
     const int status =

@@ -24,7 +24,7 @@ sys.path.append(str(PAPERS))
 sys.path.append(str(ROOT / "experiments/report"))
 
 from results import DataError, study_in  # noqa: E402
-from values import (bench, bench_scenes, corpus, meshes, motions, near_edge, proofs, regress, soak, soak_moving,  # noqa: E402
+from values import (bench, bench_scenes, corpus, meshes, motions, near_edge, proofs, recorded, regress, seeds, soak, soak_moving,  # noqa: E402
                     stability, thesis, tradeoff, tunnelling)
 from values.latex import decimal, escaped, table  # noqa: E402
 
@@ -32,11 +32,12 @@ STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of
     "near-edge": (near_edge, "near-edge"), "stability": (stability, "stability"), "tradeoff": (tradeoff, "tradeoff"),
     "bench": (bench, "bench"), "regress": (regress, "engines"), "soak": (soak, "soak"), "meshes": (meshes, "real"),
     "bench-scenes": (bench_scenes, "scenes"), "thesis": (thesis, "thesis"), "motions": (motions, "motions"),
-    "tunnelling": (tunnelling, "tunnelling"), "soak-moving": (soak_moving, "soak-moving")}
+    "tunnelling": (tunnelling, "tunnelling"), "soak-moving": (soak_moving, "soak-moving"), "recorded": (recorded, "recorded"),
+    "seeds": (seeds, "seeds")}
 
 # Libraries of others that the paper's tables are about, as run.json names them; and the studies that ask them.
 ENGINES = ["embree", "fcl", "libccd", "bullet", "ode", "bullet-float"]
-ASKING = ["regress", "bench-scenes", "motions"]
+ASKING = ["regress", "bench-scenes", "motions", "recorded"]
 
 # By figures, and not row by row.
 ALSO_READ = {"bench": {"bench.json"}, "near-edge": {f"map-reflex-vertex-foot-{distance}.csv" for distance in (0, 1000)}}
@@ -156,11 +157,12 @@ def run_latex(output, studies):
     date = max(study.run["date"] for study in studies.values())
     epoch = subprocess.run(["date", "-d", date, "+%s"], check=True, capture_output=True, text=True).stdout.strip()
     environment = os.environ | {"SOURCE_DATE_EPOCH": epoch, "FORCE_SOURCE_DATE": "1", "max_print_line": "1000"}
-    made = subprocess.run(["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-silent", "touchstone.tex"], cwd=output,
+    made = subprocess.run(["latexmk", "-g", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-silent", "touchstone.tex"], cwd=output,
                           env=environment, capture_output=True, text=True)
     log = (output / "touchstone.log").read_text(errors="replace") if (output / "touchstone.log").exists() else made.stdout
     lines = log.splitlines()
-    faults = ([line for line in lines if line.startswith("!")] or
+    bibliography = (output / "touchstone.blg").read_text(errors="replace").splitlines() if (output / "touchstone.blg").exists() else []
+    faults = ([line for line in lines if line.startswith("!")] or [line for line in bibliography if "---line" in line] or
               [line for line in lines if re.search(r"undefined|multiply defined|Overfull .hbox \(\d\d", line)])
     if made.returncode != 0 or faults:
         raise DataError("\n".join([f"{output}/touchstone.log:", *faults]))

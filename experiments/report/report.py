@@ -11,20 +11,21 @@ import re
 import sys
 
 import studies
-from chapters import (bench, bench_scenes, cell, cell_area, merging, meshes, motions, near_edge, regress, soak, soak_moving, stability, thesis,
+from chapters import (bench, bench_scenes, cell, cell_area, merging, meshes, motions, near_edge, recorded, regress, soak, soak_moving, stability, thesis,
                       tradeoff, tunnelling)
 from chapters.opening import never_failed, scheme, terms, verdict
 from page import code, count, document, escaped, folded, rounded, table, words
 from replacing import replacing
 from results import DataError, study_in
 
-CHAPTERS = {"meshes": meshes, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "regress": regress, "soak": soak,
+CHAPTERS = {"meshes": meshes, "near-edge": near_edge, "stability": stability, "tradeoff": tradeoff, "bench": bench, "regress": regress, "recorded": recorded, "soak": soak,
             "motions": motions, "tunnelling": tunnelling, "soak-moving": soak_moving,
             "bench-scenes": bench_scenes, "merging": merging, "cell": cell, "cell-area": cell_area, "thesis": thesis}
 
 STYLE = """
+body { font-size: .97rem; line-height: 1.45; }
 header p.lead { font-size: 1.12rem; }
-#contents { columns: 2 16rem; padding-left: 1.9rem; } #contents li { break-inside: avoid; }
+h2 { margin-top: 2.2rem; } #contents { columns: 3 15rem; column-gap: 2.5rem; padding-left: 1.9rem; } #contents li { break-inside: avoid; }
 .verdict { border: 2px solid var(--line); border-radius: .5rem; background: var(--soft); padding: 0 1rem; }
 .verdict h2 { margin: .8rem 0 .2rem; } .verdict li { margin: .5rem 0; } .verdict ul { padding-left: 1.1rem; margin: .5rem 0; }
 .headline { font-size: 1.12rem; font-weight: 600; margin: .5rem 0; }
@@ -39,7 +40,9 @@ pre { overflow-x: auto; background: var(--soft); padding: .5rem; border-radius: 
 code.call { white-space: normal; overflow-wrap: anywhere; }
 dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
 iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
+.made { columns: 2 20rem; } .narrow svg.scheme { max-width: 27rem; } .narrow .picture img { max-width: min(100%, 34rem); }
 .paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
+@media (min-width: 75rem) { .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1.5rem; margin-inline: calc(50% - min(48vw, 40rem)); } }
 @media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); }
   .table .scroll { width: max-content; min-width: 100%; max-width: min(96vw, 80rem); position: relative; left: 50%; transform: translateX(-50%); } }
 @media (max-width: 40rem) { .picture img { max-width: none; } svg.scheme { min-width: 36rem; } iframe.cell { height: 38rem; } th[scope=row] { max-width: 11rem; } }
@@ -72,7 +75,7 @@ def made(found):
     return ('<section><h2 id="made">How this was made</h2>'
             + folded("The commands, seeds and times", table("The studies, each by one command; the same seed gives the same data, times aside.",
                                                             ["study", "command", "seed", "samples", "time, processes × threads", "at (UTC)", "data"], rows))
-            + f"<ul>{lines('commit', lambda c: 'commit ' + code(c))}{lines('compiler')}{lines('flags', code)}{lines('processor')}{lines('machine')}</ul></section>")
+            + f"<ul class=\"made\">{lines('commit', lambda c: 'commit ' + code(c))}{lines('compiler')}{lines('flags', code)}{lines('processor')}{lines('machine')}</ul></section>")
 
 
 def not_run(results, missing):
@@ -139,13 +142,12 @@ def reproducing(results):
 (except for times). Each study can be run alone by the command below it. The same seed gives the same data, byte for byte,
 with any number of threads; for studies that run on many machines (<code>near-edge</code>, <code>stability</code>,
 <code>tradeoff</code>, <code>soak</code>), also with any number of processes. <code>experiments/report/report.py {escaped(results.name)}</code> writes this page again.</p>
-<h3>Test your own engine</h3>
-<p>An engine is any program that reads cases, one line of JSON each, and prints its answers:</p>
+<details><summary>Test your own engine</summary><p>An engine is any program that reads cases, one line of JSON each, and prints its answers:</p>
 <pre tabindex="0"><code>touchstone cases --failing fast --expected &gt; cases.jsonl   # random cases on which plain doubles are wrong
 touchstone judge --engine './engine' cases.jsonl            # compares its answers with the exact ones
 touchstone regress --baseline tests/experiments/judge/regress/baseline.json   # compares the built-in engines with their baseline</code></pre>
 <p>How to write one, in ten lines of Python or C++: <code>experiments/judge/README.md</code>; how to build one in:
-<code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></section>
+<code>experiments/methods/README.md</code>; some thousand certified cases: <code>tests/corpus</code>.</p></details></section>
 """
 
 

@@ -33,6 +33,15 @@ KERNELS = "exact,filtered,fast,fast-float,fast-long-double,fast-double-double,cg
 THESIS = "thesis,thesis-float,thesis-signed,thesis-newell,thesis-closed"
 NEAR_EDGE = ["near-edge", "--methods", "filtered,fast,fast-float,thesis,thesis-signed"]
 
+SEEDS = range(2, 7)  # the others have 1
+
+
+def of_seed(seed, *samples):
+    """The rates of near-edge with another seed. The folder of the first one also has the study's run.json."""
+    folder = OUTPUT if seed == SEEDS[0] else f"{OUTPUT}/seed-{seed}"
+    return [*NEAR_EDGE, *samples, "--search", "0", "--no-maps", "--no-pictures", "--seed", str(seed), "--output", folder]
+
+
 STUDIES = [
     Study("meshes", "every face of real meshes",
           **same(["meshes", MESHES, "--skip-bad", "--methods", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
@@ -61,6 +70,10 @@ STUDIES = [
           full=[["soak", "--moving", "--output", OUTPUT]], quick=[["soak", "--moving", "--samples", "20000", "--output", OUTPUT]]),
     Study("cell-area", "where the storage of the cell may stand", full=[["cell", "area", CELL, "--output", OUTPUT]]),
     Study("merging", "coplanar faces as polygons", full=[["merging", MESHES, "--skip-bad", "--output", OUTPUT]]),
+    Study("seeds", "random polygons, with other seeds", resumes=True, full=[of_seed(seed) for seed in SEEDS],
+          paper=[of_seed(seed, "--samples", "60") for seed in SEEDS]),
+    Study("recorded", "questions of a third-party simulation", resumes=True,
+          full=[["recorded", "--output", OUTPUT]], paper=[["recorded", "--samples", "40", "--output", OUTPUT]]),
     Study("bench", "what certainty costs",
           full=[["bench", "--output", OUTPUT]],
           paper=[["bench", "--repetitions", "7", "--output", OUTPUT]]),

@@ -12,6 +12,15 @@ TRIANGLES = {  # family: in words
 ASKED_ONCE = {"asked once": 1, "asked 2 times": 2, "asked 8 times": 8, "asked 32 times": 32, "asked 128 times": 128}
 
 
+VARIANTS = {  # of the family of this name: in words
+    "no double": "without doubles over the whole query", "no permanent": "without doubles for one sign",
+    "no double-double": "without double-doubles", "no fixed-integer": "without integers of fixed width",
+    "only unlimited": "doubles, then integers of any size", "only expansions": "doubles, then expansions",
+    "generated filter": "intervals, then integers of any size"}
+NO_VARIANT = "all stages"  # the same program as filtered: what the way of measuring costs
+VARIANTS_ASKED = {"random-triangles": "anywhere", "2^-44": r"at $2^{-44}$", "near": r"at $2^{-50}$", "lattice-tangent": "tangent, lattices"}
+
+
 def quoted(ratio):
     """None of a ratio whose spread within its run says that it tells nothing: text that quotes it is an error."""
     return None if ratio.get("too_noisy") else times(ratio["median"])
@@ -25,8 +34,25 @@ def nearness(study):
     yield "onset", f"$2^{{-{min(k for k, contest in found.items() if contest['shares']['double'] < 0.99)}}}$"
 
 
+def variants(study):
+    """By questions: the contestants. Each stage that the text calls worth its place must be."""
+    found = {family: named(study, "variants")[family]["contestants"] for family in VARIANTS_ASKED}
+    for family, contestants in found.items():
+        for name, contestant in contestants.items():
+            if contestant["wrong"]["count"]:
+                raise ValueError(f"{name} is wrong about {family}")
+    for family, name in (*((family, "no double") for family in found), ("2^-44", "no permanent"), ("near", "no double-double"), ("lattice-tangent", "no fixed-integer")):
+        ratio = found[family][name]["ratio"]
+        if ratio["median"] < 1 and not ratio.get("too_noisy"):
+            raise ValueError(f"{name} costs nothing on {family}, against the text")
+    return found
+
+
 def values(study):
     every = contests(study)
+    for family, contestants in variants(study).items():
+        for name in (NO_VARIANT, *VARIANTS):
+            yield f"variants/{family}/{name}", quoted(contestants[name]["ratio"])
     for family in ("random-triangles", "half-near"):
         for kernel in ("EPICK", "EPECK"):
             predicate, distance = (every[family, ""][name]["nanoseconds"]["median"] for name in (f"{kernel}, compare", kernel))
@@ -72,4 +98,8 @@ def tables(study):
     rows += [None, *(row(f"polygons of {count(vertices)} vertices", c) for vertices, c in polygons(every).items())]
     head = ["nanoseconds a query", r"\method{fast}", r"\method{filtered}", "ratio", "goal", "same tree", r"\method{fast} wrong"]
     yield "bench", table("@{}lrrrrrr@{}", head, rows)
+    found = variants(study)
+    rows = [[r"\method{filtered}, nanoseconds", *(f"{found[family]['filtered']['nanoseconds']['median']:.0f}" for family in found)], None]
+    rows += [[words, *(quoted(found[family][name]["ratio"]) or "too noisy" for family in found)] for name, words in VARIANTS.items()]
+    yield "variants", table("lrrrr", ["", *VARIANTS_ASKED.values()], rows)
     yield "preparation", table("rrrrrr", ["vertices", "1 query", *(f"{n}" for n in list(ASKED_ONCE.values())[1:])], list(preparation_rows(study)))

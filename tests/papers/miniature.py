@@ -80,6 +80,11 @@ FILES = {
                           (["across", "all"], "libccd", 8, 1, 80, 1, 0, 0, 0, 0, 0, "", "", "", "")),
         "thresholds.csv": table("event feature method offset trials missed invented rate",
                                 ("graze", "edge", ["filtered", "fast"], [-0.0625, 0.0625], 8, 0, 0, 0))},
+    "recorded": {
+        "recorded.csv": table("simulation radius method questions touching wrong upper failed_piles piles furthest",
+                              (["bullet", "bullet-float"], ["own", "with threshold"], "filtered", 8, 4, 0, 0.3, 0, 2, 0),
+                              *((name, ["own", "with threshold"], [name, "fast"], 8, 4, 2, 0.7, 2, 2, 0.25) for name in ("bullet", "bullet-float"))),
+        "near.csv": table("simulation radius exponent near questions", (["bullet", "bullet-float"], ["own", "with threshold"], [0, 20, 50], 4, 8))},
     "tunnelling": {
         "misses.csv": table("radius steps contacts missed rate lower upper", ([0, 0.00390625, 0.0625], [1, 4, 64], 8, 2, 0.25, 0, 0.9))},
     "meshes": {
@@ -108,17 +113,26 @@ def quartiles(median):
 
 def contest(family, name):
     first = {"name": "fast", "asked": 8, "nanoseconds": quartiles(20), "wrong": {"count": 1, "of": 8}}
+    names = ("filtered", "EPICK", "EPICK, compare", "EPECK", "EPECK, compare")
+    if family == "variants":
+        names = ("filtered", "all stages", "no double", "no permanent", "no double-double", "no fixed-integer", "only unlimited", "only expansions",
+                 "generated filter")
     others = [{"name": other, "asked": 8, "nanoseconds": quartiles(30), "wrong": {"count": 0, "of": 8}, "ratio": quartiles(1.5)}
-              for other in ("filtered", "EPICK", "EPICK, compare", "EPECK", "EPECK, compare")]
-    return {"family": family, "name": name, "contestants": [first, *others]}
+              for other in names]
+    return {"family": family, "name": name, "contestants": others if family == "variants" else [first, *others]}
 
 
 STAGES = ("double", "permanent", "double-double", "fixed-integer", "unlimited")
 BENCH = {"contests": [*(contest(family, "") for family in ("random-triangles", "half-near", "lattice-tangent", "slivers", "far", "extreme")),
                       contest("motions", "contact, random triangles"), contest("polygons-8", "all outlines"), contest("polygons-100000", "all outlines"),
                       *(contest("polygons-8", f"asked {how}") for how in ("once", "2 times", "8 times")),
+                      *(contest("variants", family) for family in ("random-triangles", "2^-44", "near", "lattice-tangent")),
                       *(contest("nearness", f"2^-{k}") | {"shares": {stage: 0.2 for stage in STAGES} if k > 20 else dict(zip(STAGES, (1, 0, 0, 0, 0)))}
                         for k in (52, 24, 1))]}
+
+
+RATES_OF_SEED = {name: FILES["near-edge"][name] for name in ("rates.csv", "bands.csv")}
+FILES["seeds"] = {f"{part}{name}": rows for part in ("", *(f"seed-{seed}/" for seed in range(3, 7))) for name, rows in RATES_OF_SEED.items()}
 
 
 def write(results):
@@ -127,6 +141,7 @@ def write(results):
         folder.mkdir(parents=True)
         (folder / "run.json").write_text(json.dumps(RUN | {"command": f"touchstone {study} --seed 7"}))
         for name, rows in files.items():
+            (folder / name).parent.mkdir(exist_ok=True)
             with open(folder / name, "w", newline="") as file:
                 csv.writer(file).writerows(rows)
     (results / "bench" / "bench.json").write_text(json.dumps(BENCH))

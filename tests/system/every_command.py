@@ -43,6 +43,7 @@ COMMANDS = {
     "bench": [["--family", "far", "--samples", "5", "--repetitions", "1", "--output", OUTPUT]],
     "bench-scenes": [["--max-faces", "1000", "--samples", "5", "--repetitions", "1", "--no-pictures", "--output", OUTPUT]],
     "soak": [["--samples", "5", "--output", OUTPUT], ["--samples", "5", "--print"]],
+    "recorded": [["--methods", "fast", "--samples", "1", "--balls", "2", "--steps", "5", "--output", OUTPUT]],
     "tradeoff": [["--methods", "fast", "--families", "l", "--samples", "1", "--queries", "5", "--repetitions", "1", "--no-pictures",
                   "--output", OUTPUT]],
     "stability": [["--methods", "fast", "--axes", "origin", "--samples", "1", "--no-pictures", "--output", OUTPUT]],

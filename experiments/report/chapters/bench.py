@@ -139,6 +139,17 @@ def motions_table(every):
                  "anywhere to anywhere; those of polygons pass near the plane.", head, rows, range(1, len(head))) if rows else ""
 
 
+def variants_table(study):
+    """What a stage saves; empty where it was not measured."""
+    found = {name: contest["contestants"] for name, contest in named(study, "variants").items()}
+    if not found:
+        return ""
+    names = [name for name in next(iter(found.values())) if name != "filtered"]
+    rows = [[escaped(name), *(multiple(c[name]["ratio"]["median"], 3) if is_quoted(c, name) else "too noisy to tell" for c in found.values())] for name in names]
+    return table(f"{code('filtered')} without one of its stages, or with other exact arithmetic behind the first: times over those of {code('filtered')} on the same "
+                 "questions. Every variant answers as exact arithmetic does.", ["variant", *map(escaped, found)], rows, range(1, len(found) + 1))
+
+
 def chapter(study):
     every = contests(study)
     rows = [line(escaped(about), every[family, ""]) for family, about in TRIANGLES.items()]
@@ -148,6 +159,7 @@ def chapter(study):
     return f"""<p>{code('fast')}, {code('filtered')} and two of CGAL's kernels answer contact, yes or no, in turns, in one run on one
 core: {count(queries['asked'])} distinct questions of each kind, {count(len(queries['ratio']['repetitions']))} turns, medians. Polygons
 are prepared; the balls are small and near their planes. CGAL's {words([code(other) for other in OTHERS])} (inexact and exact constructions) are
-asked about triangles where their questions are the same.</p>""" + table(
-        "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
-        range(1, len(head))) + nearness_picture(study) + break_even_picture(study) + folded("Moving balls", motions_table(every))
+asked about triangles where their questions are the same.</p>""" + f'<div class="pair">{nearness_picture(study)}{break_even_picture(study)}</div>' + folded(
+        "Every ratio: families of triangles, polygons, moving balls", table(
+            "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
+            range(1, len(head))) + motions_table(every)) + folded("What each stage saves", variants_table(study))

@@ -67,7 +67,7 @@ thread.</p>"""
                       "and answers that differ.",
                       ["library", *(f"{BALLS.get(balls, balls)}: {QUESTIONS.get(question, question)}" for balls, question in questions)], body,
                       range(1, len(questions) + 1))
-        path = smaller(study.folder, f"queries-{scene}")
+        path, drawn = smaller(study.folder, f"queries-{scene}"), ""
         if path:
             growth = []
             small = min(row["triangles"] for row in data.queries if row["scene"] == scene)
@@ -78,9 +78,9 @@ thread.</p>"""
                     growth.append(f"{escaped(library)} {multiple(times[size] / times[small])}")
             follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: "
                        f"touches any?” grows by {words(growth)}." if growth else "")
-            text += picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each "
+            drawn = picture(path, f"Lines of microseconds a query against triangles in the scene {scene}, a line for each "
                                   "library, a panel for each "
                             "kind of ball and question.", f"Time of a query against the size of the scene "
                                                           f"“{escaped(scene)}”.{follows}")
-        text += folded(f"The numbers of {scene}", numbers + motions_table(data, scene))
+        text += folded(f"Times of {scene}", drawn + numbers + motions_table(data, scene))
     return text

@@ -123,7 +123,7 @@ with our numbers, without any program or network.</p>"""
     page = study.folder / "cell.html"
     text += folded("Play it here", iframe(page)) + still(study)
     text += '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
-    return text + consequence(study) + folded("The moves", table(
+    return f'{text}<div class="narrow">{consequence(study)}</div>' + folded("The moves", table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],
         [[str(row["move"]), escaped(row["phase"]), escaped(row["joint"]), escaped(row["until"]), f"{row['degrees']:+g}°".replace("-", "−"),

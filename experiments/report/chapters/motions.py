@@ -77,7 +77,8 @@ the polygon's size, to either side. {code("exact")} says what is right. Engines 
 static test of the start), FCL its conservative advancement, both with their own settings; libccd and CGAL decide whether the capsule touches, and have no
 time. FCL’s issues 120 and 555 report that its conservative advancement misses contacts of meshes. CGAL’s exact kernel differs where rotated loops are
 not planar: it gets their triangles, whose vertices are not lifted.</p>"""
-    text += pass_picture(study) + folded("By method, way and threshold", engines_table(data) + ways_table(data) + thresholds_table(data))
+    text += folded("By method, way and threshold; a grazing pass, drawn",
+                   engines_table(data) + ways_table(data) + thresholds_table(data) + pass_picture(study))
     absent = [name for name in NO_SWEEP if name not in data.methods]
     return text + (f"<p>{words(code(name) for name in absent)} cannot be asked: they have no test of a moving ball. Tight-Inclusion is not in "
                    "this comparison, because Debian has no package of it; it asks about vertices and edges without a radius.</p>" if absent else "")

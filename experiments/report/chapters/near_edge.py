@@ -115,4 +115,4 @@ are rounded to doubles. For each, the exact distance from the ball's centre is c
 nearest to it and moved double by double, from 1 to 2³² of them, to either side (<i>face</i>, <i>edge</i>, <i>vertex</i>:
 what is nearest). Likewise the centre is moved so that its foot crosses an edge or passes a vertex.</p>"""
     text += "".join(rates_picture(study, data, placement) for placement in data.placements if placement == "rotated" or len(data.placements) == 1)
-    return text + map_picture(study) + folded("Wrong answers within one double of each threshold", rates_table(data))
+    return text + folded("Wrong answers within one double of each threshold, and a map of them", rates_table(data) + map_picture(study))

@@ -4,8 +4,8 @@ import re
 
 from engine_tables import OVERALL, by_family, overall
 from names import ENGINES
-from page import code, count, counted, escaped, folded, power, table, words
-from readings.regress import asked, cases_of, polygons_of, rows_by_engine, rows_of
+from page import code, count, counted, escaped, folded, percent, power, table, words
+from readings.regress import Outcomes, asked, cases_of, polygons_of, rows_by_engine, rows_of
 
 TITLE = "Other engines on the same questions"
 
@@ -19,11 +19,13 @@ def finding(study):
     rows = rows_of(study)
     lines = overall(rows, polygons_of(study, rows))
     others = [line for line in lines if line[0] not in ("filtered", "fast", "thesis")]
-    wrong = [f"{code(name)} {shown(share)}" for name, _, share, _, _ in others if not share.startswith("0 of")]
+    outcomes = {engine: Outcomes.of(rows) for engine, rows in rows_by_engine(rows).items()}
+    wrong = sorted((outcomes[name].wrong / outcomes[name].cases, name) for name, _, share, _, _ in others if not share.startswith("0 of"))
     never = [code(name) for name, _, share, _, _ in others if share.startswith("0 of")]
     cases = cases_of(rows)
     text = f"{count(cases)} random cases each, at relative offsets of 2⁻⁸ to 2⁻⁵² from contact and 0: "
-    text += f"wrong answers of {words(wrong)}" if wrong else "no wrong answer"
+    span = words([f"{percent(share)} ({code(name)})" for share, name in dict.fromkeys((wrong[0], wrong[-1]))], "to") if wrong else ""
+    text += f"wrong answers of {counted(len(wrong), 'engines')}, {span}" if wrong else "no wrong answer"
     return text + (f"; of {words(never)} none" if never and wrong else "") + "."
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone soak`: filtered against exact on adversarial cases."""
-from page import code, count, escaped, percent, stacked, table, upper_limit
+from page import code, count, escaped, folded, percent, stacked, table, upper_limit
 from readings.bench import STAGE_COLOURS as COLOURS
 from readings.soak import asked, rows_of
 
@@ -37,4 +37,4 @@ def chapter(study):
     return f"""<p>{code('filtered')} answers by stages: plain doubles with a proved bound on their error; where that cannot
 tell, double-doubles (two doubles for one number); where those cannot, integers as long as it takes. The soak asks it about
 cases made to hurt (exact tangency, needles, points, extreme exponents, far from the origin) in three ways (a triangle, a
-prepared polygon, the whole answer) and holds every answer against {code('exact')}.</p>""" + stages_table(study)
+prepared polygon, the whole answer) and holds every answer against {code('exact')}.</p>""" + folded("By family, and by the stage that decided", stages_table(study))

@@ -96,7 +96,7 @@ Without signs, that is wrong for non-convex outlines"""
     text += ". The thesis wants to avoid convex hulls, which fill notches, and decompositions into convex parts, which it finds costly."
     if data.areas:
         text += "</p>"
-        text += table("Area outside an outline that is taken for inside, relative to the outline's own",
+        areas = table("Area outside an outline that is taken for inside, relative to the outline's own",
                       ["outline", "thesis's angle sum", "convex hull", "convex parts", "number of these"],
                       [[escaped(row["outline"]), "" if row["share"] is None else percent(row["share"], 3), percent(row["hull"], 3),
                         "0", count(row["parts"])] for row in data.areas], (1, 2, 3, 4))
@@ -109,11 +109,13 @@ Without signs, that is wrong for non-convex outlines"""
         text += " "
     text += "Every figure and table of the thesis that has a number gets that number; "
     text += "all of them, with pictures, are on <a href=\"thesis/index.html\">a page of their own</a>, beside this one.</p>"
+    if data.areas:
+        text += folded("The areas of every outline", areas)
     text += folded("Systems that the thesis names", named_systems())
     text += f"<p>By status: {words(f'{count(n)} {escaped(status)}' for status, n in data.statuses.items())}.</p>"
     by_id = {entry["id"]: entry for entry in data.entries}
-    text += "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)
-    return text
+    shown = "".join(shown_picture(study, data, by_id[name]) for name in SHOWN if name in by_id)
+    return text + (folded("Why: the angle sum about a gripper's gap", f'<div class="narrow">{shown}</div>') if shown else "")
 
 
 def agreement(data, entry):

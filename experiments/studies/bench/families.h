@@ -32,5 +32,6 @@ struct Family {
 [[nodiscard]] Family batch_family();
 [[nodiscard]] Family motion_family();
 [[nodiscard]] Family nearness_family();
+[[nodiscard]] Family variants_family();
 
 }  // namespace touchstone::bench

@@ -120,11 +120,12 @@ class UnsureTriangle {
   Counts& counts_;
 };
 
-/// Returns whether ball and triangle touch. Computes the signs that are not certain in integers of any size.
-inline bool bigint_contact(const BallTriangleView& view, const TriangleSigns& signs) {
-  const auto sign = [&view](SignKind kind, const CertainSigns& certain, int i) {
+/// Returns whether ball and triangle touch. exact(kind, edge) computes the signs that are not certain.
+template <class ExactSign>
+bool contact_by(const TriangleSigns& signs, const ExactSign& exact) {
+  const auto sign = [&exact](SignKind kind, const CertainSigns& certain, int i) {
     const int known = certain.of(i);
-    return known != 0 ? known : bigint_sign(kind, view, i);
+    return known != 0 ? known : exact(kind, i);
   };
   bool outside = signs.side.negative != 0;
   for (int i = 0; i < 3 && !outside; ++i) outside = sign(SignKind::Side, signs.side, i) < 0;
@@ -137,6 +138,11 @@ inline bool bigint_contact(const BallTriangleView& view, const TriangleSigns& si
       return true;
   }
   return false;
+}
+
+/// The same, with these signs in integers of any size.
+inline bool bigint_contact(const BallTriangleView& view, const TriangleSigns& signs) {
+  return contact_by(signs, [&view](SignKind kind, int i) { return bigint_sign(kind, view, i); });
 }
 
 /// Returns whether ball and triangle touch, after scaling very large or very small numbers to ordinary size.

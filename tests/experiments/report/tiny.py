@@ -36,6 +36,7 @@ def calls(source, mesh):
         "soak": ["soak", "--samples", "200"],
         "motions": ["motions", "--methods", "exact,filtered,fast,cgal-epeck-distance", "--vertices", "6", "--samples", "1", "--no-pictures"],
         "tunnelling": ["tunnelling", "--samples", "100", "--repetitions", "1", "--no-pictures"],
+        "recorded": ["recorded", "--methods", "fast,filtered", "--samples", "1", "--balls", "6", "--steps", "90"],
         "soak-moving": ["soak", "--moving", "--samples", "100"],
         "cell": ["cell", "run", cell, "--methods", "filtered,fast"],
         "cell-area": ["cell", "area", cell, "--angle-step", "90", "--length-step", "500", "--no-pictures"],

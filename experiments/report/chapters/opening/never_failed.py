@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The methods that never failed, with limits from the number of answers in each study."""
-from page import code, count, counted, escaped, percent, table, upper_limit, words
+from page import code, count, counted, escaped, folded, percent, table, upper_limit, words
 
 CERTIFIED, TRUTH = "filtered", "exact"  # must never fail; is right by definition
 
@@ -36,10 +36,14 @@ def table_of(asked, titles):
     if not rows:
         return ""
     right, unsure = others(asked)
-    also = f" Also never wrong: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
+    answers, wrong, _ = sums(asked, CERTIFIED)
+    also = f"{code(CERTIFIED)} was wrong in {count(wrong) if wrong else 'none'} of {count(answers)} answers that were compared with exact ones."
+    also += f" Also never wrong: {words(f'{code(m)} ({count(sums(asked, m)[0])} answers)' for m in right)}." if right else ""
     also += "".join(f" {code(m)} was never wrong either, but said “don’t know” {count(n)} times of {count(sums(asked, m)[0])}." for m, n in unsure.items())
-    return "<section><h2>What never failed, and how sure that is</h2>" + table(
+    limits = table(
         f"Answers of {code(CERTIFIED)} about contact that were compared with exact ones. Answers about the same polygon depend on each "
         "other, so the limit counts polygons (or outlines that they share, faces, cases). It holds for polygons that are drawn as that "
         "study draws them; studies are not added up. The bounds behind the answers are proved as well, in every test run.",
-        ["study", "answers", "about", "wrong", "95 % upper limit"], rows, range(1, 5)) + f"<p>{also.strip()}</p></section>"
+        ["study", "answers", "about", "wrong", "95 % upper limit"], rows, range(1, 5))
+    return (f"<section><h2>What never failed, and how sure that is</h2><p>{also}</p>"
+            + folded(f"By study: how often {CERTIFIED} was asked, and the limits", limits) + "</section>")

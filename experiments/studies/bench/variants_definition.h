@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/studies/bench/expansion.h"
+#include "experiments/studies/bench/variants.h"
+#include "robust/filtered/detail/kernels.h"
+#include "robust/filtered/detail/triangle_contact.h"
+
+namespace touchstone::bench {
+inline namespace TOUCHSTONE_TARGET {
+
+using filtered::FilterResult;
+using filtered::SignKind;
+using filtered::Stage;
+
+/// Counts nothing, and leaves stages out.
+template <Stage... left_out>
+struct Without : filtered::NoCounts {
+  static constexpr bool uses(Stage stage) { return ((stage != left_out) && ...); }
+};
+
+template <Stage... left_out>
+bool contact_without(const Ball& ball, const Triangle& triangle) {
+  Without<left_out...> counts;
+  return filtered::contact(filtered::view_of(ball, triangle), counts);
+}
+
+/// As after a first stage that knows no sign. Requires numbers in its range.
+inline bool contact_without_first(const Ball& ball, const Triangle& triangle) {
+  const filtered::BallTriangleView view = filtered::view_of(ball, triangle);
+  filtered::TriangleSigns signs{};
+  constexpr unsigned kAll = 0b111;
+  signs.reachable = kAll;
+  for (int i = 0; i < 3; ++i) {
+    signs.to_center[i] = view.radius();
+    signs.edge[i] = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double vertex = view.vertex[i][axis], next = view.vertex[i == 2 ? 0 : i + 1][axis];
+      signs.to_center[i] = std::max(signs.to_center[i], std::abs(view.center[axis] - vertex));
+      signs.edge[i] = std::max(signs.edge[i], std::abs(next - vertex));
+    }
+  }
+  filtered::NoCounts counts;
+  return filtered::unsure_contact(view, signs, FilterResult::Unsure, counts);
+}
+
+/// An edge and a ball in expansions.
+struct ExpansionView {
+  const filtered::BallTriangleView& view;
+  int i;
+
+  using Vector = filtered::Vector3<Expansion<2>>;
+  static Vector difference(const double* a, const double* b) {
+    return {exact_difference(a[0], b[0]), exact_difference(a[1], b[1]), exact_difference(a[2], b[2])};
+  }
+  [[nodiscard]] Vector to_center() const { return difference(view.center, view.vertex[i]); }
+  [[nodiscard]] Vector edge() const { return difference(view.vertex[(i + 1) % 3], view.vertex[i]); }
+  [[nodiscard]] auto normal() const {
+    return filtered::signs::normal(difference(view.vertex[1], view.vertex[0]),
+                                   difference(view.vertex[2], view.vertex[1]));
+  }
+  [[nodiscard]] Expansion<1> radius() const { return Expansion<1>(view.radius()); }
+};
+
+inline int expansion_sign(SignKind kind, const ExpansionView& view) {
+  switch (kind) {
+    case SignKind::Vertex: return sign(filtered::expression<SignKind::Vertex>(view));
+    case SignKind::Along: return sign(filtered::expression<SignKind::Along>(view));
+    case SignKind::Beyond: return sign(filtered::expression<SignKind::Beyond>(view));
+    case SignKind::Line: return sign(filtered::expression<SignKind::Line>(view));
+    case SignKind::Side: return sign(filtered::expression<SignKind::Side>(view));
+    default: return sign(filtered::expression<SignKind::Plane>(view));
+  }
+}
+
+/// The first stage, then expansions.
+inline bool contact_by_expansions(const Ball& ball, const Triangle& triangle) {
+  const filtered::BallTriangleView view = filtered::view_of(ball, triangle);
+  filtered::TriangleSigns signs;
+  const FilterResult result = filtered::triangle_filter(view, signs);
+  if (result < FilterResult::Unsure) return result == FilterResult::Yes;
+  return filtered::contact_by(signs, [&view](SignKind kind, int i) { return expansion_sign(kind, {view, i}); });
+}
+
+inline const std::vector<Variant>& all_variants() {
+  static const std::vector<Variant> list{
+      {"all stages", contact_without<>},
+      {"no double", contact_without_first},
+      {"no permanent", contact_without<Stage::Permanent>},
+      {"no double-double", contact_without<Stage::DoubleDouble>},
+      {"no fixed-integer", contact_without<Stage::FixedInteger>},
+      {"only unlimited", contact_without<Stage::Permanent, Stage::DoubleDouble, Stage::FixedInteger>},
+      {"only expansions", contact_by_expansions},
+      {"generated filter", generated_filter_contact}};
+  return list;
+}
+
+}  // namespace TOUCHSTONE_TARGET
+}  // namespace touchstone::bench

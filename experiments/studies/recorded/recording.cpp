@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "experiments/studies/recorded/recording.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/methods/process/engine_process.h"
+
+namespace touchstone::recorded {
+namespace {
+
+/// Returns the pile as the program reads it.
+std::string text_of(const Pile& pile, std::size_t steps) {
+  std::string text = fmt::format("{}", pile.vertices.size());
+  const auto out = std::back_inserter(text);
+  for (const auto& v : pile.vertices) fmt::format_to(out, " {} {} {}", v.x(), v.y(), v.z());
+  fmt::format_to(out, " {}", pile.triangles.size());
+  for (const auto& [a, b, c] : pile.triangles) fmt::format_to(out, " {} {} {}", a, b, c);
+  fmt::format_to(out, " {}", pile.balls.size());
+  for (const auto& [c, r] : pile.balls) fmt::format_to(out, " {} {} {} {}", c.x(), c.y(), c.z(), r);
+  return text + fmt::format(" {}\n", steps);
+}
+
+Question question_in(const std::string& line) {
+  Question question{};
+  int within = 0, contact = 0;
+  constexpr int kNumbers = 8;
+  double* const center = question.ball.center.data();
+  const int read = std::sscanf(line.c_str(), "%zu %la %la %la %la %la %d %d", &question.triangle, center, center + 1,
+                               center + 2, &question.ball.radius, &question.within_radius, &within, &contact);
+  if (read != kNumbers) throw std::runtime_error("the pile's program printed: " + line);
+  question.within = within != 0;
+  question.contact = contact != 0;
+  return question;
+}
+
+}  // namespace
+
+const std::vector<Simulation>& simulations() {
+  static const std::vector<Simulation> list{
+#ifdef TOUCHSTONE_PILE_DOUBLE
+      {"bullet", TOUCHSTONE_PILE_DOUBLE},
+#endif
+#ifdef TOUCHSTONE_PILE_FLOAT
+      {"bullet-float", TOUCHSTONE_PILE_FLOAT},
+#endif
+  };
+  return list;
+}
+
+std::vector<Question> record(const Simulation& simulation, const Pile& pile, std::size_t steps) {
+  methods::EngineProcess program(fmt::format("exec '{}'", simulation.program));
+  if (!program.send(text_of(pile, steps)))
+    throw std::runtime_error(fmt::format("{} does not read the pile", simulation.program));
+  program.end_input();
+  std::vector<Question> questions;
+  while (const auto line = program.receive()) {
+    questions.push_back(question_in(*line));
+    if (questions.back().triangle >= pile.triangles.size())
+      throw std::runtime_error("the pile's program printed: " + *line);
+  }
+  if (const std::string& ending = program.ending(); !ending.empty())
+    throw std::runtime_error(fmt::format("{} ended with {}", simulation.program, ending));
+  return questions;
+}
+
+}  // namespace touchstone::recorded
