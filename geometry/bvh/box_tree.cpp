@@ -6,6 +6,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "geometry/detail/floating_point_state.h"
@@ -18,15 +19,21 @@ using Node = BoxTree::Node;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// Three coordinates, and a number that does not matter.
+using Corner = float __attribute__((vector_size(16)));
+
+constexpr Corner all(float x) { return Corner{x, x, x, x}; }
+/// Returns a where b is not a number.
+Corner least(Corner a, Corner b) { return b < a ? b : a; }
+Corner most(Corner a, Corner b) { return a < b ? b : a; }
+
 /// A box in floats.
 struct Bounds {
-  std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  Corner low = all(kInfinity), high = all(-kInfinity);
 
   void join(const Bounds& other) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], other.low[k]);
-      high[k] = std::max(high[k], other.high[k]);
-    }
+    low = least(low, other.low);
+    high = most(high, other.high);
   }
   /// Returns half the surface; 0 for an empty box.
   [[nodiscard]] float surface() const {
@@ -77,8 +84,8 @@ void set(Node& node, std::size_t lane, const Bounds& bounds) {
 }
 
 Bounds lane_bounds(const Node& node, std::size_t lane) {
-  return {{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
-          {node.high[0][lane], node.high[1][lane], node.high[2][lane]}};
+  return {Corner{node.low[0][lane], node.low[1][lane], node.low[2][lane]},
+          Corner{node.high[0][lane], node.high[1][lane], node.high[2][lane]}};
 }
 
 Bounds joined_lanes(const Node& node) {
@@ -87,13 +94,28 @@ Bounds joined_lanes(const Node& node) {
   return result;
 }
 
-/// A box, before it is in a leaf.
-struct Item {
-  Bounds bounds;
-  std::uint32_t number;
+/// A box, before it is in a leaf: its corners, of which the low one also holds its number.
+class Item {
+ public:
+  Item() = default;
+  Item(const Bounds& bounds, std::uint32_t number)
+      : low_(bounds.low), high_{bounds.high[0], bounds.high[1], bounds.high[2]} {
+    std::memcpy(reinterpret_cast<char*>(&low_) + kNumberAt, &number, sizeof(number));
+  }
 
+  [[nodiscard]] std::uint32_t number() const {
+    std::uint32_t number = 0;
+    std::memcpy(&number, reinterpret_cast<const char*>(&low_) + kNumberAt, sizeof(number));
+    return number;
+  }
+  [[nodiscard]] Bounds bounds() const { return {low_, high_}; }
   /// Returns twice the centre.
-  [[nodiscard]] float center(std::size_t axis) const { return bounds.low[axis] + bounds.high[axis]; }
+  [[nodiscard]] Corner center() const { return Corner{low_[0], low_[1], low_[2]} + high_; }
+
+ private:
+  static constexpr std::size_t kNumberAt = 3 * sizeof(float);
+
+  Corner low_, high_;
 };
 
 /// Consecutive items.
@@ -139,23 +161,42 @@ class Builder {
 
   [[nodiscard]] Range range(std::uint32_t begin, std::uint32_t end) const {
     Range result{begin, end, {}};
-    for (std::uint32_t i = begin; i < end; ++i) result.bounds.join(items_[i].bounds);
+    for (std::uint32_t i = begin; i < end; ++i) result.bounds.join(items_[i].bounds());
     return result;
   }
 
-  /// kBins equal slices of the centres along an axis.
+  /// The slices of a centre along each axis; the fourth does not matter.
+  using Places = std::int32_t __attribute__((vector_size(16)));
+  /// kBins equal slices of the centres along each axis.
   struct Slices {
-    float low, scale;
+    Corner low, scale{};
 
-    Slices(float lowest, float highest)
-        : low(lowest), scale(highest > lowest ? static_cast<float>(kBins) * 0.9999F / (highest - lowest) : 0) {}
-    [[nodiscard]] std::size_t of(float center) const {
-      return std::min(kBins - 1, static_cast<std::size_t>((center - low) * scale));
+    explicit Slices(const Bounds& centers) : low(centers.low) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (centers.high[axis] > centers.low[axis])
+          scale[axis] = static_cast<float>(kBins) * 0.9999F / (centers.high[axis] - centers.low[axis]);
+    }
+    /// A centre belongs to the last slice, too, if the slices are so thin that their scale is infinite.
+    [[nodiscard]] Places of(Corner center) const {
+      return __builtin_convertvector(least(all(kBins - 1), (center - low) * scale), Places);
     }
   };
+  /// Items of a slice.
+  struct Bin {
+    Bounds bounds;
+    std::uint32_t count = 0;
+
+    void join(const Bin& other) {
+      bounds.join(other.bounds);
+      count += other.count;
+    }
+  };
+  using Bins = std::array<std::array<Bin, kBins>, 3>;
   struct Cut {
     float cost = kInfinity;
-    std::size_t axis = 0, slice = 0;
+    int axis = 0;
+    std::size_t slice = 0;
+    Bin below, above;
   };
 
   /// Returns how many leaves these boxes need at least.
@@ -163,60 +204,86 @@ class Builder {
     return static_cast<float>((count + BoxTree::kMostInLeaf - 1) / BoxTree::kMostInLeaf);
   }
 
+  /// Returns what add(result, item) makes of `none` and the items of a range, and join(result, other) of the results of
+  /// its parts. Asks all cores about a range that is not in a branch.
+  template <class Result, class Add, class Join>
+  [[nodiscard]] Result reduced(const Range& whole, const Result& none, const Add& add, const Join& join) const {
+    const auto of_part = [&](std::size_t begin, std::size_t end, Result result) {
+      for (std::size_t i = begin; i < end; ++i) add(result, items_[i]);
+      return result;
+    };
+    if (whole.size() <= kBranch) return of_part(whole.begin, whole.end, none);
+    return parts_joined(
+        whole.size(), kBranch, none,
+        [&](std::size_t begin, std::size_t end, const Result& result) {
+          const FloatingPointState nearest;
+          return of_part(whole.begin + begin, whole.begin + end, result);
+        },
+        [&](Result result, const Result& other) {
+          const FloatingPointState nearest;
+          join(result, other);
+          return result;
+        });
+  }
+
+  [[nodiscard]] Bounds centers(const Range& whole) const {
+    return reduced(
+        whole, Bounds(),
+        [](Bounds& result, const Item& item) {
+          result.join({item.center(), item.center()});
+        },
+        [](Bounds& result, const Bounds& other) { result.join(other); });
+  }
+
+  [[nodiscard]] Bins bins(const Range& whole, const Slices& slices) const {
+    return reduced(
+        whole, Bins(),
+        [&](Bins& result, const Item& item) {
+          const Places places = slices.of(item.center());
+          for (int axis = 0; axis < 3; ++axis)
+            result[static_cast<std::size_t>(axis)][static_cast<std::size_t>(places[axis])].join({item.bounds(), 1});
+        },
+        [](Bins& result, const Bins& other) {
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            for (std::size_t slice = 0; slice < kBins; ++slice) result[axis][slice].join(other[axis][slice]);
+        });
+  }
+
   /// Returns the cut with the least sum of the surfaces of both sides, each times the number of leaves that it needs.
   /// Its cost is infinite if all centres are the same.
-  [[nodiscard]] Cut best_cut(const Range& range, const std::array<Slices, 3>& slices) const {
-    struct Bin {
-      Bounds bounds;
-      std::uint32_t count = 0;
-    };
-    std::array<std::array<Bin, kBins>, 3> bins;
-    for (std::uint32_t i = range.begin; i < range.end; ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        Bin& bin = bins[axis][slices[axis].of(items_[i].center(axis))];
-        bin.bounds.join(items_[i].bounds);
-        ++bin.count;
-      }
+  [[nodiscard]] Cut best_cut(const Range& range, const Slices& slices) const {
+    const Bins all = bins(range, slices);
     Cut best;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<Bin, kBins> above;  // of this slice and those after it
-      above[kBins - 1] = bins[axis][kBins - 1];
-      for (std::size_t slice = kBins - 1; slice-- > 0;) {
-        above[slice] = above[slice + 1];
-        above[slice].bounds.join(bins[axis][slice].bounds);
-        above[slice].count += bins[axis][slice].count;
-      }
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::array<Bin, kBins>& along = all[static_cast<std::size_t>(axis)];
+      std::array<Bin, kBins> above = along;  // of this slice and those after it
+      for (std::size_t slice = kBins - 1; slice-- > 0;) above[slice].join(above[slice + 1]);
       Bin below;
       for (std::size_t slice = 1; slice < kBins; ++slice) {
-        below.bounds.join(bins[axis][slice - 1].bounds);
-        below.count += bins[axis][slice - 1].count;
+        below.join(along[slice - 1]);
         if (below.count == 0 || above[slice].count == 0) continue;
         const float cost = below.bounds.surface() * leaves_for(below.count) +
                            above[slice].bounds.surface() * leaves_for(above[slice].count);
-        if (cost < best.cost) best = {cost, axis, slice};
+        if (cost < best.cost) best = {cost, axis, slice, below, above[slice]};
       }
     }
     return best;
   }
 
   [[nodiscard]] std::array<Range, 2> halves(const Range& whole, int depth) {
-    const auto first = items_.begin() + whole.begin, last = items_.begin() + whole.end;
-    auto middle = first + whole.size() / 2;
     if (depth < kDeepest) {
-      std::array<float, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-      for (auto item = first; item != last; ++item)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], item->center(axis));
-          high[axis] = std::max(high[axis], item->center(axis));
-        }
-      const std::array slices{Slices(low[0], high[0]), Slices(low[1], high[1]), Slices(low[2], high[2])};
+      const Slices slices(centers(whole));
       const Cut cut = best_cut(whole, slices);
-      if (cut.cost < kInfinity)
-        middle = std::partition(
-            first, last, [&](const Item& item) { return slices[cut.axis].of(item.center(cut.axis)) < cut.slice; });
+      if (cut.cost < kInfinity) {
+        std::partition(items_.begin() + whole.begin, items_.begin() + whole.end, [&](const Item& item) {
+          return static_cast<std::size_t>(slices.of(item.center())[cut.axis]) < cut.slice;
+        });
+        const std::uint32_t middle = whole.begin + cut.below.count;
+        return {Range{whole.begin, middle, cut.below.bounds}, Range{middle, whole.end, cut.above.bounds}};
+      }
     }
-    const auto cut_at = static_cast<std::uint32_t>(middle - items_.begin());
-    return {range(whole.begin, cut_at), range(cut_at, whole.end)};
+    const std::uint32_t middle = whole.begin + whole.size() / 2;
+    return {range(whole.begin, middle), range(middle, whole.end)};
   }
 
   /// Splits a range into up to four parts: repeatedly halves the part with the largest surface that is too large for a
@@ -297,16 +364,15 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
   assert(boxes.size() <= kMostBoxes);
   scale_ = scale_of(boxes);
   std::vector<Item> items(boxes.size());
-  for_each_number(boxes.size(), 4096, [&](std::size_t i) {
-    items[i] = {bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)};
-  });
+  for_each_number(boxes.size(), 4096,
+                  [&](std::size_t i) { items[i] = Item(bounds(boxes[i], scale_), static_cast<std::uint32_t>(i)); });
   Builder(items, nodes_).build();
   for (Node& node : nodes_) {
     node.first_leaf = leaf_count_;
     leaf_count_ += static_cast<std::uint32_t>(std::popcount(node.leaves));
   }
   order_.reserve(items.size());
-  for (const Item& item : items) order_.push_back(item.number);
+  for (const Item& item : items) order_.push_back(item.number());
   built_surface_ = surface();
   built_scale_ = scale_;
 }

@@ -51,12 +51,46 @@ void expect_valid(const std::vector<Triangle>& triangles) {
   for_each_face(triangles.size(), number, [&](std::size_t i) { scene::expect_valid(triangles[i]); });
 }
 
+/// Calls f(i) for each i below `count`, on all cores.
+template <class F>
+void for_each_number(std::size_t count, const F& f) {
+  parts_in_parallel(count, 4096, [&f](std::size_t begin, std::size_t end) {
+    const FloatingPointState nearest;
+    for (std::size_t i = begin; i < end; ++i) f(i);
+  });
+}
+
 std::vector<Box> boxes_of(const std::vector<Triangle>& triangles) {
-  const FloatingPointState nearest;
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& triangle : triangles) boxes.push_back(box(triangle));
+  std::vector<Box> boxes(triangles.size());
+  for_each_number(triangles.size(), [&](std::size_t i) { boxes[i] = box(triangles[i]); });
   return boxes;
+}
+
+/// What OwnFrame has to know about triangles.
+struct Lengths {
+  double reach = 0, thinnest = std::numeric_limits<double>::infinity();
+
+  void add(const Triangle& t) {
+    reach = std::max({reach, distance_from_origin(t.a), distance_from_origin(t.b), distance_from_origin(t.c)});
+    thinnest = std::min(thinnest, least_altitude(t));
+  }
+  [[nodiscard]] Lengths joined(const Lengths& other) const {
+    return {std::max(reach, other.reach), std::min(thinnest, other.thinnest)};
+  }
+};
+
+Lengths lengths_of(const std::vector<Triangle>& triangles) {
+  return parts_joined(
+      triangles.size(), 4096, Lengths(),
+      [&triangles](std::size_t begin, std::size_t end, Lengths lengths) {
+        const FloatingPointState nearest;
+        for (std::size_t i = begin; i < end; ++i) lengths.add(triangles[i]);
+        return lengths;
+      },
+      [](const Lengths& a, const Lengths& b) {
+        const FloatingPointState nearest;
+        return a.joined(b);
+      });
 }
 
 /// Returns all triangles of the model posed, in a tree of the same shape if its boxes do not grow too much.
@@ -94,8 +128,8 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 }  // namespace
 
 PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number) : tree(std::move(tree_)) {
-  triangles.reserve(by_number.size());
-  for (const std::uint32_t number : tree.order()) triangles.push_back(by_number[number]);
+  triangles.resize(by_number.size());
+  for_each_number(triangles.size(), [&](std::size_t place) { triangles[place] = by_number[tree.order()[place]]; });
   groups.resize(tree.leaf_count());
   const std::vector<BoxTree::Node>& nodes = tree.nodes();
   parts_in_parallel(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -112,11 +146,8 @@ TriangleSet::TriangleSet(const std::vector<Triangle>& by_number) {
   expect_valid(by_number);
   model = std::make_shared<const PlacedTriangles>(BoxTree(boxes_of(by_number)), by_number);
   placed = model;
-  thinnest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : by_number) {
-    reach = std::max({reach, distance_from_origin(t.a), distance_from_origin(t.b), distance_from_origin(t.c)});
-    thinnest = std::min(thinnest, least_altitude(t));
-  }
+  const Lengths lengths = lengths_of(by_number);
+  reach = lengths.reach, thinnest = lengths.thinnest;
 }
 
 TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
