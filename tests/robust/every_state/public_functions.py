@@ -27,8 +27,8 @@ ASSUMES = re.compile(r"fast::|thesis::|dropped_axis$|box$|Box::(empty|joined)$")
 def public_headers(source):
     headers = [source / "geometry/bvh/box.h", source / "geometry/bvh/box_tree.h"]
     for folder in (source / "geometry", source / "robust"):
-        installed = re.search(r"^install_headers\(([^)]*)\)", (folder / "CMakeLists.txt").read_text(), re.MULTILINE)
-        headers += [folder / name for name in re.findall(r"\S+\.h\b", installed.group(1))]
+        for installed in re.findall(r"^ *install_headers\(([^)]*)\)", (folder / "CMakeLists.txt").read_text(), re.MULTILINE):
+            headers += [folder / name for name in re.findall(r"\S+\.h\b", installed)]
     return headers
 
 
