@@ -14,8 +14,17 @@ import tempfile
 import unittest
 import zipfile
 
-SAMPLE = "import touchstone; print(touchstone.__file__, touchstone.filtered.contact([0.5, 0.25, 1, 1], touchstone.Polygon(" \
-         "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])))"
+SAMPLE = """
+import touchstone
+square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+scene = touchstone.Scene()
+scene.add("square", touchstone.Mesh(square, [[0, 1, 2], [0, 2, 3]]))
+ball, moved = [0.5, 0.25, 1, 1], [0.5, 0.25, 6, 1]
+before = scene.touches(ball), scene.touches(moved)
+scene.set_pose("square", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]])
+after = scene.touches(ball), scene.touches(moved)
+print(touchstone.__file__, touchstone.filtered.contact(ball, touchstone.Polygon(square)), *before, *after)
+"""
 
 
 class Install(unittest.TestCase):
@@ -35,9 +44,9 @@ class Install(unittest.TestCase):
         self.run_command(sys.executable, "-m", "venv", "--system-site-packages", self.folder / "venv")
         python = self.folder / "venv" / "bin" / "python"
         self.run_command(python, "-m", "pip", "install", "--no-index", *self.settings, self.source)
-        where, answer = self.run_command(python, "-c", SAMPLE).split()
+        where, *answers = self.run_command(python, "-c", SAMPLE).split()
         self.assertTrue(pathlib.Path(where).is_relative_to(self.folder / "venv"), where)
-        self.assertEqual(answer, "True")
+        self.assertEqual(answers, ["True", "True", "False", "False", "True"])
         self.assertIn("Name: touchstone\nVersion: ", self.run_command(python, "-m", "pip", "show", "touchstone"))
 
     def test_of_a_wheel_brings_licence_contract_and_annotations(self):
@@ -66,5 +75,5 @@ class Install(unittest.TestCase):
 
 if __name__ == "__main__":
     Install.compiled = sys.argv.pop(2)
-    Install.source = pathlib.Path(sys.argv.pop(1))
+    Install.source = pathlib.Path(sys.argv.pop(1)).resolve()
     unittest.main()
