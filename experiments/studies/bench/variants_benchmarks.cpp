@@ -40,9 +40,9 @@ timing::Benchmark draw(const std::string& name, const Draw& draw_query, const Se
     touches.push_back(exact::contact(ball, Polygon({t.a, t.b, t.c})));
   }
   const auto truth = std::make_shared<const std::vector<bool>>(std::move(touches));
-  const auto add = [&](std::string name, auto ask, std::optional<timing::Comparison> comparison) {
+  const auto add = [&](std::string of, auto ask, std::optional<timing::Comparison> comparison) {
     benchmark.candidates.push_back(candidate(
-        std::move(name), queries, truth, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
+        std::move(of), queries, truth, [ask](const workloads::TriangleQuery& q) { return ask(q.ball, q.triangle); },
         comparison));
   };
   add(
