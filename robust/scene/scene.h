@@ -83,7 +83,8 @@ class Scene {
   /// Throws std::invalid_argument if the name is taken; Rejected, naming the object and the face, for a triangle that
   /// exact::validate rejects as a polygon and for a polygon without a normal; and whatever set_pose throws. Cost: about
   /// 1 us per triangle; 0.1 us per vertex of a polygon, and 1 to 3 us more in the first query whose ball comes near it.
-  /// Memory: about 145 bytes per triangle, more if the triangles lie so that leaves hold few.
+  /// Memory: about 90 bytes per triangle of a closed mesh, 60 more where no two triangles share a vertex, and more if
+  /// the triangles lie so that leaves hold few.
   std::uint32_t add(std::string name, Faces faces, const Pose& pose = {});
 
   /// Sets the pose of an object. Its vertices are computed from those that were added, not from their current
@@ -96,7 +97,7 @@ class Scene {
   /// finite (`not-finite`) or if exact::validate rejects the posed vertices of a face (the lowest such face). The
   /// object then keeps its pose. Cost: about 0.3 us for any number of triangles that need not be posed; for others
   /// about 0.4 us per triangle, or 1.2 us if they need a new hierarchy; 1.2 us per vertex of a polygon. All but the
-  /// refitting of hierarchies is divided among all cores. Memory: 145 more bytes per triangle while all are posed.
+  /// refitting of hierarchies is divided among all cores. Memory: as much again while all are posed.
   void set_pose(std::uint32_t object, const Pose& pose);
   /// Returns the pose of an object. Throws std::out_of_range, as above.
   [[nodiscard]] const Pose& pose(std::uint32_t object) const;

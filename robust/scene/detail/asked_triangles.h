@@ -21,7 +21,7 @@ inline namespace TOUCHSTONE_TARGET {
 ///
 /// Compares the differences from the vertices one by one: if a difference is at most r in magnitude, so is its rounded
 /// value. Requires round to nearest, without flush-to-zero.
-TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
+TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const SharedTriangle& triangle) {
   const filtered::Pack center = filtered::load_three(ball.center.data());
   // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.
   const filtered::Pack radius = filtered::all_lanes(ball.radius + 0.0);
@@ -33,18 +33,19 @@ TOUCHSTONE_INLINE bool misses_box(const Ball& ball, const Triangle& triangle) {
 }
 
 /// Returns false if the ball certainly misses the triangle, by doubles.
-TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& finder, const Triangle& triangle) {
+TOUCHSTONE_INLINE bool may_touch_ball(const Ball& ball, const VertexFinder& finder, const SharedTriangle& triangle) {
   if (misses_box(ball, triangle)) return false;
   if (finder.finds(triangle)) return true;
   filtered::TriangleSigns signs;
-  return triangle_filter(filtered::view_of(ball, triangle), signs) != filtered::FilterResult::No;
+  const Triangle copy = triangle.copy();
+  return triangle_filter(filtered::view_of(ball, copy), signs) != filtered::FilterResult::No;
 }
 
 /// Triangles that stand where they are.
 class StandingTriangles {
  public:
   StandingTriangles(const TriangleSet& set, const Ball& ball)
-      : leaves_(*set.placed), triangles_(set.placed->triangles.data()), ball_(ball), finder_(ball) {}
+      : leaves_(*set.placed), triangles_(set.placed->triangles), ball_(ball), finder_(ball) {}
 
   [[nodiscard]] const Ball& asked() const { return ball_; }
   /// Returns a ball that touches the boxes of all triangles that the ball touches.
@@ -76,26 +77,27 @@ class StandingTriangles {
   /// them.
   [[nodiscard]] TOUCHSTONE_INLINE NearLanes near(const Leaf& leaf) const { return leaves_.near(ball_, leaf); }
 
-  [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const { return triangles_[place].copy(); }
   /// Returns whether the ball may touch the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
     return may_touch_ball(ball_, finder_, triangles_[place]);
   }
   /// Returns at least the distance of the centre from the triangle; infinite if that is not known.
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
-    return scene::distance_at_most(ball_.center, triangles_[place]);
+    return scene::distance_at_most(ball_.center, triangles_[place].copy());
   }
   /// Returns whether the ball touches the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
     if (misses_box(ball_, triangles_[place])) return false;
     if (finder_.finds(triangles_[place])) return true;
+    const Triangle triangle = triangles_[place].copy();
     filtered::NoCounts counts;
-    return filtered::contact(filtered::view_of(ball_, triangles_[place]), counts);
+    return filtered::contact(filtered::view_of(ball_, triangle), counts);
   }
 
  private:
   TriangleLeaves leaves_;
-  const Triangle* triangles_;
+  const TrianglesOfSharedVertices& triangles_;
   Ball ball_;
   VertexFinder finder_;
 };
@@ -105,7 +107,7 @@ class TrianglesInOwnFrame {
  public:
   TrianglesInOwnFrame(const TriangleSet& set, const Ball& ball)
       : leaves_(*set.placed),
-        triangles_(set.placed->triangles.data()),
+        triangles_(set.placed->triangles),
         frame_(*set.frame),
         ball_(ball),
         seen_(frame_.seen(ball)),
@@ -145,18 +147,19 @@ class TrianglesInOwnFrame {
   }
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const {
-    return posed_vertices(frame_.pose(), triangles_[place]);
+    return posed_vertices(frame_.pose(), triangles_[place].copy());
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool may_touch(std::uint32_t place) const {
     return may_touch_ball(seen_.outer, finder_, triangles_[place]);
   }
   [[nodiscard]] double distance_at_most(std::uint32_t place) const {
-    return frame_.radius_under_pose(ball_.center, scene::distance_at_most(seen_.outer.center, triangles_[place]));
+    return frame_.radius_under_pose(ball_.center,
+                                    scene::distance_at_most(seen_.outer.center, triangles_[place].copy()));
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
-    const Triangle& own = triangles_[place];
-    if (misses_box(seen_.outer, own)) return false;
-    if (finder_.finds(own)) return true;
+    if (misses_box(seen_.outer, triangles_[place])) return false;
+    if (finder_.finds(triangles_[place])) return true;
+    const Triangle own = triangles_[place].copy();
     filtered::TriangleSigns signs;
     const Ball inner = seen_.inner_ball();
     switch (triangle_filter(filtered::view_of(seen_.outer, own), signs)) {
@@ -177,7 +180,7 @@ class TrianglesInOwnFrame {
   }
 
   TriangleLeaves leaves_;
-  const Triangle* triangles_;
+  const TrianglesOfSharedVertices& triangles_;
   const OwnFrame& frame_;
   Ball ball_;
   SeenBall seen_;

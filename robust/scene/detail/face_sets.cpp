@@ -2,6 +2,7 @@
 #include "robust/scene/detail/face_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 #include <mutex>
@@ -99,7 +100,7 @@ PlacedTriangles posed(const PlacedTriangles& model, const Pose& pose) {
   std::vector<Triangle> by_number(model.triangles.size());
   for_each_face(
       order.size(), [&](std::size_t place) { return order[place]; },
-      [&](std::size_t place) { by_number[order[place]] = scene::posed(pose, model.triangles[place]); });
+      [&](std::size_t place) { by_number[order[place]] = scene::posed(pose, model.triangles[place].copy()); });
   const std::vector<Box> boxes = boxes_of(by_number);
   BoxTree tree = model.tree;
   tree.refit(boxes);
@@ -127,17 +128,18 @@ std::vector<Box> boxes_of(const std::vector<Polygon>& polygons, const LazyPrepar
 
 }  // namespace
 
-PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number) : tree(std::move(tree_)) {
-  triangles.resize(by_number.size());
-  for_each_number(triangles.size(), [&](std::size_t place) { triangles[place] = by_number[tree.order()[place]]; });
-  groups.resize(tree.leaf_count());
+PlacedTriangles::PlacedTriangles(BoxTree tree_, const std::vector<Triangle>& by_number)
+    : tree(std::move(tree_)), triangles(by_number, tree.order()), groups(tree.leaf_count()) {
   const std::vector<BoxTree::Node>& nodes = tree.nodes();
   parts_in_parallel(nodes.size(), 64, [&](std::size_t begin, std::size_t end) {
     const FloatingPointState nearest;
     for (std::size_t i = begin; i < end; ++i)
       for (unsigned lane = 0; lane < BoxTree::kWidth; ++lane)
-        if (const std::uint8_t count = nodes[i].count[lane]; count != 0)
-          groups[nodes[i].leaf(lane)] = filtered::group_of(std::span(triangles).subspan(nodes[i].child[lane], count));
+        if (const std::uint8_t count = nodes[i].count[lane]; count != 0) {
+          std::array<Triangle, BoxTree::kMostInLeaf> leaf;
+          for (std::size_t k = 0; k < count; ++k) leaf[k] = triangles[nodes[i].child[lane] + k].copy();
+          groups[nodes[i].leaf(lane)] = filtered::group_of(std::span(leaf).first(count));
+        }
   });
 }
 
@@ -159,14 +161,14 @@ TriangleSet::TriangleSet(const TriangleSet& other, const Pose& pose)
 }
 
 Triangle TriangleSet::triangle(std::uint32_t place) const {
-  const Triangle& triangle = placed->triangles[place];
+  const Triangle triangle = placed->triangles[place].copy();
   return frame ? posed_vertices(frame->pose(), triangle) : triangle;
 }
 
 std::size_t TriangleSet::memory() const {
   const auto memory = [](const PlacedTriangles& p) {
     return p.tree.nodes().capacity() * sizeof(BoxTree::Node) + p.tree.order().capacity() * sizeof(std::uint32_t) +
-           p.triangles.capacity() * sizeof(Triangle) + p.groups.capacity() * sizeof(filtered::TriangleGroup);
+           p.triangles.memory() + p.groups.capacity() * sizeof(filtered::TriangleGroup);
   };
   return memory(*model) + (placed == model ? 0 : memory(*placed));
 }

@@ -13,6 +13,7 @@
 #include "robust/filtered/detail/triangle_groups.h"
 #include "robust/scene/detail/lazy_prepared_polygons.h"
 #include "robust/scene/detail/own_frame.h"
+#include "robust/scene/detail/shared_vertices.h"
 
 namespace touchstone::scene {
 
@@ -22,7 +23,7 @@ struct PlacedTriangles {
   PlacedTriangles(BoxTree tree, const std::vector<Triangle>& by_number);
 
   BoxTree tree;
-  std::vector<Triangle> triangles;              ///< by place in tree.order()
+  TrianglesOfSharedVertices triangles;          ///< by place in tree.order()
   std::vector<filtered::TriangleGroup> groups;  ///< by leaf of the tree
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/shapes/ball.h"
-#include "geometry/shapes/triangle.h"
 #include "robust/filtered/detail/numbers/pack.h"
+#include "robust/scene/detail/shared_vertices.h"
 
 /// The quickest proof that a ball touches a triangle: it holds a vertex.
 namespace touchstone::scene {
@@ -33,15 +33,13 @@ class VertexFinder {
                    : -1) {}
 
   /// Returns whether the ball certainly holds a vertex of the triangle.
-  [[nodiscard]] TOUCHSTONE_INLINE bool finds(const Triangle& triangle) const {
-    filtered::Vector3<filtered::Pack> vertex;
-    load_three_points(triangle.a.data(), vertex.x, vertex.y, vertex.z);
-    const auto seen = [](double center, const filtered::Pack& coordinate) {
-      return filtered::all_lanes(center) - coordinate;
+  [[nodiscard]] TOUCHSTONE_INLINE bool finds(const SharedTriangle& triangle) const {
+    const auto seen = [&](int axis) {
+      return filtered::all_lanes(center_[axis]) -
+             filtered::pack(triangle.a[axis], triangle.b[axis], triangle.c[axis], triangle.c[axis]);
     };
-    const filtered::Vector3<filtered::Pack> from{seen(center_.x(), vertex.x), seen(center_.y(), vertex.y),
-                                                 seen(center_.z(), vertex.z)};
-    return (negative_lanes(dot(from, from) - filtered::all_lanes(limit_)) & 0b111) != 0;
+    const filtered::Vector3<filtered::Pack> from{seen(0), seen(1), seen(2)};
+    return (negative_lanes(dot(from, from) - filtered::all_lanes(limit_))) != 0;
   }
 
  private:

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "geometry/shapes/motion.h"
-#include "geometry/shapes/triangle.h"
 #include "robust/filtered/detail/numbers/pack.h"
+#include "robust/scene/detail/shared_vertices.h"
 #include "robust/scene/detail/way.h"
 
 /// The space that a moving ball sweeps. Requires round to nearest, without flush-to-zero.
@@ -46,7 +46,7 @@ class Swept {
   }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   /// Returns whether the ball certainly misses the triangle's box along some axis. Culls most triangles of a leaf.
-  [[nodiscard]] TOUCHSTONE_INLINE bool misses(const Triangle& triangle) const {
+  [[nodiscard]] TOUCHSTONE_INLINE bool misses(const SharedTriangle& triangle) const {
     using filtered::Pack;
     const Pack low = filtered::load_three(low_), high = filtered::load_three(high_);
     // A radius of -0 becomes +0: -0 - 0 and -0 + -0 have the sign of a miss.

@@ -38,10 +38,10 @@ inline void meet(const Triangle& triangle, std::uint32_t number, FirstContactSea
 class StandingTrianglesOnWay {
  public:
   StandingTrianglesOnWay(const TriangleSet& set, const Motion& motion)
-      : triangles_(set.placed->triangles.data()), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
+      : triangles_(set.placed->triangles), motion_(motion), swept_(motion), at_start_(set, motion.ball) {}
 
   [[nodiscard]] const Motion& asked() const { return motion_; }
-  void prefetch_leaf(const Leaf& leaf) const { prefetch(triangles_ + leaf.first, leaf.count); }
+  void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
     for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
@@ -59,22 +59,24 @@ class StandingTrianglesOnWay {
   /// Shortens the motion: it ends at this time.
   void end_at(double time) { swept_.end_at(time); }
 
-  [[nodiscard]] const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  [[nodiscard]] Triangle triangle(std::uint32_t place) const { return triangles_[place].copy(); }
   /// Returns whether the ball touches the triangle at a place.
   [[nodiscard]] TOUCHSTONE_INLINE bool touches(std::uint32_t place) const {
     if (swept_.misses(triangles_[place])) return false;
+    const Triangle triangle = triangles_[place].copy();
     filtered::NoCounts counts;
-    return filtered::triangle_motion_contact(filtered::view_of(motion_, triangles_[place]), counts);
+    return filtered::triangle_motion_contact(filtered::view_of(motion_, triangle), counts);
   }
   [[nodiscard]] TOUCHSTONE_INLINE bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
   /// Passes the triangle to the search if the ball touches it before the search's end.
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
-    const Triangle& triangle = triangles_[place];
-    if (!swept_.misses(triangle) && !certainly_misses(swept_.motion(), triangle)) scene::meet(triangle, number, search);
+    if (swept_.misses(triangles_[place])) return;
+    const Triangle triangle = triangles_[place].copy();
+    if (!certainly_misses(swept_.motion(), triangle)) scene::meet(triangle, number, search);
   }
 
  private:
-  const Triangle* triangles_;
+  const TrianglesOfSharedVertices& triangles_;
   const Motion& motion_;
   Swept swept_;
   StandingTriangles at_start_;
@@ -84,7 +86,7 @@ class StandingTrianglesOnWay {
 class TrianglesInOwnFrameOnWay {
  public:
   TrianglesInOwnFrameOnWay(const TriangleSet& set, const Motion& motion)
-      : triangles_(set.placed->triangles.data()),
+      : triangles_(set.placed->triangles),
         frame_(*set.frame),
         motion_(motion),
         seen_(frame_.seen(motion)),
@@ -92,7 +94,7 @@ class TrianglesInOwnFrameOnWay {
         at_start_(set, motion.ball) {}
 
   [[nodiscard]] const Motion& asked() const { return motion_; }
-  void prefetch_leaf(const Leaf& leaf) const { prefetch(triangles_ + leaf.first, leaf.count); }
+  void prefetch_leaf(const Leaf& leaf) const { triangles_.prefetch(leaf.first); }
   /// Returns whether the ball touches a triangle of a leaf.
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
     for (std::uint32_t place = leaf.first; place < leaf.first + leaf.count; ++place)
@@ -109,11 +111,11 @@ class TrianglesInOwnFrameOnWay {
   void end_at(double time) { swept_.end_at(time); }
 
   [[nodiscard]] Triangle triangle(std::uint32_t place) const {
-    return posed_vertices(frame_.pose(), triangles_[place]);
+    return posed_vertices(frame_.pose(), triangles_[place].copy());
   }
   [[nodiscard]] bool touches(std::uint32_t place) const {
-    const Triangle& own = triangles_[place];
-    if (swept_.misses(own)) return false;
+    if (swept_.misses(triangles_[place])) return false;
+    const Triangle own = triangles_[place].copy();
     filtered::CapsuleSigns signs;
     const Motion inner = seen_.inner_motion();
     switch (capsule_filter(filtered::view_of(seen_.outer, own), signs)) {
@@ -127,8 +129,9 @@ class TrianglesInOwnFrameOnWay {
   }
   [[nodiscard]] bool touches_at_start(std::uint32_t place) const { return at_start_.touches(place); }
   void meet(std::uint32_t place, std::uint32_t number, FirstContactSearch& search) const {
-    const Triangle& own = triangles_[place];
-    if (!swept_.misses(own) && !certainly_misses(swept_.motion(), own)) scene::meet(triangle(place), number, search);
+    if (swept_.misses(triangles_[place])) return;
+    const Triangle own = triangles_[place].copy();
+    if (!certainly_misses(swept_.motion(), own)) scene::meet(triangle(place), number, search);
   }
 
  private:
@@ -138,7 +141,7 @@ class TrianglesInOwnFrameOnWay {
     return filtered::triangle_motion_contact(filtered::view_of(motion_, posed), counts);
   }
 
-  const Triangle* triangles_;
+  const TrianglesOfSharedVertices& triangles_;
   const OwnFrame& frame_;
   const Motion& motion_;
   const SeenMotion seen_;

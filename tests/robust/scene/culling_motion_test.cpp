@@ -149,12 +149,12 @@ TEST(Swept, MissesNoTriangleThatIsTouched) {
     const std::string what = "sample " + std::to_string(index);
     const Triangle corners{sample.box.low, sample.box.high, sample.box.low};  // with the sample's box
     scene::Swept swept(sample.motion);
-    EXPECT_FALSE(swept.misses(corners)) << what;
+    EXPECT_FALSE(swept.misses({corners.a, corners.b, corners.c})) << what;
     swept.end_at(sample.eighths / 8.0);
-    EXPECT_FALSE(swept.misses(corners)) << what << ", shortened";
+    EXPECT_FALSE(swept.misses({corners.a, corners.b, corners.c})) << what << ", shortened";
     Motion smaller = sample.motion;
     smaller.ball.radius *= 0.5;
-    missed += scene::Swept(smaller).misses(corners) ? 1 : 0;
+    missed += scene::Swept(smaller).misses({corners.a, corners.b, corners.c}) ? 1 : 0;
   }
   EXPECT_GT(missed, all / 8) << "it is blind";
 }
