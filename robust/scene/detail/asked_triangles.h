@@ -60,9 +60,7 @@ class StandingTriangles {
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
     const filtered::GroupAnswers known = leaves_.contact(ball_, ball_.radius, leaf);
     if (known.touched != 0) return true;
-    for (unsigned lanes = known.unsure; lanes != 0; lanes &= lanes - 1)
-      if (touches(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return true;
-    return false;
+    return any_lane(known.unsure, leaf, [&](std::uint32_t place) { return touches(place); });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>
@@ -126,9 +124,7 @@ class TrianglesInOwnFrame {
   [[nodiscard]] TOUCHSTONE_INLINE bool any_touched(const Leaf& leaf) const {
     const filtered::GroupAnswers known = leaves_.contact(seen_.outer, seen_.inner, leaf);
     if (known.touched != 0) return true;
-    for (unsigned lanes = known.unsure; lanes != 0; lanes &= lanes - 1)
-      if (touches(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return true;
-    return false;
+    return any_lane(known.unsure, leaf, [&](std::uint32_t place) { return touches(place); });
   }
   /// Calls f(place) for the triangles of a leaf that the ball touches.
   template <class F>

@@ -22,6 +22,14 @@ TOUCHSTONE_INLINE void for_lanes(unsigned lanes, const Leaf& leaf, const F& f) {
   for (; lanes != 0; lanes &= lanes - 1) f(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)));
 }
 
+/// Returns whether f(place) holds for one of them.
+template <class F>
+TOUCHSTONE_INLINE bool any_lane(unsigned lanes, const Leaf& leaf, const F& f) {
+  for (; lanes != 0; lanes &= lanes - 1)
+    if (f(leaf.first + static_cast<std::uint32_t>(__builtin_ctz(lanes)))) return true;
+  return false;
+}
+
 /// The triangles of a leaf that a ball may touch, one per bit, and a radius at which it touches one of the leaf's
 /// triangles; infinite if floats know none that is smaller than the ball's.
 struct NearLanes {
