@@ -127,8 +127,8 @@ TEST(BenchOutput, AMissedGoalIsShownAsSuch) {
 
 TEST(BenchOutput, WrongAnswersAreCounted) {
   const timing::Result result = measure("test", duel(), 2, kNeverStop, kSilent);
-  EXPECT_NE(timing::table(result).find("  0 of 10\n"), std::string::npos) << timing::table(result);
-  EXPECT_NE(timing::table(result).find("  3 of 10\n"), std::string::npos) << timing::table(result);
+  EXPECT_NE(timing::table(result).find(" 0 of 10\n"), std::string::npos) << timing::table(result);
+  EXPECT_NE(timing::table(result).find(" 3 of 10\n"), std::string::npos) << timing::table(result);
 }
 
 TEST(BenchOutput, ANoisyRatioMeetsNoGoalAndMissesNone) {
