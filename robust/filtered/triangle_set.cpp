@@ -2,31 +2,25 @@
 #include "robust/filtered/triangle_set.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 #include "geometry/detail/floating_point_state.h"
 #include "geometry/detail/required.h"
-#include "geometry/shapes/polygon.h"
-#include "robust/exact/validate.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_groups.h"
+#include "robust/filtered/detail/valid_triangle.h"
 
 namespace touchstone::filtered {
 namespace {
 
-bool is_finite(const Triangle& t) { return t.a.allFinite() && t.b.allFinite() && t.c.allFinite(); }
-
 /// Throws Rejected, naming the triangle, if `exact::validate` rejects it as a polygon.
-void expect_valid(const Triangle& t, std::size_t number) {
-  const auto found = [&t]() -> std::optional<Rejection> {
-    try {
-      return exact::validate(Polygon({t.a, t.b, t.c}));
-    } catch (const Rejected& rejected) {
-      return rejected.rejection();
-    }
-  }();
-  if (found) throw Rejected({found->code, "triangle " + std::to_string(number) + ": " + found->message});
+void expect_valid(const Triangle& triangle, std::size_t number) {
+  try {
+    filtered::expect_valid(triangle);
+  } catch (const Rejected& rejected) {
+    const auto& [code, message] = rejected.rejection();
+    throw Rejected({code, "triangle " + std::to_string(number) + ": " + message});
+  }
 }
 
 NoCounts uncounted;
@@ -34,13 +28,9 @@ NoCounts uncounted;
 }  // namespace
 
 TriangleSet::Parts::Parts(std::span<const Triangle> given) : triangles(given.begin(), given.end()) {
-  for (std::size_t first = 0; first < given.size(); first += TriangleGroup::kWidth) {
-    const auto members = given.subspan(first, std::min(TriangleGroup::kWidth, given.size() - first));
-    groups.push_back(std::ranges::all_of(members, is_finite) ? group_of(members) : TriangleGroup{});
-    // A triangle that floats can represent is not degenerate.
-    for (std::size_t i = 0; i < members.size(); ++i)
-      if ((groups.back().prepared >> i & 1) == 0) expect_valid(members[i], first + i);
-  }
+  for (std::size_t i = 0; i < given.size(); ++i) expect_valid(given[i], i);
+  for (std::size_t first = 0; first < given.size(); first += TriangleGroup::kWidth)
+    groups.push_back(group_of(given.subspan(first, std::min(TriangleGroup::kWidth, given.size() - first))));
 }
 
 TriangleSet::TriangleSet(std::span<const Triangle> triangles) {

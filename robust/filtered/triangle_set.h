@@ -15,20 +15,19 @@ namespace touchstone::filtered {
 /// Triangles prepared for questions about one ball and all of them.
 ///
 /// A query evaluates eight triangles at once, in floats with a proved error bound, and asks `contact(ball, triangle)`
-/// about those that floats leave open: triangles whose distance differs from the radius by less than about 2^-11 of the
-/// sum of the group's radius and the ball's, and triangles with an angle below 2^-9 if the foot lies beyond it. A group
-/// is eight triangles that follow each other in the given order. A ball that is far from all of them, or around all of
-/// them, costs 1 ns for each. So neighbours should follow each other, as they do in most meshes.
+/// about those that floats leave open: triangles whose distance differs from the radius by less than about 2^-15 of the
+/// group's radius and 2^-17 of the ball's, and few others. A group is eight triangles that follow each other in the
+/// given order. A ball that is far from all of them, or around all of them, costs 1 ns for each. So neighbours should
+/// follow each other, as they do in most meshes.
 ///
 /// Guarantees, besides those of filtered.h:
 ///  (1) each answer equals that of `contact(ball, triangle)`, for every finite ball and every valid triangle;
 ///  (2) queries may run on several threads at once.
 ///
-/// Cost: about 0.2 us per triangle to prepare it. A query takes about 2.3 ns per triangle with AVX2, 4.7 ns
-/// without, and 2 ns more if the set does not fit into the caches of a core.
-/// Open triangles cost as much as single queries, and 4 ns more. So do, always, triangles that are much smaller than
-/// their group, triangles flatter than 2^-28, and groups smaller than 2^-900, larger than 2^500 or farther than 2^1000
-/// from 0. Memory: 126 bytes per triangle, of which most queries read 54.
+/// Cost: about 0.1 us per triangle to prepare it. A query takes about 3 ns per triangle with AVX2, 6 ns without.
+/// Open triangles cost as much as single queries, and 4 ns more. So do, always, triangles of groups smaller than
+/// 2^-900, larger than 2^500 or farther than 2^1000 from 0. Memory: 96 bytes per triangle, of which most queries read
+/// 24.
 class TriangleSet {
  public:
   /// Prepares the triangles. Throws Rejected, with the code of `exact::validate` and a message that names the

@@ -32,10 +32,9 @@ LEFT = {
     **dict.fromkeys(("kUnit", "kDoubleDoubleUnit", "kFloatUnit", "kFloatTiny", "kLargest", "kLongestMotion"),
                     BY_DEFINITION),
     **dict.fromkeys(("kTiny", "kSmallest", "kFramePoint", "kFrameDirection", "kFrameLength", "kExtent", "kHeight",
-                     "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLift", "kSlope",
+                     "kDistance", "kNear", "kBoxReach", "kBoxRounding", "kLaneDistance", "kLaneVertex", "kLift", "kSlope",
                      "kLiftedEdge", "kLiftedMaximum", "kPerSquare", "kClosest"), AFTER_STEPS),
-    **dict.fromkeys(("kWide", "kNarrow", "kLaneCentre", "kLaneStep", "kWideError"), COUNTED),
-    "kLanePrepared": "measured, against numbers of 256 bits",
+    **dict.fromkeys(("kWide", "kNarrow", "kLaneCentre", "kLaneStored", "kLaneTiny", "kWideError"), COUNTED),
     "kNormalUnderflow": "an argument about underflow, in rationals; measured, against rationals",
 }
 LEFT_OF_SCENES = {

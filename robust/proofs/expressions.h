@@ -56,8 +56,8 @@ struct Inputs {
   Vector3<Number> axis, from_origin;
   Number foot_x, foot_y, start_x, start_y, direction_x, direction_y;
   Vector3<Number> first_exact, second_exact;
-  Vector3<Number> lane_axis, lane_from_origin;
-  Number lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
+  Vector3<Number> lane_vertex, lane_edge;
+  Number first_weight, second_weight;
 };
 
 /// Calls make(Input) for each number, in the order of the members.
@@ -89,14 +89,10 @@ Inputs<Number> make_inputs(Make make) {
           number("direction_y", One, bounds::kFrameDirection),
           vector("first_exact", One, 0),
           vector("second_exact", One, 0),
-          vector("lane_axis", One, bounds::kLanePrepared),
-          vector("lane_from_origin", Centre, bounds::kLaneCentre),
-          number("lane_offset", Centre, bounds::kLanePrepared),
-          number("lane_x", Foot, bounds::kLaneCoordinate / 2 + bounds::kLaneStep),
-          number("lane_y", Foot, bounds::kLaneCoordinate / 2 + bounds::kLaneStep),
-          number("inward_x", One, bounds::kLanePrepared),
-          number("inward_y", One, bounds::kLanePrepared),
-          number("edge_offset", Foot, bounds::kLanePrepared / 2)};
+          vector("lane_vertex", Foot, bounds::kLaneVertex),
+          vector("lane_edge", Foot, 0),
+          number("first_weight", One, 0),
+          number("second_weight", One, 0)};
 }
 
 /// A claim: computed and exact value differ by at most constant factor unit (product of maxima) + kTiny.
@@ -201,12 +197,11 @@ void for_each_claim(Visit visit) {
         [](const auto& in) { return dot(in.first_exact, in.second_exact); });
   visit(Claim{"kRoundedCross", "x", kRoundedCross, 1, {One, One}},
         [](const auto& in) { return cross(in.first_exact, in.second_exact).x; });
-  visit(Claim{"kLaneCoordinate", "", kLaneCoordinate, 1, {One, Centre}},
-        [](const auto& in) { return lane::coordinate(in.lane_axis, in.lane_from_origin, in.lane_offset); });
-  visit(Claim{"kLaneEdge", "depth", kLaneEdge, 1, {Foot, One}},
-        [](const auto& in) { return lane::depth(in.lane_x, in.lane_y, in.inward_x, in.inward_y, in.edge_offset); });
-  visit(Claim{"kLaneEdge", "along", kLaneEdge, 1, {Foot, One}},
-        [](const auto& in) { return lane::along(in.lane_x, in.lane_y, in.inward_x, in.inward_y, in.edge_offset); });
+  visit(Claim{"kLanePoint", "", kLanePoint, 1, {One, Foot}}, [](const auto& in) {
+    return lane::coordinate(in.first_weight, in.second_weight, in.lane_vertex.x, in.lane_edge.x, in.lane_edge.y);
+  });
+  visit(Claim{"kLaneProduct", "", kLaneProduct, 1, {One, Foot}},
+        [](const auto& in) { return lane::product(in.first_exact, in.lane_vertex); });
 }
 
 }  // namespace touchstone::filtered::proofs

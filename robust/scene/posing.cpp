@@ -8,9 +8,8 @@
 #include "robust/detail/integers.h"
 #include "robust/exact/detail/nearest_double.h"
 #include "robust/exact/validate.h"
-#include "robust/filtered/detail/bounds.h"
 #include "robust/filtered/detail/numbers/double_double.h"
-#include "robust/filtered/detail/numbers/permanent.h"
+#include "robust/filtered/detail/valid_triangle.h"
 #include "robust/scene/detail/posed_vertices.h"
 #include "robust/scene/detail/rounded_sum.h"
 
@@ -84,18 +83,6 @@ class Posing {
 
 bool is_finite(const Triangle& t) { return t.a.allFinite() && t.b.allFinite() && t.c.allFinite(); }
 
-/// Returns whether some component of the normal is certainly not zero. A finite triangle is then valid.
-bool has_surely_normal(const Triangle& t) {
-  const Eigen::Vector3d u = t.b - t.a, v = t.c - t.a;
-  const auto known = [](double difference) { return filtered::rounded_double(difference); };
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    if (filtered::certain_sign(known(u[i]) * known(v[j]) - known(u[j]) * known(v[i]), filtered::bounds::kTiny) != 0)
-      return true;
-  }
-  return false;
-}
-
 void expect_valid(const Polygon& polygon) {
   if (auto rejection = exact::validate(polygon)) throw Rejected(std::move(*rejection));
 }
@@ -117,7 +104,7 @@ bool is_finite(const Pose& pose) {
 
 void expect_valid(const Triangle& t) {
   const FloatingPointState nearest;
-  if (!is_finite(t) || !has_surely_normal(t)) expect_valid(Polygon({t.a, t.b, t.c}));
+  filtered::expect_valid(t);
 }
 
 Eigen::Vector3d posed(const Pose& pose, const Eigen::Vector3d& point) {

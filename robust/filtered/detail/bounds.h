@@ -77,21 +77,23 @@ inline constexpr double kNarrow = 1 - 0x1p-48;
 
 /// Triangles in lanes (triangle_groups.h), in floats. Every operation on them follows the model with kFloatUnit, except
 /// that underflow costs at most kFloatTiny. All lengths are in the group's units. S = r + 1 >= 1 bounds the components
-/// of the centre as seen from the origin, each known to kLaneCentre kFloatUnit S. Numbers that are stored in steps are
-/// at most 1 in magnitude, and known to kLanePrepared kFloatUnit. A multiplication by 1 / kSteps adds kLaneStep units.
-/// Then a centre's coordinate in a triangle's frame is known to kLaneCoordinate kFloatUnit S; `depth` and `along` of an
-/// edge are known to kLaneEdge kFloatUnit 2 S each, as the foot is at most 2 S from the middle of edge 0.
+/// of the centre as seen from the origin, each known to kLaneCentre kFloatUnit S; a vertex seen from it is known to
+/// kLaneVertex kFloatUnit 2 S. Edges of stored triangles are exact.
 inline constexpr double kFloatUnit = 0x1p-23;
 inline constexpr double kFloatTiny = 0x1p-125;
 inline constexpr double kLaneCentre = 1.0625;
-inline constexpr double kLanePrepared = 133;
-inline constexpr double kLaneStep = 2.25;
-inline constexpr double kLaneCoordinate = 547.25;
-inline constexpr double kLaneEdge = 891.3125;
-/// If the depth is at least kLaneEdge kFloatUnit 2 S for every edge, the foot is inside; if it is less than the
-/// negative of that for some edge, the foot is outside. The distances that are computed for a foot inside and for one
-/// outside are known to kLaneDistance kFloatUnit S. This includes the rounding of the squares that are compared.
-inline constexpr double kLaneDistance = 2690;
+inline constexpr double kLaneVertex = 1.5625;
+/// The point with given weights is known to kLanePoint kFloatUnit 2 S in each coordinate. The product of a given
+/// direction, whose components are at most m, with a vertex or an edge is known to kLaneProduct kFloatUnit m 2 S.
+inline constexpr double kLanePoint = 8.625;
+inline constexpr double kLaneProduct = 12.75;
+/// Added to the square of a length in steps, so that the length is known also where its square underflows.
+inline constexpr double kLaneTiny = 0x1p-40;
+/// A point of a stored triangle is at most kLaneStored from a point of the given one, and the other way round. The
+/// distance of a point from the centre, and the least product of its direction with a vertex, divided by that distance,
+/// are known to kLaneDistance kFloatUnit S. This includes the rounding of the limits that are compared.
+inline constexpr double kLaneStored = 0x1.bb7p-16;
+inline constexpr double kLaneDistance = 61;
 
 /// The errors of `dot` and `cross` of double-doubles (numbers/double_double.h), in units of kDoubleDoubleUnit m_a m_b,
 /// where m_a and m_b bound the components of the vectors. They are the same as for the products and sums of vector3.h,

@@ -1,79 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/filtered/detail/triangle_groups.h"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
-
-#include "robust/filtered/detail/vector3.h"
 
 namespace touchstone::filtered {
 namespace {
 
-using Vector = Vector3<double>;
-
-Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
-
-/// Below this share of the product of two edges' lengths a normal is not known well enough.
-constexpr double kFlattest = 0x1p-28;
-/// Edges are at least this long in the group's units, so that no product of them underflows.
-constexpr double kShortest = 0x1p-200;
-
 std::int16_t to_steps(double number) { return static_cast<std::int16_t>(std::lrint(number * TriangleGroup::kSteps)); }
-
-/// A length times a power of two, relative to a group's origin; edges are differences of the given vertices, so that
-/// their errors are relative to their own lengths.
-class GroupUnits {
- public:
-  GroupUnits(const double (&origin)[4], double scale) : origin_{origin[0], origin[1], origin[2]}, scale_(scale) {}
-  [[nodiscard]] Vector point(const Eigen::Vector3d& p) const {
-    return scale_ * (Vector{p.x(), p.y(), p.z()} - origin_);
-  }
-  [[nodiscard]] Vector edge(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
-    return scale_ * Vector{to.x() - from.x(), to.y() - from.y(), to.z() - from.z()};
-  }
-
- private:
-  Vector origin_;
-  double scale_;
-};
-
-/// Stores a triangle in a lane, if its edges and its normal are known well enough.
-void prepare_lane(TriangleGroup& group, std::size_t lane, const Triangle& triangle) {
-  const GroupUnits units(group.origin, group.scale);
-  const std::array<Vector, 3> edge{units.edge(triangle.a, triangle.b), units.edge(triangle.b, triangle.c),
-                                   units.edge(triangle.c, triangle.a)};
-  const std::array<double, 3> lengths{length(edge[0]), length(edge[1]), length(edge[2])};
-  const Vector normal = cross(edge[0], edge[1]);
-  const double area = length(normal);
-  if (!(std::min({lengths[0], lengths[1], lengths[2]}) >= kShortest)) return;
-  if (!(area >= kFlattest * lengths[0] * lengths[1])) return;
-
-  const Vector x = 1 / lengths[0] * edge[0], z = 1 / area * normal, y = cross(z, x);
-  const std::array<Vector, 3> middle{units.point(triangle.a) + 0.5 * edge[0], units.point(triangle.b) + 0.5 * edge[1],
-                                     units.point(triangle.c) + 0.5 * edge[2]};
-  const std::array<Vector, 3> axes{x, y, z};
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (int component = 0; component < 3; ++component) group.axis[k][component][lane] = to_steps(axes[k][component]);
-    group.offset[k][lane] = to_steps(-dot(axes[k], middle[0]));
-  }
-  group.half[lane] = to_steps(lengths[0] / 2);
-  for (std::size_t i = 1; i < 3; ++i) {
-    TriangleGroup::Edge& stored = group.edges[i - 1];
-    const double inward_x = -dot(edge[i], y) / lengths[i], inward_y = dot(edge[i], x) / lengths[i];
-    const Vector to_middle = middle[i] - middle[0];
-    const double middle_x = dot(to_middle, x), middle_y = dot(to_middle, y);
-    stored.inward_x[lane] = to_steps(inward_x);
-    stored.inward_y[lane] = to_steps(inward_y);
-    stored.depth[lane] = to_steps(-(inward_x * middle_x + inward_y * middle_y));
-    stored.along[lane] = to_steps(inward_x * middle_y - inward_y * middle_x);
-    stored.half[lane] = to_steps(lengths[i] / 2);
-  }
-  group.prepared |= 1U << lane;
-}
 
 }  // namespace
 
@@ -99,13 +34,23 @@ TriangleGroup group_of(std::span<const Triangle> triangles) {
     return group;
   }
 
+  // Within a power of two of the radius, so that no square underflows or overflows.
   const double power = std::ldexp(1.0, -std::ilogb(extent));
-  const GroupUnits powers(group.origin, power);
+  const auto scaled = [&group](const Eigen::Vector3d& p, double scale) -> Eigen::Vector3d {
+    return scale * (p - Eigen::Vector3d(group.origin));
+  };
   double radius = 0;
-  each_vertex([&](const Eigen::Vector3d& p) { radius = std::max(radius, length(powers.point(p))); });
+  each_vertex([&](const Eigen::Vector3d& p) { radius = std::max(radius, scaled(p, power).norm()); });
   group.scale = (1 - 0x1p-40) / radius * power;  // rounding moves no vertex beyond the radius
   group.reach = TriangleGroup::kReach / group.scale;
-  for (std::size_t i = 0; i < triangles.size(); ++i) prepare_lane(group, i, triangles[i]);
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+    const Triangle& triangle = triangles[lane];
+    const Eigen::Vector3d* const vertices[] = {&triangle.a, &triangle.b, &triangle.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector3d vertex = scaled(*vertices[i], group.scale);
+      for (int k = 0; k < 3; ++k) group.vertices[i][k][lane] = to_steps(vertex[k]);
+    }
+  }
   return group;
 }
 

@@ -11,36 +11,27 @@
 
 namespace touchstone::filtered {
 
-/// Eight triangles of a set, one per lane, each in its own isometric frame (triangle_lanes.h).
+/// Eight triangles of a set, one per lane.
 ///
-/// Lengths are relative to the group's origin, in units of the group's radius: no vertex is farther than 1 from the
-/// origin. So every number of a lane is at most 1 in magnitude. It is stored as the nearest multiple of 1 / kSteps, in
-/// 16 bits: queries wait for memory rather than for arithmetic.
+/// Coordinates are relative to the group's origin, in units of the group's radius: no vertex is farther than 1 from the
+/// origin. They are stored as the nearest multiple of 1 / kSteps, in 16 bits: queries wait for memory rather than for
+/// arithmetic. So the stored triangle differs from the given one by at most bounds::kLaneStored, and so do the
+/// distances from the two.
 struct TriangleGroup {
   static constexpr std::size_t kWidth = 8;
   static constexpr int kSteps = 32767;
-  /// The limit for the numbers of a scaled ball, below which no square of steps overflows.
+  /// The limit for the numbers of a scaled ball, below which no product of steps overflows.
   static constexpr double kReach = 0x1p40;
   /// The limit for the numbers of a ball and for origins, below which no difference of the two overflows.
   static constexpr double kLargest = 0x1p1000;
 
   using Steps = std::int16_t[kWidth];
-  struct Edge {
-    alignas(16) Steps inward_x;  ///< the unit normal in the plane, which points into the triangle
-    Steps inward_y;
-    Steps depth, along;  ///< offsets, as in triangle_lanes.h
-    Steps half;          ///< half the length
-  };
 
-  alignas(16) Steps axis[3][3];  ///< the components of the axes x, y, z
-  Steps offset[3];               ///< the coordinates of the group's origin
-  Steps half;                    ///< half the length of edge 0
-  Edge edges[2];                 ///< edges 1 and 2
+  alignas(16) Steps vertices[3][3];  ///< by vertex and coordinate; those of missing triangles are 0
 
-  double origin[4];   ///< followed by a 0, so that a ball's radius stays the same
-  double scale;       ///< 1 / radius
-  double reach;       ///< the limit for differences from the origin, and for radii; negative if no lane is prepared
-  unsigned prepared;  ///< one bit per lane; the other lanes hold zeros
+  double origin[4];  ///< followed by a 0, so that a ball's radius stays the same
+  double scale;      ///< 1 / radius
+  double reach;      ///< the limit for differences from the origin, and for radii; negative if nothing is prepared
 };
 
 /// Prepares one to eight triangles with finite vertices. Requires round to nearest, without flush-to-zero.

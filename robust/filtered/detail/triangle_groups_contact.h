@@ -20,54 +20,51 @@
 namespace touchstone::filtered {
 inline namespace TOUCHSTONE_TARGET {
 
-/// The squares of the distances of eight triangles, in steps, as floats know them: each is at most `most` and at least
-/// `least`, up to an error of the distance.
+/// The distances of eight triangles as floats know them, in steps: a point of each triangle is `most` far, and none is
+/// nearer than support / most; both up to an error of the distance.
 struct LaneDistances {
-  FloatPack most, least;
+  FloatPack most, support;
   double error;  ///< in the group's units
 
   /// Returns the lanes whose triangle a ball of this radius certainly touches; one bit per lane.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned touched(double radius) const {
     const double inner = TriangleGroup::kSteps * (radius - error);
-    return negative_lanes(most - all_float_lanes(static_cast<float>(inner > 0 ? inner * inner : -1)));
+    return negative_lanes(most - all_float_lanes(static_cast<float>(inner > 0 ? inner : -1)));
   }
   /// Returns the lanes whose triangle it certainly misses.
   [[nodiscard]] TOUCHSTONE_INLINE unsigned missed(double radius) const {
     const double outer = TriangleGroup::kSteps * (radius + error);
-    return negative_lanes(all_float_lanes(static_cast<float>(outer * outer)) - least);
+    return negative_lanes(all_float_lanes(static_cast<float>(outer)) * most - support);
   }
 };
 
 /// Returns the distances from the centre of a ball (x, y, z, radius) in the group's units. Requires that these numbers
 /// are at most kReach, and that the ball may touch the ball of radius 1 about the origin. They serve this ball and
-/// smaller ones.
-///
-/// A distance from the boundary counts for both answers where the foot is certainly outside, and the height alone where
-/// it is certainly inside. Elsewhere the distance is at most that from the boundary, and at least the height. Lengths
-/// in lanes are in steps.
+/// smaller ones. Lengths in lanes are in steps.
 TOUCHSTONE_INLINE LaneDistances lane_distances(const TriangleGroup& group, const double (&ball)[4]) {
-  constexpr double steps = TriangleGroup::kSteps;
-  const double unit = bounds::kFloatUnit * (ball[3] + 1);
-  const auto all_lanes_of = [](double number) { return all_float_lanes(static_cast<float>(number)); };
-  const Vector3<FloatPack> from_origin{all_lanes_of(ball[0]), all_lanes_of(ball[1]), all_lanes_of(ball[2])};
-  const FloatPack margin = all_lanes_of(steps * bounds::kLaneEdge * 2 * unit), zero = all_float_lanes(0);
-
-  const auto coordinate = [&](int k) {
-    const Vector3<FloatPack> axis{load(group.axis[k][0]), load(group.axis[k][1]), load(group.axis[k][2])};
-    return lane::coordinate(axis, from_origin, load(group.offset[k]));
+  const auto in_steps = [](double number) {
+    return all_float_lanes(static_cast<float>(TriangleGroup::kSteps * number));
   };
-  const FloatPack x = coordinate(0), y = coordinate(1), z = coordinate(2);
-  const FloatPack step = all_lanes_of(1 / steps), foot_x = x * step, foot_y = y * step;
-  FloatPack depth = y, to_boundary = lane::squared_edge_distance(y, x, load(group.half), zero);
-  for (const TriangleGroup::Edge& edge : group.edges) {
-    const FloatPack inward_x = load(edge.inward_x), inward_y = load(edge.inward_y);
-    const FloatPack inside = lane::depth(foot_x, foot_y, inward_x, inward_y, load(edge.depth));
-    const FloatPack along = lane::along(foot_x, foot_y, inward_x, inward_y, load(edge.along));
-    depth = minimum(depth, inside);
-    to_boundary = minimum(to_boundary, lane::squared_edge_distance(inside, along, load(edge.half), zero));
-  }
-  return {multiply_add(z, z, where(depth - margin, to_boundary)),
-          multiply_add(z, z, where(depth + margin, to_boundary)), bounds::kLaneDistance * unit};
+  using Vector = Vector3<FloatPack>;
+  const auto stored = [&](int i) -> Vector {
+    return {load(group.vertices[i][0]), load(group.vertices[i][1]), load(group.vertices[i][2])};
+  };
+  const auto difference = [](const Vector& p, const Vector& q) -> Vector { return {p.x - q.x, p.y - q.y, p.z - q.z}; };
+  const Vector center{in_steps(ball[0]), in_steps(ball[1]), in_steps(ball[2])}, first = stored(0);
+  const FloatPack zero = all_float_lanes(0), one = all_float_lanes(1);
+  const lane::Corner<FloatPack> corner{difference(first, center), difference(stored(1), first),
+                                       difference(stored(2), first)};
+  const lane::Weights<FloatPack> weights = lane::nearly_closest(corner, zero, one);
+  const auto coordinate = [&](const FloatPack& vertex, const FloatPack& u, const FloatPack& v) {
+    return lane::coordinate(weights.s, weights.t, vertex, u, v);
+  };
+  const Vector point{coordinate(corner.vertex.x, corner.first.x, corner.second.x),
+                     coordinate(corner.vertex.y, corner.first.y, corner.second.y),
+                     coordinate(corner.vertex.z, corner.first.z, corner.second.z)};
+  // A length that is not too small for its square.
+  const FloatPack squared = lane::product(point, point) + all_float_lanes(bounds::kLaneTiny);
+  return {square_root(squared), lane::support(point, corner, zero),
+          bounds::kLaneStored + bounds::kLaneDistance * bounds::kFloatUnit * (ball[3] + 1)};
 }
 
 /// Returns which of the triangles in `lanes` the ball touches, asking about each alone.
@@ -132,7 +129,7 @@ TOUCHSTONE_INLINE GroupAnswers group_contact(const Ball& ball, double inner, con
   }
   const LaneDistances distances = lane_distances(group, scaled);
   const unsigned touched = distances.touched(inner * group.scale), missed = distances.missed(scaled[3]);
-  const unsigned sure = (touched | missed) & group.prepared & lanes;
+  const unsigned sure = (touched | missed) & lanes;
   count_sure(sure, counts);
   return {touched & sure, lanes & ~sure};
 }

@@ -62,22 +62,18 @@ class TriangleLeaves {
       return {all(leaf), unknown};
     if (filtered::misses_group(seen)) return {0, unknown};
     const filtered::LaneDistances distances = filtered::lane_distances(group, seen);
-    const unsigned prepared = group.prepared & all(leaf);
-    unsigned missed = distances.missed(seen[3]) & prepared;
-    if (missed == all(leaf)) return {0, unknown};
-    float squares[filtered::kFloatLanes];
-    store(squares, distances.most);
+    const unsigned lanes = all(leaf) & ~distances.missed(seen[3]);
+    if (lanes == 0) return {0, unknown};
+    float lengths[filtered::kFloatLanes];
+    store(lengths, distances.most);
     float least = std::numeric_limits<float>::infinity();
-    for (unsigned rest = prepared & ~missed; rest != 0; rest &= rest - 1)
-      least = std::min(least, squares[__builtin_ctz(rest)]);
+    for (unsigned rest = lanes; rest != 0; rest &= rest - 1) least = std::min(least, lengths[__builtin_ctz(rest)]);
     constexpr double wide = 1 + 0x1p-20;
-    const double radius = (std::sqrt(static_cast<double>(least)) / filtered::TriangleGroup::kSteps + distances.error) *
-                          wide / group.scale;
+    const double radius =
+        (static_cast<double>(least) / filtered::TriangleGroup::kSteps + distances.error) * wide / group.scale;
     const double seen_radius = radius * group.scale;
-    if (!(seen_radius < seen[3]) || (distances.touched(seen_radius) & prepared) == 0)
-      return {all(leaf) & ~missed, unknown};
-    missed = distances.missed(seen_radius) & prepared;
-    return {all(leaf) & ~missed, radius};
+    if (!(seen_radius < seen[3]) || (distances.touched(seen_radius) & lanes) == 0) return {lanes, unknown};
+    return {lanes & ~distances.missed(seen_radius), radius};
   }
 
  private:

@@ -26,62 +26,80 @@ ErrorBound known(const mpq_class& magnitude, const mpq_class& error) {
 /// What a ball's subnormal number that was flushed to zero may have been worth, times the largest scale.
 const mpq_class kFlushed = mpq_class(0x1p-122);
 
-// A difference and a product in doubles, the rounding to a float, and what was flushed before.
+// A difference and two products in doubles, the rounding to a float, and what was flushed before.
 TEST(Lanes, CentresAreKnown) {
-  const mpq_class in_doubles = power(1 + mpq_class(bounds::kUnit), 2);
+  const mpq_class in_doubles = power(1 + mpq_class(bounds::kUnit), 3);
   const mpq_class error = in_doubles * (1 + kUnit) - 1 + kFlushed + mpq_class(bounds::kFloatTiny);
   EXPECT_LE(error, bounds::kLaneCentre * kUnit);
 }
 
-// The factor is rounded once to a double and once to a float, its product with a coordinate once.
-TEST(Lanes, StepsCostTwoRoundings) {
-  const mpq_class error = (1 + mpq_class(bounds::kUnit)) * power(1 + kUnit, 2) - 1 + mpq_class(bounds::kFloatTiny);
-  EXPECT_LE(error, bounds::kLaneStep * kUnit);
+// A stored vertex is exact, and at most 1 from the origin.
+TEST(Lanes, VerticesAreKnownAsSeenFromTheCentre) {
+  const ErrorBound centre = known(1, bounds::kLaneCentre), vertex{&kFloats, 1, 0, 0};
+  const ErrorBound seen = vertex - centre;
+  EXPECT_LE(seen.error, 2 * bounds::kLaneVertex * kUnit);
+}
+
+// Each coordinate is rounded to the nearest step after a difference and two products in doubles.
+TEST(Lanes, StoredVerticesAreNearTheGivenOnes) {
+  const mpq_class in_doubles = power(1 + mpq_class(bounds::kUnit), 3) - 1;
+  const mpq_class apart = root_above(3) * (1 / (2 * kSteps) + in_doubles);
+  EXPECT_LE(apart, bounds::kLaneStored);
+  EXPECT_GT(apart, mpq_class(bounds::kLaneStored) * 99 / 100) << "it is loose";
+}
+
+// The proofs of the two constants leave 1/32. A vertex seen from the centre exceeds 2 S by its own error, and so does
+// the bound computed with it.
+TEST(Lanes, MagnitudesMayExceedTheirBounds) {
+  const mpq_class excess = 1 + 2 * mpq_class(bounds::kLaneVertex) * kUnit;
+  for (const double constant : {bounds::kLanePoint, bounds::kLaneProduct})
+    EXPECT_LE((mpq_class(constant) - mpq_class(1, 32)) * excess, constant);
 }
 
 /// The relative error of a root whose square was rounded `roundings` times.
 mpq_class relative_error_of_root(std::size_t roundings) { return root_above(power(1 + kUnit, roundings)) - 1; }
 
-/// By how much the computed distance from the foot to an edge may be wrong.
-mpq_class error_to_edge(const mpq_class& edge_error, const mpq_class& longest) {
-  const ErrorBound depth = known(2, edge_error), along = known(2, edge_error), half = known(1, bounds::kLanePrepared);
-  const ErrorBound overshoot = maximum(magnitude(along) - half, kZero);
-  // A product, and a fused or unfused product and sum.
-  return root_above(power(depth.error, 2) + power(overshoot.error, 2)) + relative_error_of_root(3) * longest;
+/// That of the computed length of a point: its square is three products, each rounded and added at most twice, and one
+/// sum; the root is rounded, too.
+const mpq_class kLength = relative_error_of_root(6);
+
+/// By how much limits of lengths may be wrong: the radius and the error in doubles, in steps, rounded to a float.
+mpq_class error_of_limits() {
+  const mpq_class largest_radius = 1 + mpq_class(bounds::kLaneDistance) * kUnit;  // S is the radius and 1
+  return (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * largest_radius + kFlushed;
 }
 
-/// By how much the computed distance may be wrong for a foot outside; for one inside it is the height.
-mpq_class error_of_distance(const mpq_class& edge_error) {
-  const mpq_class longest = 2 + mpq_class(1, 16);
-  return root_above(power(mpq_class(bounds::kLaneCoordinate) * kUnit, 2) +
-                    power(error_to_edge(edge_error, longest), 2)) +
-         relative_error_of_root(2) * longest + root_above(8 * mpq_class(bounds::kFloatTiny));
+// Weights whose sum exceeds 1 by a rounding are those of a point beyond the triangle, by that share of an edge, which
+// is at most 2.
+TEST(Lanes, TouchedTrianglesAreNear) {
+  const mpq_class beyond = 2 * kUnit;
+  const mpq_class of_point = root_above(3) * 2 * mpq_class(bounds::kLanePoint) * kUnit;
+  const mpq_class needed = beyond + of_point + kLength * (1 + kLength) + error_of_limits();
+  EXPECT_LE(needed, bounds::kLaneDistance * kUnit);
 }
 
-// The bound is the radius and the error in doubles, in steps, squared, and rounded to a float.
-TEST(Lanes, DistancesAreKnownToTheirBound) {
-  const mpq_class edge_error = 2 * mpq_class(bounds::kLaneEdge), bound = mpq_class(bounds::kLaneDistance) * kUnit;
-  const mpq_class largest_radius = 1 + bound;  // S is the radius and 1
-  const mpq_class of_limits = (power(1 + mpq_class(bounds::kUnit), 6) * (1 + kUnit) - 1) * largest_radius + kFlushed;
-  const mpq_class needed = error_of_distance(edge_error) + of_limits;
+// The support is the sum of two products and at most 4 times the point's length. It is compared with a product of the
+// limit and that length.
+TEST(Lanes, MissedTrianglesAreFar) {
+  const mpq_class of_products = 2 * 2 * mpq_class(bounds::kLaneProduct) * kUnit, of_sum = 4 * (1 + of_products) * kUnit;
+  const mpq_class of_comparison = (1 + kLength) * (1 + kUnit) - 1;
+  const mpq_class bound = mpq_class(bounds::kLaneDistance) * kUnit;
+  const mpq_class needed = of_products + of_sum + of_comparison * (1 + bound) + error_of_limits();
   EXPECT_LE(needed, bound);
   EXPECT_GT(needed, bound * 15 / 16) << "it is loose";
 }
 
-// The proofs of the two constants leave 1/32. A centre has been rounded, and so has the foot, whose coordinates exceed
-// 2 S by their own error.
-const mpq_class kProvedEdge = mpq_class(bounds::kLaneEdge) - mpq_class(1, 32);
-TEST(Lanes, MagnitudesMayExceedTheirBounds) {
-  const mpq_class centre = 1 + mpq_class(bounds::kLaneCentre) * kUnit;
-  EXPECT_LE((mpq_class(bounds::kLaneCoordinate) - mpq_class(1, 32)) * centre, bounds::kLaneCoordinate);
-  const mpq_class foot = 1 + (mpq_class(bounds::kLaneCoordinate) / 2 + mpq_class(bounds::kLaneStep)) * kUnit;
-  EXPECT_LE(kProvedEdge * foot, bounds::kLaneEdge);
-  // A foot outside has a negative exact depth for some edge, so its computed one is below the limit, a product of
-  // doubles that is rounded to a float; likewise inside.
-  EXPECT_LE(kProvedEdge * foot, bounds::kLaneEdge * (1 - kUnit) * power(1 - mpq_class(bounds::kUnit), 5));
+// What is added to the square is much less than the square of a step; so is what products lose to underflow, divided by
+// a point's length. A point that is missed is at least this long, since the computed length and limit are not less.
+TEST(Lanes, UnderflowDoesNotMatter) {
+  const mpq_class least_limit = bounds::kLaneStored * kSteps / 2, least_length = root_above(bounds::kLaneTiny) / 2;
+  const mpq_class farthest = 8 * mpq_class(TriangleGroup::kReach) * kSteps;
+  const mpq_class least_point = least_limit * least_length / farthest;
+  EXPECT_LE(12 * mpq_class(bounds::kFloatTiny) / least_point / kSteps, kUnit / 256);
+  EXPECT_LE(12 * mpq_class(bounds::kFloatTiny), mpq_class(bounds::kLaneTiny) * kUnit);
 }
 
-// No square of steps overflows: centres within reach, in steps, and what is added to their distances.
+// No product of steps overflows: centres within reach, in steps, and what is added to their distances.
 TEST(Lanes, DoNotOverflow) {
   const mpq_class farthest = 8 * mpq_class(TriangleGroup::kReach) * kSteps;
   EXPECT_LE(3 * power(farthest, 2), mpq_class(0x1p126));

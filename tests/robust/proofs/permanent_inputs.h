@@ -18,8 +18,9 @@ struct PermanentInputs {
   Vector3<Permanent<1>> first_edge, second_edge, normal, axis, from_origin;
   Permanent<1> foot_x, foot_y, start_x, start_y, direction_x, direction_y;
   Vector3<Permanent<0>> first_exact, second_exact;
-  Vector3<Permanent<1>> lane_axis, lane_from_origin;
-  Permanent<1> lane_offset, lane_x, lane_y, inward_x, inward_y, edge_offset;
+  Vector3<Permanent<1>> lane_vertex;
+  Vector3<Permanent<0>> lane_edge;
+  Permanent<0> first_weight, second_weight;
 };
 
 }  // namespace touchstone::filtered::proofs

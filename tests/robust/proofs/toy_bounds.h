@@ -21,8 +21,6 @@ inline Inputs<ErrorBound> inputs_at(const ErrorModel& model) {
   const ErrorBound half_normal = known_within(model, normal.magnitude() / 2, normal.error / 2);
   inputs.normal = {half_normal, half_normal, half_normal};
   inputs.foot_x = inputs.foot_y = known_within(model, 1, frame::coordinate(inputs.axis, inputs.from_origin).error);
-  inputs.lane_x = inputs.lane_y =
-      known_within(model, 1, lane::coordinate(inputs.lane_axis, inputs.lane_from_origin, inputs.lane_offset).error);
   return inputs;
 }
 

@@ -29,13 +29,12 @@ double relative_bound(const mpq_class& u, int roundings) {
 template <class From, class To>
 Inputs<To> with_permanents(const Inputs<From>& in, To (*convert)(const From&)) {
   const auto vector = [&](const Vector3<From>& v) { return Vector3<To>{convert(v.x), convert(v.y), convert(v.z)}; };
-  return {vector(in.to_center),    vector(in.ahead),        vector(in.edge),         vector(in.velocity),
-          convert(in.radius),      vector(in.first_edge),   vector(in.second_edge),  vector(in.normal),
-          vector(in.axis),         vector(in.from_origin),  convert(in.foot_x),      convert(in.foot_y),
-          convert(in.start_x),     convert(in.start_y),     convert(in.direction_x), convert(in.direction_y),
-          vector(in.first_exact),  vector(in.second_exact), vector(in.lane_axis),    vector(in.lane_from_origin),
-          convert(in.lane_offset), convert(in.lane_x),      convert(in.lane_y),      convert(in.inward_x),
-          convert(in.inward_y),    convert(in.edge_offset)};
+  return {vector(in.to_center),     vector(in.ahead),         vector(in.edge),         vector(in.velocity),
+          convert(in.radius),       vector(in.first_edge),    vector(in.second_edge),  vector(in.normal),
+          vector(in.axis),          vector(in.from_origin),   convert(in.foot_x),      convert(in.foot_y),
+          convert(in.start_x),      convert(in.start_y),      convert(in.direction_x), convert(in.direction_y),
+          vector(in.first_exact),   vector(in.second_exact),  vector(in.lane_vertex),  vector(in.lane_edge),
+          convert(in.first_weight), convert(in.second_weight)};
 }
 
 WithPermanent<Exact> exact(const Exact& value) { return {value, std::abs(value)}; }

@@ -18,7 +18,7 @@ using Exact = std::int64_t;
 
 /// The numbers of a sample: integers with more bits than a toy number has, so that they have to be rounded, but so few
 /// bits that every expression fits into 64.
-using Operands = std::array<Exact, 30>;
+using Operands = std::array<Exact, 29>;
 inline constexpr Exact kLargestOperand = 511;
 
 /// Many operands are a little above a power of two, where the steps between toy numbers are relatively largest.
@@ -87,14 +87,10 @@ Inputs<Exact> exact_inputs(const Operands& operands) {
   const auto rounded = [](Exact value) { return Number::of(value).value; };
   exact.first_exact = {rounded(exact.axis.x), rounded(exact.axis.y), rounded(exact.axis.z)};
   exact.second_exact = {rounded(exact.direction_x), rounded(exact.direction_y), rounded(exact.axis.x)};
-  exact.lane_axis = exact.axis;
-  exact.lane_from_origin = exact.from_origin;
-  exact.lane_offset = operands[next++] * kLargestOperand;
-  exact.lane_x = lane::coordinate(exact.lane_axis, exact.lane_from_origin, exact.lane_offset);
-  exact.lane_y = lane::coordinate(other_axis, exact.lane_from_origin, exact.lane_offset);
-  exact.inward_x = exact.direction_x;
-  exact.inward_y = exact.direction_y;
-  exact.edge_offset = exact.start_x;
+  exact.lane_vertex = {exact.start_x, exact.start_y, exact.start_x};
+  exact.lane_edge = {rounded(exact.start_y), rounded(exact.foot_x), rounded(exact.foot_y)};
+  exact.first_weight = exact.first_exact.x;
+  exact.second_weight = exact.first_exact.y;
   return exact;
 }
 
@@ -121,21 +117,16 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   c.direction_y = Number::of(exact.direction_y);
   c.first_exact = computed<Number>(exact.first_exact);
   c.second_exact = computed<Number>(exact.second_exact);
-  c.lane_axis = c.axis;
-  c.lane_from_origin = c.from_origin;
-  c.lane_offset = Number::of(exact.lane_offset);
-  c.lane_x = lane::coordinate(c.lane_axis, c.lane_from_origin, c.lane_offset);
-  c.lane_y = lane::coordinate(Vector3{c.axis.y, c.axis.z, c.axis.x}, c.lane_from_origin, c.lane_offset);
-  c.inward_x = c.direction_x;
-  c.inward_y = c.direction_y;
-  c.edge_offset = c.start_x;
+  c.lane_vertex = {c.start_x, c.start_y, c.start_x};
+  c.lane_edge = computed<Number>(exact.lane_edge);
+  c.first_weight = c.first_exact.x;
+  c.second_weight = c.first_exact.y;
 
   const auto set = [&](Maximum maximum, double value) { sample.maxima[static_cast<std::size_t>(maximum)] = value; };
   using enum Maximum;
   const double first = largest_magnitude(c.first_edge), second = largest_magnitude(c.second_edge);
   const double one = std::max(largest_magnitude(c.axis), largest_magnitude({c.direction_x, c.direction_y}));
-  // An offset is at most as large as one of the products that it is added to.
-  const double centre = std::max(largest_magnitude(c.from_origin), largest_magnitude({c.lane_offset}) / one);
+  const double centre = largest_magnitude(c.from_origin);
   set(Ball, std::max({largest_magnitude(c.to_center), largest_magnitude(c.ahead), largest_magnitude({c.radius})}));
   set(Edge, largest_magnitude(c.edge));
   set(BallOrEdge, std::max(largest_magnitude(c.to_center), largest_magnitude(c.edge)));
@@ -145,7 +136,8 @@ ToySample<Number> sample_of(const Inputs<Exact>& exact) {
   set(Normal, 2 * first * second);
   set(One, one);
   set(Centre, centre);
-  set(Foot, std::max(one * centre, largest_magnitude({c.foot_x, c.foot_y, c.start_x, c.start_y, c.lane_x, c.lane_y})));
+  set(Foot, std::max(one * centre, std::max(largest_magnitude(c.lane_edge),
+                                            largest_magnitude({c.foot_x, c.foot_y, c.start_x, c.start_y}))));
   return sample;
 }
 

@@ -108,11 +108,11 @@ TEST(Toy, ErrorsThatAreDrivenUpStayWithinTheBoundsAndShowThemNotLoose) {
       shares.add(claim.constant, largest);
     });
   });
-  shares.expect_at_least({{"kVertex", 0.45},  {"kAlong", 0.5},       {"kBeyond", 0.3},     {"kLine", 0.2},
-                          {"kNormal", 0.5},   {"kFront", 0.25},      {"kPlane", 0.11},     {"kSide", 0.2},
-                          {"kAbove", 0.11},   {"kCoordinate", 0.45}, {"kEdgeFrame", 0.2},  {"kLaneCoordinate", 0.3},
-                          {"kLaneEdge", 0.2}, {"kLineAhead", 0.2},   {"kApart", 0.2},      {"kLines", 0.05},
-                          {"kOnEdge", 0.1},   {"kOnWay", 0.1},       {"kRoundedDot", 0.4}, {"kRoundedCross", 0.4}});
+  shares.expect_at_least({{"kVertex", 0.45},     {"kAlong", 0.5},       {"kBeyond", 0.3},     {"kLine", 0.2},
+                          {"kNormal", 0.5},      {"kFront", 0.25},      {"kPlane", 0.11},     {"kSide", 0.2},
+                          {"kAbove", 0.11},      {"kCoordinate", 0.45}, {"kEdgeFrame", 0.2},  {"kLanePoint", 0.3},
+                          {"kLaneProduct", 0.2}, {"kLineAhead", 0.2},   {"kApart", 0.2},      {"kLines", 0.05},
+                          {"kOnEdge", 0.1},      {"kOnWay", 0.1},       {"kRoundedDot", 0.4}, {"kRoundedCross", 0.4}});
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ inline namespace TOUCHSTONE_TARGET {
 inline constexpr int kFloatLanes = 8;
 
 /// Eight floats that are processed together, in the vector registers of the target: one of AVX, two of SSE2, or plain
-/// floats. Operations, truth values of lanes and fused products are like those of Pack. Integers are loaded from
-/// addresses that are multiples of 16.
+/// floats. Operations, truth values of lanes and fused products are like those of Pack; minimum(a, b) and maximum(a, b)
+/// are b where a is not a number. Integers are loaded from addresses that are multiples of 16.
 #if defined(__AVX2__)
 
 struct FloatPack {
@@ -36,16 +36,19 @@ TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
 TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
   return {_mm256_mul_ps(a.lanes, b.lanes)};
 }
+TOUCHSTONE_INLINE FloatPack operator/(const FloatPack& a, const FloatPack& b) {
+  return {_mm256_div_ps(a.lanes, b.lanes)};
+}
+TOUCHSTONE_INLINE FloatPack square_root(const FloatPack& a) { return {_mm256_sqrt_ps(a.lanes)}; }
 TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
   return {_mm256_min_ps(a.lanes, b.lanes)};
 }
 TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
   return {_mm256_max_ps(a.lanes, b.lanes)};
 }
-TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.lanes)}; }
-/// Returns `value` where `condition` is true, and 0 elsewhere.
-TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
-  return {_mm256_blendv_ps(_mm256_setzero_ps(), value.lanes, condition.lanes)};
+/// Returns a where `condition` is true, and b elsewhere.
+TOUCHSTONE_INLINE FloatPack select(const FloatPack& condition, const FloatPack& a, const FloatPack& b) {
+  return {_mm256_blendv_ps(b.lanes, a.lanes, condition.lanes)};
 }
 TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
   return static_cast<unsigned>(_mm256_movemask_ps(a.lanes));
@@ -85,20 +88,22 @@ TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
 TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
   return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
 }
+TOUCHSTONE_INLINE FloatPack operator/(const FloatPack& a, const FloatPack& b) {
+  return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+}
+TOUCHSTONE_INLINE FloatPack square_root(const FloatPack& a) { return {_mm_sqrt_ps(a.low), _mm_sqrt_ps(a.high)}; }
 TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
   return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
 }
 TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
   return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
 }
-TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) {
-  return {_mm_andnot_ps(_mm_set1_ps(-0.0F), a.low), _mm_andnot_ps(_mm_set1_ps(-0.0F), a.high)};
-}
-TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
-  const auto half = [](const __m128& c, const __m128& v) {
-    return _mm_and_ps(_mm_castsi128_ps(_mm_srai_epi32(_mm_castps_si128(c), 31)), v);
+TOUCHSTONE_INLINE FloatPack select(const FloatPack& condition, const FloatPack& a, const FloatPack& b) {
+  const auto half = [](const __m128& c, const __m128& x, const __m128& y) {
+    const __m128 chosen = _mm_castsi128_ps(_mm_srai_epi32(_mm_castps_si128(c), 31));
+    return _mm_or_ps(_mm_and_ps(chosen, x), _mm_andnot_ps(chosen, y));
   };
-  return {half(condition.low, value.low), half(condition.high, value.high)};
+  return {half(condition.low, a.low, b.low), half(condition.high, a.high, b.high)};
 }
 TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
   return static_cast<unsigned>(_mm_movemask_ps(a.low) | _mm_movemask_ps(a.high) << 4);
@@ -131,17 +136,20 @@ TOUCHSTONE_INLINE FloatPack operator-(const FloatPack& a, const FloatPack& b) {
 TOUCHSTONE_INLINE FloatPack operator*(const FloatPack& a, const FloatPack& b) {
   return each_float_lane([&](int i) { return a.lanes[i] * b.lanes[i]; });
 }
+TOUCHSTONE_INLINE FloatPack operator/(const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return a.lanes[i] / b.lanes[i]; });
+}
+TOUCHSTONE_INLINE FloatPack square_root(const FloatPack& a) {
+  return each_float_lane([&](int i) { return std::sqrt(a.lanes[i]); });
+}
 TOUCHSTONE_INLINE FloatPack minimum(const FloatPack& a, const FloatPack& b) {
   return each_float_lane([&](int i) { return a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
 }
 TOUCHSTONE_INLINE FloatPack maximum(const FloatPack& a, const FloatPack& b) {
   return each_float_lane([&](int i) { return a.lanes[i] > b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
 }
-TOUCHSTONE_INLINE FloatPack magnitude(const FloatPack& a) {
-  return each_float_lane([&](int i) { return std::abs(a.lanes[i]); });
-}
-TOUCHSTONE_INLINE FloatPack where(const FloatPack& condition, const FloatPack& value) {
-  return each_float_lane([&](int i) { return std::signbit(condition.lanes[i]) ? value.lanes[i] : 0; });
+TOUCHSTONE_INLINE FloatPack select(const FloatPack& condition, const FloatPack& a, const FloatPack& b) {
+  return each_float_lane([&](int i) { return std::signbit(condition.lanes[i]) ? a.lanes[i] : b.lanes[i]; });
 }
 TOUCHSTONE_INLINE unsigned negative_lanes(const FloatPack& a) {
   unsigned bits = 0;
