@@ -166,6 +166,7 @@ Supervisor::Supervisor(const std::string& command, int input, int output) {
   pthread_sigmask(SIG_SETMASK, &mask, nullptr);
   close(control[1]);
   control_ = control[0];
+  if (process_ > 0) wake();
   if (process_ > 0 && !receive(control_, error)) error = ECHILD;
   if (process_ > 0 && error == 0) return;
   close(control_);
@@ -189,10 +190,13 @@ bool Supervisor::ended_within(std::chrono::milliseconds time) const {
   return control_ < 0 || wait_for_events({&event, 1}, static_cast<int>(time.count()));
 }
 
+void Supervisor::wake() const {
+  while (!ended_within(std::chrono::milliseconds(100))) ::kill(process_, SIGCONT);
+}
+
 std::string Supervisor::wait() {
   if (process_ < 0) return {};
-  // The command may also stop it after `kill` has woken it.
-  while (killed_ && !ended_within(std::chrono::milliseconds(100))) ::kill(process_, SIGCONT);
+  if (killed_) wake();
   int status = 0, own = 0;
   const bool told = receive(control_, status);
   close(control_);

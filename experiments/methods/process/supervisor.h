@@ -36,6 +36,10 @@ class Supervisor {
   [[nodiscard]] std::string wait();
 
  private:
+  /// Waits until the process tells something or ends. The command may have stopped it, before it told that the command
+  /// runs, or after `kill` has woken it.
+  void wake() const;
+
   pid_t process_ = -1;
   bool killed_ = false;
   int control_ = -1;  ///< shut down by this process; reports how the shell ended

@@ -106,7 +106,8 @@ def check_unreadable_input(program, redirection):
 def main(program):
     check_unreadable_input(program, "<&-")
     check_unreadable_input(program, "</")
-    check_stopped_supervisor(program)
+    for _ in range(5):  # the engine may stop it before it has told the judge that the engine runs
+        check_stopped_supervisor(program)
     for options in [], ["--time-limit", "1000"]:
         for helper in HELPERS:
             check_signal(program, signal.SIGINT, 130, helper, options)
