@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
-from readings.bench import contests, named, polygons
+from readings.bench import SET, WITHOUT_FLOATS, contests, named, polygons, sets
 from values.latex import count, percent, table, times
 
 TRIANGLES = {  # family: in words
@@ -48,8 +48,22 @@ def variants(study):
     return found
 
 
+def sets_without_floats(study):
+    """Kind of set, and how many times as long a set takes without floats, which the text calls worth their place."""
+    for name, contestants in sets(study).items():
+        kind, ratio = "near" if name.endswith("surface") else "anywhere", contestants[WITHOUT_FLOATS]["ratio"]
+        if ratio["median"] < 1 and not ratio.get("too_noisy"):
+            raise ValueError(f"floats cost more than they save in sets, {kind}, against the text")
+        if any(contestants[each]["wrong"]["count"] for each in (SET, WITHOUT_FLOATS)):
+            raise ValueError(f"a set is wrong, {kind}")
+        yield kind, quoted(contestants[SET]["ratio"]), quoted(ratio)
+
+
 def values(study):
     every = contests(study)
+    for kind, to_fast, without in sets_without_floats(study):
+        yield f"sets/{kind}/to-fast", to_fast
+        yield f"sets/{kind}/without-floats", without
     for family, contestants in variants(study).items():
         for name in (NO_VARIANT, *VARIANTS):
             yield f"variants/{family}/{name}", quoted(contestants[name]["ratio"])

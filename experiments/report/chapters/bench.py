@@ -7,7 +7,7 @@ import chart
 from looks import look_of
 from page import code, count, escaped, folded, multiple, percent, power, rounded, table, words
 from readings.bench import STAGE_COLOURS as STAGES
-from readings.bench import TRIANGLES, contests, named, polygons
+from readings.bench import SET, SETS, TRIANGLES, WITHOUT_FLOATS, contests, named, polygons, sets
 
 TITLE = "Certainty, timed"
 OTHERS = ("EPICK", "EPECK")
@@ -150,6 +150,15 @@ def variants_table(study):
                  "questions. Every variant answers as exact arithmetic does.", ["variant", *map(escaped, found)], rows, range(1, len(found) + 1))
 
 
+def sets_table(study):
+    """What floats save where one ball is compared with many triangles; empty where it was not measured."""
+    rows = [[SETS[name], multiple(c[SET]["ratio"]["median"], 3) if is_quoted(c, SET) else "too noisy to tell",
+             multiple(c[WITHOUT_FLOATS]["ratio"]["median"], 3) if is_quoted(c, WITHOUT_FLOATS) else "too noisy to tell"]
+            for name, c in sets(study).items()]
+    return table(f"One ball and 1,024 triangles that are prepared as a set: {code('filtered')} relative to {code('fast')}, one triangle after the other; and the "
+                 "same set without its floats, relative to itself.", ["triangles", "set / fast", "without floats / set"], rows, (1, 2)) if rows else ""
+
+
 def chapter(study):
     every = contests(study)
     rows = [line(escaped(about), every[family, ""]) for family, about in TRIANGLES.items()]
@@ -162,4 +171,4 @@ are prepared; the balls are small and near their planes. CGAL's {words([code(oth
 asked about triangles where their questions are the same.</p>""" + f'<div class="pair">{nearness_picture(study)}{break_even_picture(study)}</div>' + folded(
         "Every ratio: families of triangles, polygons, moving balls", table(
             "Nanoseconds per question, and ratios within the same run: median, and quartiles below it.", head, rows,
-            range(1, len(head))) + motions_table(every)) + folded("What each stage saves", variants_table(study))
+            range(1, len(head))) + motions_table(every)) + folded("What each stage saves", variants_table(study) + sets_table(study))

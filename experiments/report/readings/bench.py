@@ -11,6 +11,10 @@ TRIANGLES = {  # family of balls and triangles: in words
     "far": "10⁶ sizes from the origin", "extreme": "extreme exponents"}
 
 
+SETS = {  # of one ball and many triangles, of the family batches: in words
+    "one ball, 1024 triangles": "triangles anywhere", "one ball, 1024 triangles, all near its surface": "all near the ball’s surface"}
+SET, WITHOUT_FLOATS = "filtered, set", "filtered, no floats"
+
 STAGE_COLOURS = {"double": "#9fd8c4", "permanent": "#4cb391", "double-double": "#00795a", "fixed-integer": "#7a5195", "unlimited": "#ef5675"}
 
 
@@ -37,6 +41,11 @@ def contests(study):
 def named(study, family):
     """The contests of a family, by name."""
     return {contest["name"]: contest for contest in read(study) if contest["family"] == family}
+
+
+def sets(study):
+    """Contestants of each kind of set, by its name; without those of a run that left sets out."""
+    return {name: contest["contestants"] for name, contest in named(study, "batches").items() if name in SETS}
 
 
 def polygons(all_contests):

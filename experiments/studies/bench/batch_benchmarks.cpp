@@ -6,6 +6,7 @@
 #include "experiments/studies/bench/families.h"
 #include "experiments/studies/bench/fast_batch.h"
 #include "experiments/studies/bench/polygon_queries.h"
+#include "experiments/studies/bench/variants.h"
 #include "experiments/workloads/lattice/triangle_queries.h"
 #include "geometry/contact/fast.h"
 #include "geometry/contact/fast_triangle.h"
@@ -158,6 +159,9 @@ timing::Benchmark ball_against_triangles(bool near, const Settings& settings) {
   const auto filtered = [](const Ball& ball, const Triangle& t) { return filtered::contact(ball, t); };
   const auto exact = [](const Ball& ball, const Triangle& t) { return exact::contact(ball, Polygon({t.a, t.b, t.c})); };
   const auto set = [](const Group& group, std::span<bool> touches) { contact(group.ball, group.set, touches); };
+  const auto without_floats = [](const Group& g, std::span<bool> touches) {
+    set_contact_without_floats(g.ball, g.set, touches);
+  };
   const auto doubles = [](const Group& g, std::span<bool> touches) { g.doubles.contact(g.ball, touches); };
   const auto floats = [](const Group& g, std::span<bool> touches) { g.floats.contact(g.ball, touches); };
   timing::Benchmark benchmark;
@@ -169,6 +173,8 @@ timing::Benchmark ball_against_triangles(bool near, const Settings& settings) {
   const std::optional<timing::Goal> goal = timing::Goal{0.25};
   benchmark.candidates.push_back(
       fills("filtered, set", queries, truth, by_group(set), timing::Comparison{"fast", goal}));
+  benchmark.candidates.push_back(
+      fills("filtered, no floats", queries, truth, by_group(without_floats), timing::Comparison{"filtered, set", {}}));
   benchmark.candidates.push_back(
       fills("fast, double lanes", queries, truth, by_group(doubles), timing::Comparison{"fast", {}}));
   benchmark.candidates.push_back(

@@ -7,11 +7,30 @@ namespace touchstone::bench {
 
 const std::vector<Variant>& detail::baseline_variants() { return all_variants(); }
 
+detail::SetContact detail::baseline_set_contact() { return without_floats; }
+
+#if defined(__x86_64__)
+namespace {
+
+bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+
+}  // namespace
+#endif
+
 const std::vector<Variant>& variants() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return detail::avx2_variants();
+  if (has_avx2()) return detail::avx2_variants();
 #endif
   return detail::baseline_variants();
+}
+
+void set_contact_without_floats(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) {
+#if defined(__x86_64__)
+  static const detail::SetContact contact = has_avx2() ? detail::avx2_set_contact() : detail::baseline_set_contact();
+#else
+  static const detail::SetContact contact = detail::baseline_set_contact();
+#endif
+  contact(ball, set, touches);
 }
 
 }  // namespace touchstone::bench

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/triangle.h"
+#include "robust/filtered/triangle_set.h"
 
 namespace touchstone::bench {
 
@@ -23,9 +25,16 @@ struct Variant {
 /// filter.
 [[nodiscard]] bool generated_filter_contact(const Ball& ball, const Triangle& triangle);
 
+/// `filtered::contact` of a set without its floats: groups that the ball misses or holds as a whole are decided as
+/// there, and every other triangle is asked about alone. Uses AVX2 where the machine has it.
+void set_contact_without_floats(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches);
+
 namespace detail {
+using SetContact = void (*)(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches);
 [[nodiscard]] const std::vector<Variant>& baseline_variants();
 [[nodiscard]] const std::vector<Variant>& avx2_variants();
+[[nodiscard]] SetContact baseline_set_contact();
+[[nodiscard]] SetContact avx2_set_contact();
 }  // namespace detail
 
 }  // namespace touchstone::bench

@@ -7,6 +7,7 @@
 namespace touchstone::bench {
 
 const std::vector<Variant>& detail::avx2_variants() { return all_variants(); }
+detail::SetContact detail::avx2_set_contact() { return without_floats; }
 
 }  // namespace touchstone::bench
 #endif

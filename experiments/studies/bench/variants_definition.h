@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "experiments/studies/bench/expansion.h"
 #include "experiments/studies/bench/variants.h"
 #include "robust/filtered/detail/kernels.h"
 #include "robust/filtered/detail/triangle_contact.h"
+#include "robust/filtered/detail/triangle_groups_contact.h"
 
 namespace touchstone::bench {
 inline namespace TOUCHSTONE_TARGET {
@@ -83,6 +86,32 @@ inline bool contact_by_expansions(const Ball& ball, const Triangle& triangle) {
   const FilterResult result = filtered::triangle_filter(view, signs);
   if (result < FilterResult::Unsure) return result == FilterResult::Yes;
   return filtered::contact_by(signs, [&view](SignKind kind, int i) { return expansion_sign(kind, {view, i}); });
+}
+
+/// Writes what is known of a group as a whole, as filtered::group_contact does before it asks floats.
+/// Returns false if nothing is. Requires a ball that is in reach of groups.
+inline bool decided_as_a_whole(const Ball& ball, const filtered::TriangleGroup& group, std::span<bool> touches) {
+  double seen[4];
+  if (!filtered::see(ball, group, seen)) return false;
+  const bool misses = filtered::misses_group(seen);
+  const double around = seen[3] - 1;
+  const bool holds = around > 0 && filtered::squared_length(seen) < around * around * filtered::bounds::kNarrow;
+  if (!misses && !holds) return false;
+  std::ranges::fill(touches, holds);
+  return true;
+}
+
+inline void without_floats(const Ball& ball, const filtered::TriangleSet& set, std::span<bool> touches) {
+  using filtered::TriangleGroup;
+  const filtered::TriangleSet::Parts& parts = filtered::parts_of(set);
+  const bool reaches = filtered::in_reach_of_groups(ball);
+  filtered::NoCounts counts;
+  for (std::size_t first = 0; first < touches.size(); first += TriangleGroup::kWidth) {
+    const std::span<bool> own = touches.subspan(first, std::min(TriangleGroup::kWidth, touches.size() - first));
+    if (reaches && decided_as_a_whole(ball, parts.groups[first / TriangleGroup::kWidth], own)) continue;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      own[i] = filtered::contact(filtered::view_of(ball, parts.triangles[first + i]), counts);
+  }
 }
 
 inline const std::vector<Variant>& all_variants() {

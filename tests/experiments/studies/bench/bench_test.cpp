@@ -237,6 +237,25 @@ TEST(BenchFamilies, VariantsAnswerAsExactDoes) {
   }
 }
 
+// Without floats a set answers as with them. Balls near all surfaces leave triangles to both ways; the last set has 3.
+TEST(BenchFamilies, SetsWithoutFloatsAnswerAsExactDoes) {
+  Settings settings;
+  settings.samples = 1027;
+  const auto batches = std::ranges::find(all_families(), "batches", &Family::name);
+  ASSERT_NE(batches, all_families().end());
+  for (const std::size_t i : {0U, 1U}) {
+    const timing::Benchmark benchmark = batches->benchmarks[i](settings);
+    const auto without = std::ranges::find(benchmark.candidates, "filtered, no floats", &timing::Candidate::name);
+    ASSERT_NE(without, benchmark.candidates.end()) << benchmark.name;
+    EXPECT_EQ(without->comparison->base, "filtered, set");
+    EXPECT_EQ(without->count_wrong(settings.samples), 0U) << benchmark.name;
+    if (i == 1) {
+      EXPECT_GT(without->ask(settings.samples), 100U);
+      EXPECT_LT(without->ask(settings.samples), 927U);
+    }
+  }
+}
+
 // Goals are part of what is measured.
 TEST(BenchFamilies, KnowTheirGoals) {
   const auto goal = [](const std::string& family, const std::string& candidate) {
