@@ -37,6 +37,7 @@ LOOKS = {
     "thesis-0.9999": Look("thesis", RED, "-.", "<"),
     "thesis-1": Look("thesis", RED, ":", ">"),
     "thesis-signed": Look("thesis", ORANGE, "--", "*"),
+    "thesis-signed-float": Look("thesis", ORANGE, "-", "^"),
     "thesis-atan2": Look("thesis", ORANGE, ":", "v"),
     "thesis-newell": Look("thesis", ORANGE, "-.", "D"),
     "thesis-closed": Look("thesis", ORANGE, "-", "P"),
@@ -56,6 +57,20 @@ LOOKS = {
     "bullet-float": Look("engines", GREY, "-", "D"),
     "ode": Look("engines", GREY, "--", "P"),
     "embree": Look("engines", GREY, ":", "X"),
+}
+# Libraries and structures that `touchstone bench-scenes` times.
+LIBRARIES = {
+    "Scene": LOOKS["filtered"],
+    "Uniform grid": Look("structures", BLUE, "-", "s"),
+    "Octree": Look("structures", SKY, "--", "^"),
+    "k-d tree": Look("structures", BROWN, "-.", "D"),
+    "Sphere tree": Look("structures", RED, ":", "<"),
+    "18-DOP tree": Look("structures", ORANGE, "--", "*"),
+    "CGAL AABB_tree": Look("CGAL", PURPLE, "-", "P"),
+    "Boost R-tree": LOOKS["boost-geometry"],
+    "Embree 3": LOOKS["embree"],
+    "FCL BVHModel": LOOKS["fcl"],
+    "Bullet": LOOKS["bullet"],
 }
 OF_THE_USER = Look("engines", "#555555", "--", "h")
 

@@ -5,7 +5,8 @@ Same data, same bytes: nothing here depends on the time or on chance."""
 import csv
 
 from names import BALLS, QUESTIONS
-from pictures.style import STYLES, plt, save
+from looks import LIBRARIES
+from pictures.style import plt, save
 
 # The ticks that are drawn as numbers.
 BYTES = [20, 50, 100, 200, 500, 1000]
@@ -21,23 +22,23 @@ def distinct(rows, name):
     return list(dict.fromkeys(row[name] for row in rows))
 
 
-def looks(library, libraries):
-    colour, line, marker = STYLES[libraries.index(library) % len(STYLES)]
-    return {"color": colour, "linestyle": line, "marker": marker, "markersize": 4, "linewidth": 1.2, "label": library}
+def looks(library):
+    look = LIBRARIES[library]
+    return {"color": look.colour, "linestyle": look.line, "marker": look.marker, "markersize": 4, "linewidth": 1.2, "label": library}
 
 
-def draw_lines(axes, rows, libraries, value):
+def draw_lines(axes, rows, value):
     """One line a library, from small to large scenes."""
     for library in distinct(rows, "library"):
         spots = sorted((int(row["triangles"]), value(row)) for row in rows if row["library"] == library)
-        axes.plot(*zip(*spots), **looks(library, libraries))
+        axes.plot(*zip(*spots), **looks(library))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.minorticks_off()
     axes.grid(color="#dddddd", linewidth=0.5)
 
 
-def draw_queries(rows, libraries, scene, folder):
+def draw_queries(rows, scene, folder):
     balls, questions = distinct(rows, "balls"), distinct(rows, "question")
     figure, grid = plt.subplots(len(balls), len(questions), figsize=(3.1 * len(questions) + 0.5, 2.5 * len(balls) + 0.8),
                                 sharex=True, sharey=True, squeeze=False, layout="constrained")
@@ -49,7 +50,7 @@ def draw_queries(rows, libraries, scene, folder):
             if not chosen:
                 axes.set_axis_off()
                 continue
-            draw_lines(axes, chosen, libraries, lambda row: float(row["nanoseconds"]) / 1000)
+            draw_lines(axes, chosen, lambda row: float(row["nanoseconds"]) / 1000)
             axes.set_title(f"{BALLS[ball]}: {QUESTIONS[question]}")
             lowest = not any(row["question"] == question and balls.index(row["balls"]) > i for row in rows)
             axes.xaxis.set_tick_params(labelbottom=lowest)
@@ -67,14 +68,14 @@ def draw_queries(rows, libraries, scene, folder):
     save(figure, folder, f"queries-{scene}")
 
 
-def draw_builds(rows, libraries, folder):
+def draw_builds(rows, folder):
     scenes = distinct(rows, "scene")
     figure, grid = plt.subplots(len(scenes), 3, figsize=(9, 2.6 * len(scenes) + 0.3), squeeze=False,
                                 layout="constrained", gridspec_kw={"width_ratios": [3, 3, 1.6]})
     for axes, scene in zip(grid, scenes):
         chosen = [row for row in rows if row["scene"] == scene]
-        draw_lines(axes[0], chosen, libraries, lambda row: 1e6 * float(row["seconds"]) / float(row["triangles"]))
-        draw_lines(axes[1], chosen, libraries, lambda row: float(row["bytes_a_triangle"]))
+        draw_lines(axes[0], chosen, lambda row: 1e6 * float(row["seconds"]) / float(row["triangles"]))
+        draw_lines(axes[1], chosen, lambda row: float(row["bytes_a_triangle"]))
         for one, name in zip(axes, ("build, microseconds a triangle", "memory, bytes a triangle")):
             one.set_title(f"{scene}: {name.split(',')[0]}")
             one.set_xlabel("triangles")
@@ -88,8 +89,7 @@ def draw_builds(rows, libraries, folder):
 
 def main(folder):
     queries, builds = read(folder / "queries.csv"), read(folder / "builds.csv")
-    libraries = distinct(builds, "library")
     for scene in distinct(queries, "scene"):
-        draw_queries([row for row in queries if row["scene"] == scene], libraries, scene, folder)
+        draw_queries([row for row in queries if row["scene"] == scene], scene, folder)
     if builds:
-        draw_builds(builds, libraries, folder)
+        draw_builds(builds, folder)

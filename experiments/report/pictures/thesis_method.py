@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.patches import FancyBboxPatch, Patch, Polygon
 
 from pictures.cell_missed import draw_missed
+from looks import look_of
 from pictures.style import STYLES, plt
 from shares import unless_whole
 
@@ -213,10 +214,10 @@ def false_areas(outlines, rows):
     for i, row in enumerate(rows):
         share = 100 * row["share"]
         hull = 100 * row["hull"]
-        axes.bar(i - 0.19, share, color=ORANGE if row["outline"] == "gripper" else BLUE, width=0.36,
+        axes.bar(i - 0.19, share, color=look_of("thesis").colour, width=0.36,
                  yerr=[[share - 100 * row["lower"]], [100 * row["upper"] - share]], capsize=3)
         axes.annotate(f"{unless_whole(row['share'], f'{share:.3g}')} %", (i - 0.19, 100 * row["upper"] + 3), ha="center", fontsize=7.5)
-        axes.bar(i + 0.19, hull, color=BLACK, alpha=0.35, width=0.36)
+        axes.bar(i + 0.19, hull, color=look_of("hull").colour, width=0.36)
         axes.annotate(f"{hull:.0f} %", (i + 0.22, hull + 3), ha="center", fontsize=7.5, color="#555555")
         corners = np.array(outlines[row["outline"]])
         corners = (corners - corners.min(axis=0)) / (corners.max(axis=0) - corners.min(axis=0)).max()
@@ -229,8 +230,8 @@ def false_areas(outlines, rows):
         small.axis("off")
         axes.annotate(row["outline"], (i, -62), ha="center", annotation_clip=False, fontsize=9)
     axes.set_xticks([])
-    axes.legend(handles=[Patch(color=BLUE, label="the thesis's angle sum (lines: 95 %)"),
-                         Patch(color=BLACK, alpha=0.35, label="the convex hull, which it is to avoid")], loc="upper left", fontsize=9)
+    axes.legend(handles=[Patch(color=look_of("thesis").colour, label="the thesis's angle sum (lines: 95 %)"),
+                         Patch(color=look_of("hull").colour, label="the convex hull, which it is to avoid")], loc="upper left", fontsize=9)
     axes.set_ylabel("area outside taken for inside,\n% of the outline's own")
     axes.set_ylim(0, 195)
     axes.set_title("factor 0.99, angles without signs")
@@ -269,29 +270,29 @@ def false_hits(rows):
 
 
 def factor_reach(rows):
+    """Against what the factor lacks to 1, whose own place is beyond a gap of the axis."""
     figure, axes = plt.subplots(figsize=(6.6, 4))
-    lowest = 1e-6
-    for j, (outline, color, marker) in enumerate((("square", BLUE, "o"), ("gripper", ORANGE, "s"))):
+    lowest, exact = 1e-6, 1e-6  # of the reach, and where the factor 1 stands
+    for outline, color, marker, side in (("square", BLUE, "o", 1), ("gripper", ORANGE, "s", -1)):
         own = [row for row in rows if row["outline"] == outline]
         longest = max(row["length"] for row in own)
-        own = [row for row in own if row["length"] == longest]
-        own = list({row["factor"]: row for row in own}.values())
-        for row in own:
-            i = (0.99, 0.9999, 1).index(row["factor"])
-            share = row["reach"] / row["length"]
-            at = i + (j - 0.5) * 0.2
-            axes.plot(at, max(share, lowest), marker=marker if share > lowest else "v", color=color, markersize=8, linestyle="",
-                      label=outline if i == 0 else None)
-            axes.annotate(f"{share:.3g}" if share > lowest else "none", (at, max(share, lowest)), xytext=(0, 9),
-                          textcoords="offset points", ha="center", fontsize=8, color=color)
-    for i, factor in enumerate((0.99, 0.9999)):
-        derived = 1 / (2 * math.tan(math.radians(90 * factor)))
-        axes.plot([i - 0.35, i + 0.35], [derived, derived], color=BLACK, linewidth=1, linestyle="--",
-                  label="1 / (2 tan(90° · factor)), a convex outline" if i == 0 else None)
+        own = list({row["factor"]: row for row in own if row["length"] == longest}.values())
+        for n, row in enumerate(own):
+            share, lacks = row["reach"] / row["length"], round(1 - row["factor"], 9) or exact
+            axes.plot(lacks, max(share, lowest), marker=marker, color=color, markersize=7, linestyle="", markerfacecolor=color if share > lowest else "none",
+                      label=outline if n == 0 else None)
+            axes.annotate(f"{share:.3g}" if share > lowest else "none", (lacks, max(share, lowest)), xytext=(9 * side, 0 if share > lowest else 7),
+                          textcoords="offset points", ha="left" if side > 0 else "right", va="center", fontsize=8, color=color)
+    lacks = np.geomspace(1e-5, 0.04, 60)
+    axes.plot(lacks, 1 / (2 * np.tan(np.radians(90 * (1 - lacks)))), color=BLACK, linewidth=1, linestyle="--", label="1 / (2 tan(90° · factor)), a convex outline")
+    axes.axvline(3.2e-6, color=GREY, linewidth=0.6)
+    axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.set_xlim(exact / 2.5, 0.06)
     axes.set_ylim(lowest / 2, 1)
-    axes.set_xlim(-0.6, 2.7)
-    axes.set_xticks([0, 1, 2], ["factor 0.99", "0.9999", "1"])
+    axes.set_xticks([exact, 1e-4, 1e-2], ["1", "0.9999", "0.99"])
+    axes.minorticks_off()
+    axes.set_xlabel("factor of the full turn from which the foot counts as inside")
     axes.set_ylabel("how far outside the middle of the longest edge\nis called inside, as a share of its length")
     axes.grid(axis="y", alpha=0.3)
     axes.legend(fontsize=8)
@@ -299,34 +300,36 @@ def factor_reach(rows):
     return figure
 
 
-def bars(labels, values, colors, ylabel, title="", size=(6, 3.8), limit=112):
-    figure, axes = plt.subplots(figsize=size)
-    axes.bar(range(len(values)), values, color=colors, width=0.6)
-    for i, value in enumerate(values):
-        axes.annotate(f"{unless_whole(value / 100, f'{value:.3g}')} %", (i, value + limit / 60), ha="center", fontsize=9)
-    axes.set_xticks(range(len(values)), labels)
-    axes.set_ylabel(ylabel)
-    axes.set_ylim(0, limit)
-    axes.set_title(title)
-    axes.grid(axis="y", alpha=0.3)
+def not_numbers(rows):
+    """Shares of one whole: each bar of floats is a part of the one above it."""
+    floats, doubles, outside, missed_ = (float(row["ours"]) for row in rows)
+    steps = [("floats: the arc cosine is no number", floats, look_of("thesis-float").colour),
+             ("and the point is called outside", floats * outside / 100, look_of("thesis-float").colour),
+             ("and a contact is missed", floats * outside * missed_ / 1e4, look_of("thesis-float").colour),
+             ("doubles: the arc cosine is no number", doubles, look_of("thesis").colour)]
+    figure, axes = plt.subplots(figsize=(7, 2.9))
+    for place, (words, value, color) in enumerate(steps):
+        axes.barh(-place, value, color=color, height=0.62, alpha=(1, 0.7, 0.45, 1)[place])
+        axes.annotate(f"{unless_whole(value / 100, f'{value:.3g}')} %", (value, -place), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+    axes.set_yticks([-place for place in range(len(steps))], [words for words, _, _ in steps])
+    axes.set_xlim(0, 1.2 * max(value for _, value, _ in steps))
+    axes.set_xlabel("% of all points on edges")
+    axes.set_title("u·v / |u||v| on an edge is −1, or rounds below it")
+    axes.grid(axis="x", alpha=0.3)
     figure.tight_layout()
     return figure
 
 
-def not_numbers(rows):
-    values = [float(row["ours"]) for row in rows]
-    return bars(["arc cosine is\nno number,\nin floats", "the same\nin doubles", "of those in floats:\ncalled outside",
-                 "of those:\ncontacts missed"], values, [BLUE, SKY, ORANGE, RED], "% of points on edges",
-                "u·v / |u||v| on an edge is −1, or rounds below it", limit=80)
-
-
 def touching(rows):
     figure, axes = plt.subplots(figsize=(6.8, 4))
-    kinds = (("missed", RED, "as it is"), ("missed_signed", ORANGE, "with signed angles"), ("missed_closed", GREEN, "where touching counts"))
-    for j, (name, color, text) in enumerate(kinds):
+    kinds = (("missed", "thesis", "as it is"), ("missed_signed", "thesis-signed", "with signed angles"),
+             ("missed_closed", "thesis-closed", "where touching counts"))
+    hatches = ("", "", "///")  # two have the same colour
+    for j, (name, method, text) in enumerate(kinds):
         for i, row in enumerate(rows):
             value = 100 * row[name] / row["balls"]
-            axes.bar(i + (j - 1) * 0.26, value, width=0.24, color=color, label=text if i == 0 else None)
+            axes.bar(i + (j - 1) * 0.26, value, width=0.24, color=look_of(method).colour, hatch=hatches[j], edgecolor="white", linewidth=0,
+                     label=text if i == 0 else None)
             axes.annotate(f"{value:.3g}", (i + (j - 1) * 0.26, value + 1.5), ha="center", fontsize=8)
     axes.set_xticks(range(len(rows)), [row["touched"] + "s" for row in rows])
     axes.set_ylabel("contacts missed (%)")
@@ -341,41 +344,36 @@ def touching(rows):
 
 def collinear(corners, rows):
     corners = np.array(corners)
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.8), width_ratios=(1.1, 1))
-    left.add_patch(outline_patch(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
-    points = [corners[0], (corners[0] + corners[1]) / 2, corners[1]]
-    for i, point in enumerate(points):
-        left.plot(*point, marker="o", color=RED, markersize=7)
-        left.annotate(f"P{i}", point, xytext=(0, -17), textcoords="offset points", ha="center", color=RED)
-    left.set_aspect("equal")
-    left.margins(0.12)
-    left.autoscale_view()
-    left.set_ylim(corners[:, 1].min() - 16, corners[:, 1].max() + 8)
-    left.set_xlim(corners[:, 0].min() - 10, corners[:, 0].max() + 10)
-    left.set_xlabel("mm")
-    left.set_ylabel("mm")
-    values = [float(row["ours"]) for row in rows]
-    right.bar([0, 1], values, color=[RED, GREEN], width=0.55)
-    for i, value in enumerate(values):
-        right.annotate(f"{value:g} %", (i, value + 2), ha="center")
-    right.set_xticks([0, 1], ["N of the first\nthree vertices", "N of all\nvertices"])
-    right.set_ylabel("contacts missed (%)")
-    right.set_ylim(0, 112)
-    right.grid(axis="y", alpha=0.3)
+    figure, axes = plt.subplots(figsize=(5.6, 4.2))
+    axes.add_patch(outline_patch(corners, facecolor="#eeeeee", edgecolor=BLACK, linewidth=1.5))
+    for i, point in enumerate((corners[0], (corners[0] + corners[1]) / 2, corners[1])):
+        axes.plot(*point, marker="o", color=RED, markersize=7)
+        axes.annotate(f"P{i}", point, xytext=(0, -17), textcoords="offset points", ha="center", color=RED)
+    axes.set_aspect("equal")
+    axes.set_ylim(corners[:, 1].min() - 16, corners[:, 1].max() + 8)
+    axes.set_xlim(corners[:, 0].min() - 10, corners[:, 0].max() + 10)
+    axes.set_xlabel("mm")
+    axes.set_ylabel("mm")
+    first, every = (f"{unless_whole(float(row['ours']) / 100, row['ours'])} %" for row in rows)
+    axes.set_title(f"contacts missed: {first} with N of P0, P1, P2; {every} with N of all vertices")
     figure.tight_layout()
     return figure
 
 
 def far_away(rows):
     figure, axes = plt.subplots(figsize=(6.8, 4))
-    for (color, line, marker), name, text in zip(STYLES, ("wrong_signed_float", "wrong_signed", "wrong_fast"),
-                                                 ("thesis, signed angles, floats", "the same in doubles", "ours in plain doubles")):
-        axes.plot([row["offset_mm"] for row in rows], [100 * row[name] / row["balls"] for row in rows], color=color,
-                  linestyle=line, marker=marker, markersize=4, label=text)
+    for name, method, text in (("wrong_signed_float", "thesis-signed-float", "thesis, signed angles, floats"),
+                               ("wrong_signed", "thesis-signed", "the same in doubles"), ("wrong_fast", "fast", "ours in plain doubles")):
+        look = look_of(method)
+        axes.plot([row["offset_mm"] for row in rows], [100 * row[name] / row["balls"] for row in rows], color=look.colour,
+                  linestyle=look.line, marker=look.marker, markersize=4, label=text)
     axes.set_xscale("log")
     axes.set_yscale("symlog", linthresh=0.01)
     axes.set_ylim(-0.002, 100)
-    axes.set_yticks([0, 0.01, 0.1, 1, 10, 100], ["0", "0.01", "0.1", "1", "10", "100"])
+    axes.set_yticks([0, 0.01, 0.1, 1, 10, 100], ["none", "0.01", "0.1", "1", "10", "100"])
+    axes.axhline(0.01, color=GREY, linewidth=0.6, linestyle="--")
+    axes.annotate("logarithmic above, linear below", (1, 0.01), xycoords=("axes fraction", "data"), xytext=(-2, 2), textcoords="offset points",
+                  ha="right", fontsize=7, color="#555555")
     axes.set_xlabel("moved from the origin along every axis (mm)")
     axes.set_ylabel("wrong answers (%)")
     axes.set_title("the gripper, 90 mm wide, and balls of 4.5 mm")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: test_pictures.py SOURCE
 
-Pictures take the steps of a study from its data."""
+Pictures take the steps of a study from its data, show shares of one whole as such, and tell methods and libraries apart."""
 import pathlib
+import re
 import sys
 import types
 import unittest
@@ -14,7 +15,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-from pictures import thesis_cell
+from looks import LIBRARIES, LOOKS
+from pictures import thesis_cell, thesis_method
 
 STATION = {"azimuth": 0, "radius": 500, "height": 409, "deck": 412}
 
@@ -39,6 +41,28 @@ class Heights(unittest.TestCase):
                 self.assertEqual(above[0], 1 + 2 * step - step / 2)
                 self.assertEqual(above[1], beside[0])
                 self.assertEqual(beside[1], 1 + 11 * step + step / 2)
+
+
+class Looks(unittest.TestCase):
+    def test_no_two_are_alike(self):
+        for looks in (LOOKS, LIBRARIES):
+            seen = {}
+            for name, look in looks.items():
+                self.assertNotIn((look.colour, look.line, look.marker), seen, f"{name} looks like another")
+                seen[look.colour, look.line, look.marker] = name
+
+    def test_every_library_of_scenes_has_one(self):
+        text = "".join(path.read_text() for path in sorted((SOURCE / "experiments/studies/bench_scenes").rglob("*.[ch]*")))
+        names = re.findall(r'(?:\.name = |return \{|broad_phase<[^;]*>\(|kEmbree = )"([^"]+)"', text)
+        self.assertGreaterEqual(len(names), 10)
+        self.assertEqual(set(names) - set(LIBRARIES), set())
+
+
+class NotNumbers(unittest.TestCase):
+    def test_each_bar_of_floats_is_a_part_of_the_one_above(self):
+        figure = thesis_method.not_numbers([{"ours": value} for value in ("60", "20", "50", "10")])
+        widths = [bar.get_width() for bar in figure.axes[0].patches]
+        self.assertEqual(widths, [60, 30, 3, 20])
 
 
 if __name__ == "__main__":
