@@ -34,11 +34,12 @@ def chapter(study):
     by_test = table(
         f"Wrong answers by test, on all {count(faces)} faces. <i>plane</i>: does the ball cross the face's plane? <i>foot</i>: "
         "is the point of that plane straight below the centre inside the face? <i>edges</i>: the list of edges within the "
-        f"radius. The final answer is contact or none. 0: not one of {count(data.counts(methods[0])[1])}.",
+        f"radius: of {count(data.counts(methods[0], 'plane')[1])} balls each. The final answer is contact or none, of the "
+        f"{count(data.counts(methods[0])[1])} balls whose radius is near its threshold.",
         ["method", *TESTS.values()],
         [[code(m), *(rate(*data.counts(m, test)) for test in TESTS)] for m in methods], range(1, 5))
     by_machine = table(
-        "Wrong final answers by machine.",
+        "Wrong final answers by machine, of the balls whose radius is near its threshold.",
         ["machine", "meshes", "faces", *(code(m) for m in methods)],
         [[escaped(folder), str(sum(mesh.startswith(folder + "/") for mesh in data.faces)),
           count(sum(n for mesh, n in data.faces.items() if mesh.startswith(folder + "/"))),
