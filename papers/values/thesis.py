@@ -1,23 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The thesis's figures, and the area that its method takes for inside."""
-from results import finite, natural
+from results import finite, natural, number
 from values.latex import count, percent, table
 
 KNOWN_ERRORS = "E."  # entries that are ours, about what is wrong with the method
 STATUSES = ("reproduced", "reproduced with chosen values", "photograph: not computable", "not computable", "differs")
 
 
+LAYOUT = {  # numbers of table 6.1 about how easily the layout fits
+    "free-values": "values of the layout that are chosen freely", "captioned-moves": "captioned moves of both cases that it must reproduce",
+    "home-poses": "home poses that were tried", "home-poses-share": "of these with a layout in which all captions come out"}
+
+
+def layout(study):
+    found = {row["what"]: row["ours"] for row in study.rows("numbers.csv", id=str, what=str, ours=number) if row["id"] == "table 6.1"}
+    for key, what in LAYOUT.items():
+        yield key, percent(found[what] / 100) if key.endswith("share") else count(round(found[what]))
+    if found[LAYOUT["free-values"]] <= found[LAYOUT["captioned-moves"]]:
+        raise ValueError("no more values of the layout are free than captions state, against the text")
+
+
 def values(study):
+    yield from layout(study)
     entries = [row for row in study.rows("entries.csv", id=str, status=str) if not row["id"].startswith(KNOWN_ERRORS)]
     if unknown := {row["status"] for row in entries} - set(STATUSES):
         raise ValueError(f"unknown status: {', '.join(sorted(unknown))}")
-    number = lambda *statuses: str(sum(row["status"] in statuses for row in entries))
+    counted = lambda *statuses: str(sum(row["status"] in statuses for row in entries))
     if any(row["status"] == "differs" for row in entries):
         raise ValueError("a captioned figure differs, which the text does not say")
     yield "entries", str(len(entries))
-    yield "reproduced", number("reproduced")
-    yield "chosen", number("reproduced with chosen values")
-    yield "not-computable", number("photograph: not computable", "not computable")
+    yield "reproduced", counted("reproduced")
+    yield "chosen", counted("reproduced with chosen values")
+    yield "not-computable", counted("photograph: not computable", "not computable")
     turns = [row["degrees"] for row in study.rows("moves.csv", phase=str, joint=str, degrees=finite)
              if row["joint"] == "base" and row["phase"] in ("to-storage", "to-machine")]
     captioned = [abs(turn) for turn in turns]
