@@ -24,7 +24,7 @@ sys.path.append(str(PAPERS))
 sys.path.append(str(ROOT / "experiments/report"))
 
 from results import DataError, study_in  # noqa: E402
-from values import (bench, bench_scenes, corpus, meshes, motions, near_edge, proofs, recorded, regress, seeds, soak, soak_moving,  # noqa: E402
+from values import (bench, bench_scenes, cell, corpus, meshes, motions, near_edge, proofs, recorded, regress, seeds, soak, soak_moving,  # noqa: E402
                     stability, thesis, tradeoff, tunnelling)
 from values.latex import decimal, escaped, table  # noqa: E402
 
@@ -32,7 +32,7 @@ STUDIES = {  # its folder in RESULTS: what reads it; its name before the keys of
     "near-edge": (near_edge, "near-edge"), "stability": (stability, "stability"), "tradeoff": (tradeoff, "tradeoff"),
     "bench": (bench, "bench"), "regress": (regress, "engines"), "soak": (soak, "soak"), "meshes": (meshes, "real"),
     "bench-scenes": (bench_scenes, "scenes"), "thesis": (thesis, "thesis"), "motions": (motions, "motions"),
-    "tunnelling": (tunnelling, "tunnelling"), "soak-moving": (soak_moving, "soak-moving"), "recorded": (recorded, "recorded"),
+    "tunnelling": (tunnelling, "tunnelling"), "cell": (cell, "cell"), "soak-moving": (soak_moving, "soak-moving"), "recorded": (recorded, "recorded"),
     "seeds": (seeds, "seeds")}
 
 # Libraries of others that the paper's tables are about, as run.json names them; and the studies that ask them.

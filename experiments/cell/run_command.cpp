@@ -57,7 +57,7 @@ class PieceRun {
         cycle_(watch_.lap()),
         separation_(separation_of(workcell_, process_)),
         measured_(watch_.lap()),
-        comparison_(compare_methods(workcell_, process_, methods, options.every_face)),
+        comparison_(compare_methods(workcell_, process_, methods, options.every_face, true)),
         held_(watch_.lap()) {}
 
   [[nodiscard]] bool completed() const { return process_.failure.empty(); }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What ./reproduce runs, in its order: the studies, their folders in the results and how each is called."""
 import dataclasses
+import shlex
 
 CELL = "experiments/cell/cells/aristo.json"
 MESHES = "MESHES"  # stands for all mesh files in cache/meshes
@@ -47,6 +48,7 @@ STUDIES = [
           **same(["meshes", MESHES, "--skip-bad", "--methods", f"{KERNELS},{THESIS}", "--output", OUTPUT])),
     Study("cell", "the manufacturing cell",
           **same(["cell", "run", CELL, "--output", OUTPUT], ["cell", "export", CELL, f"{OUTPUT}/cell.html"],
+                 *(["cell", "run", CELL, "--preset", f"case {n}", "--every-face", "--output", f"{OUTPUT}/case-{n}"] for n in (1, 2)),
                  ["cell", "run", CELL, "--preset", "U-part", "--output", f"{OUTPUT}/u-part"],
                  ["cell", "run", CELL, "--preset", "U-part", DRIVE, "thesis", "--output", f"{OUTPUT}/driven"])),
     Study("thesis", "the thesis's figures",
@@ -89,4 +91,4 @@ def by_name(name):
 
 def shown(call, folder):
     """As one would type it."""
-    return " ".join(["touchstone", *("$(find cache/meshes -type f | sort)" if word == MESHES else word.replace(OUTPUT, folder) for word in call)])
+    return " ".join(["touchstone", *("$(find cache/meshes -type f | sort)" if word == MESHES else shlex.quote(word.replace(OUTPUT, folder)) for word in call)])

@@ -100,6 +100,9 @@ FILES = {
                              ("torus", 1000, "short", "Scene, at the start", 200, "", ""), ("torus", 1000, "short", "Scene", 400, 0, 8),
                              ("torus", 1000, "short", ["FCL BVHModel", "Bullet"], 9000, 2, 8)),
         "builds.csv": table("scene triangles library seconds bytes_a_triangle", ("torus", 1000, ["Scene", "Embree 3"], 0.5, 91))},
+    "cell": {f"{case}/{name}": rows for case in ("case-1", "case-2") for name, rows in {
+        "methods.csv": table("method asked wrong_hits wrong_misses unsure", (["fast", "thesis"], 100, 0, 0, 0)),
+        "near.csv": table("exponent near questions", (0, 50, 100), (1, 9, 100), (2, 3, 100), (3, 0, 100))}.items()},
     "thesis": {
         "entries.csv": table("id status", ("4.1", "reproduced"), ("E.1", "differs"), ("4.2", "reproduced with chosen values"), ("2.1", "not computable")),
         "numbers.csv": table("id what ours", ("table 6.1", "values of the layout that are chosen freely", 12),

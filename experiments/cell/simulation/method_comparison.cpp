@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiments/cell/simulation/method_comparison.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,6 +21,7 @@ struct PreparedFace {
   std::string owner;
   std::size_t number;
   Polygon polygon;
+  filtered::PreparedPolygon certified;
   touchstone::Box box;
   std::vector<std::unique_ptr<cases::PreparedMethod>> prepared;  // one a method, when it is first asked
 };
@@ -27,8 +29,10 @@ struct PreparedFace {
 std::vector<PreparedFace> prepared(const scene::Faces& faces, const std::vector<std::string>& owners) {
   std::vector<PreparedFace> all;
   const auto add = [&](const Polygon& polygon) {
-    const touchstone::Box box = scene::lifted_box(polygon, filtered::PreparedPolygon(polygon));
-    all.push_back({owners.size() == 1 ? owners.front() : owners[all.size()], all.size(), polygon, box, {}});
+    filtered::PreparedPolygon certified(polygon);
+    const touchstone::Box box = scene::lifted_box(polygon, certified);
+    const std::string& owner = owners.size() == 1 ? owners.front() : owners[all.size()];
+    all.push_back({owner, all.size(), polygon, std::move(certified), box, {}});
   };
   for (const Triangle& t : faces.triangles) add(Polygon({t.a, t.b, t.c}));
   for (const Polygon& polygon : faces.polygons) add(polygon);
@@ -44,7 +48,8 @@ bool meets(const Ball& ball, const touchstone::Box& box) {
 
 class Comparer {
  public:
-  Comparer(const std::vector<const cases::Method*>& methods, bool every_face) : every_face_(every_face) {
+  Comparer(const std::vector<const cases::Method*>& methods, bool every_face, bool nearness)
+      : every_face_(every_face), nearness_(nearness) {
     for (const cases::Method* method : methods) result.scores.push_back({method});
   }
 
@@ -60,7 +65,15 @@ class Comparer {
   MethodComparison result;
 
  private:
+  void count_nearness(const Ball& sphere, const PreparedFace& face) {
+    const double size = (face.box.high.array() - face.box.low.array()).maxCoeff();
+    const double share = std::abs(filtered::answer(sphere, face.certified).distance - sphere.radius) / size;
+    for (std::size_t k = 0; k <= kNearest && share <= std::ldexp(1, -static_cast<int>(k)); ++k) ++result.near[k];
+  }
+
   void compare(std::size_t stop, const Ball& sphere, PreparedFace& face, bool met) {
+    ++result.questions;
+    if (nearness_) count_nearness(sphere, face);
     cases::PartialAnswer truth;
     truth.contact = met && exact::contact(sphere, face.polygon);
     face.prepared.resize(result.scores.size());
@@ -82,14 +95,14 @@ class Comparer {
       result.disagreements.push_back({stop, face.owner, face.number, sphere, face.polygon, std::move(wrong)});
   }
 
-  bool every_face_;
+  bool every_face_, nearness_;
   std::set<std::pair<std::size_t, std::size_t>> last_wrong_stop_;  // method, stop
 };
 
 }  // namespace
 
 MethodComparison compare_methods(const Workcell& workcell, const Process& process,
-                                 const std::vector<const cases::Method*>& methods, bool every_face) {
+                                 const std::vector<const cases::Method*>& methods, bool every_face, bool nearness) {
   const Obstacles& obstacles = workcell.obstacles();
   std::vector<PreparedFace> standing = prepared(obstacles.faces, obstacles.owners);
   std::vector<std::vector<PreparedFace>> material, copies;
@@ -98,7 +111,7 @@ MethodComparison compare_methods(const Workcell& workcell, const Process& proces
     copies.push_back(prepared(workcell.at(slot).virtual_faces, {"material"}));
   }
 
-  Comparer comparer(methods, every_face);
+  Comparer comparer(methods, every_face, nearness);
   auto transfer = process.transfers.begin();
   for (std::size_t i = 0; i < process.stops.size(); ++i) {
     const Stop& stop = process.stops[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,8 +33,15 @@ struct Disagreement {
   std::vector<std::string> methods;  ///< the names of these methods
 };
 
+/// The greatest k of 2^-k, as a share of a face's size, down to which questions are counted by their nearness.
+inline constexpr std::size_t kNearest = 60;
+
 struct MethodComparison {
-  std::vector<Score> scores;                ///< in the order of the methods
+  std::vector<Score> scores;    ///< in the order of the methods
+  std::uint64_t questions = 0;  ///< pairs that methods are asked about; slow ones only about pairs that meet
+  /// [k]: the questions whose radius differs from the distance, as a double, by at most 2^-k of the largest side of the
+  /// face's box.
+  std::array<std::uint64_t, kNearest + 1> near{};
   std::uint64_t pairs = 0;                  ///< pairs of a stop and a face that is present at it
   std::uint64_t met = 0;                    ///< of these: the boxes of sphere and face meet, so they can touch
   std::vector<Disagreement> disagreements;  ///< by stop, then by face
@@ -44,8 +52,10 @@ struct MethodComparison {
 ///
 /// The exact answer is that of `exact` if the boxes of the ball and of the lifted face meet, otherwise no. Methods are
 /// asked only about pairs that meet; with `every_face` about all faces, as one would without boxes, so that errors that
-/// a box would hide count, too. Cost: 20 us per pair that meets, for `exact`, plus that of each method.
+/// a box would hide count, too. `near` is counted only with `nearness`. Cost: 20 us per pair that meets, for `exact`, 1
+/// to 5 us per question for its nearness, plus that of each method.
 [[nodiscard]] MethodComparison compare_methods(const Workcell& workcell, const Process& process,
-                                               const std::vector<const cases::Method*>& methods, bool every_face);
+                                               const std::vector<const cases::Method*>& methods, bool every_face,
+                                               bool nearness = false);
 
 }  // namespace touchstone::cell

@@ -169,6 +169,29 @@ harness::Table<ScoreRow> methods_csv() {
            {"share_high", "its upper limit", path(&ScoreRow::wrong, &harness::Rate::upper), "{:.3g}"}}};
 }
 
+struct NearRow {
+  std::size_t exponent;
+  std::uint64_t near, questions;
+};
+
+harness::Table<NearRow> near_csv() {
+  return {"near.csv",
+          "an exponent",
+          {{"exponent", "k", &NearRow::exponent},
+           {"near",
+            "questions whose radius differs from the exact distance, as a double, by at most 2^-k of the largest side "
+            "of the face's box",
+            &NearRow::near},
+           {"questions", "pairs of a stop and a face that methods are asked about", &NearRow::questions}}};
+}
+
+std::vector<NearRow> near_rows(const MethodComparison& comparison) {
+  std::vector<NearRow> rows;
+  for (std::size_t k = 0; k < comparison.near.size(); ++k)
+    rows.push_back({k, comparison.near[k], comparison.questions});
+  return rows;
+}
+
 std::vector<MoveRow> move_rows(const Workcell& workcell, const Process& process) {
   std::vector<MoveRow> rows;
   for (const Move& move : process.moves)
@@ -282,6 +305,7 @@ void write_run(const std::filesystem::path& folder, const Workcell& workcell, co
   write_separation(folder, workcell, process, separation);
   write_triggers(folder, workcell, process);
   methods_csv().write(folder, score_rows(comparison));
+  near_csv().write(folder, near_rows(comparison));
   harness::write_file(folder / "disagreements.jsonl", disagreements_text(comparison, most));
 }
 
@@ -291,6 +315,7 @@ std::vector<harness::TableDescription> run_tables() {
   for (harness::TableDescription& table : separation_tables()) tables.push_back(std::move(table));
   tables.push_back(triggers_table());
   tables.push_back(methods_csv().description());
+  tables.push_back(near_csv().description());
   return tables;
 }
 

@@ -26,6 +26,7 @@ namespace touchstone::cell {
 ///    nearest one at every stop, and on the way to it;
 ///  - triggers.csv: what comes into virtual objects;
 ///  - methods.csv: one line per method;
+///  - near.csv: how near the questions come to contact;
 ///  - disagreements.jsonl: at most `most` cases for `touchstone judge`, with expected answers from `exact`.
 /// Throws std::runtime_error if a file cannot be written.
 void write_run(const std::filesystem::path& folder, const Workcell& workcell, const Process& process,

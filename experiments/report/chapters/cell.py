@@ -4,8 +4,8 @@ import json
 
 import chart
 from looks import look_of
-from page import code, count, escaped, folded, percent, picture, rounded, smaller, table, upper_limit, words
-from readings.asked import Asked
+from page import code, count, escaped, folded, percent, picture, power, rounded, smaller, table, upper_limit, words
+from readings.cell import Questions, asked
 from results import DataError, finite, maybe, natural
 
 TITLE = "The manufacturing cell, playing"
@@ -16,28 +16,24 @@ def moves_of(study):
     return study.rows("moves.csv", move=natural, phase=str, joint=str, until=str, degrees=finite, exact_deg=finite, kind=str, face=str)
 
 
-def asked(study):
-    rows = study.rows("methods.csv", method=str, asked=natural, wrong_hits=natural, wrong_misses=natural, unsure=natural)
-    return {row["method"]: Asked(row["asked"], row["wrong_hits"] + row["wrong_misses"], row["asked"], "questions", row["unsure"]) for row in rows}
-
-
 def said_of_methods(study):
-    counts = asked(study)
-    wrong = [f"{code(m)} {count(a.wrong)}" for m, a in counts.items() if a.wrong]
-    questions = max((a.trials for a in counts.values()), default=0)
-    if not questions:
-        return "No method was asked beside."
-    if wrong:
-        return f"Wrong answers among {count(questions)}: {words(wrong)}."
-    return (f"Not one of {len(counts)} methods was wrong about the {count(questions)} questions where boxes meet; so few say "
-            f"little: at most {percent(upper_limit(questions))} of such questions (95 %).")
+    """Of the recorded questions of both case studies."""
+    questions = Questions(study)
+    if not questions.asked:
+        return ""
+    wrong = [f"{code(m)} {count(questions.wrong(m))}" for m in questions.methods if questions.wrong(m)]
+    said = f"wrong answers of {words(wrong)}" if wrong else f"not one wrong answer of {count(len(questions.methods))} methods, {code('thesis')} among them"
+    nearest = questions.nearest()
+    near = "" if nearest is None else (f" The nearest is within {power('2', -nearest)} of the face’s size from contact, and none within "
+                                       f"{power('2', -nearest - 1)}: rounding is far below that.")
+    return f" In both case studies, of {count(questions.asked)} questions about every face at every stop, {said}.{near}"
 
 
 def finding(study):
     moves = moves_of(study)
     return (f"The cell of the thesis runs its whole process, {len(moves)} moves and {count(study.run['samples_done'])} "
             f"stops, every contact decided exactly; the joint's angle at each contact is enclosed between neighbouring "
-            f"doubles. {said_of_methods(study)}")
+            f"doubles.{said_of_methods(study)}")
 
 
 def iframe(page):
@@ -110,6 +106,18 @@ def consequence(study):
                         "would have touched. The process then ends where the part, held wrongly, touches the vice. Driven by the exact answer it completes.")
 
 
+def near_table(study):
+    """How near the questions of the case studies come to contact; empty if they were not recorded."""
+    questions = Questions(study)
+    if not questions.asked:
+        return ""
+    last = max((k for k, near in questions.near.items() if near), default=0) + 1
+    rows = [[power("2", -k) if k else "1", count(questions.near[k])] for k in range(last + 1)]
+    return folded("How near the questions of the case studies come to contact", table(
+        f"Questions whose radius is at most such a share of the face's size from the exact distance, of {count(questions.asked)}.",
+        ["share of the size", "questions"], rows, (1,)))
+
+
 def chapter(study):
     moves = moves_of(study)
     contacts = [row for row in moves if row["until"] == "contact"]
@@ -123,7 +131,7 @@ with our numbers, without any program or network.</p>"""
     page = study.folder / "cell.html"
     text += folded("Play it here", iframe(page)) + still(study)
     text += '<p class="dim">The playing cell alone: <a href="cell/cell.html">cell.html</a>, by <code>touchstone cell export</code>.</p>'
-    return f'{text}<div class="narrow">{consequence(study)}</div>' + folded("The moves", table(
+    return f'{text}<div class="narrow">{consequence(study)}</div>' + near_table(study) + folded("The moves", table(
         f"The moves. Commanded: by whole steps; exact: where contact, or the plan, is. until: what ends the move.{follows}",
         ["move", "phase", "joint", "until", "commanded", "exact"],
         [[str(row["move"]), escaped(row["phase"]), escaped(row["joint"]), escaped(row["until"]), f"{row['degrees']:+g}°".replace("-", "−"),

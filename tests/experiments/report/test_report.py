@@ -240,6 +240,19 @@ class Report(unittest.TestCase):
         shutil.rmtree(self.results / "cell/driven")
         self.assertNotIn("it stops in the notch", self.changed().text)
 
+    def test_what_the_cell_asks_is_counted_from_both_cases(self):
+        asked = sum(int(rows_of(self.results / f"cell/case-{n}/near.csv")[0]["questions"]) for n in (1, 2))
+        self.assertIn(f"of {asked:,} questions about every face at every stop, not one wrong answer of 2 methods", self.page.text)
+        for n in (1, 2):
+            edited(self.results / f"cell/case-{n}/near.csv", lambda row: row.update(near="3" if int(row["exponent"]) <= 9 else "0"))
+        edited(self.results / "cell/case-2/methods.csv", lambda row: row.update(wrong_misses="7") if row["method"] == "thesis" else None)
+        text = self.changed().text
+        self.assertIn("wrong answers of thesis 7", text)
+        self.assertIn("The nearest is within 2⁻⁹ of the face’s size", text)
+        shutil.rmtree(self.results / "cell/case-1")
+        shutil.rmtree(self.results / "cell/case-2")
+        self.assertNotIn("In both case studies", self.changed().text)
+
     def test_malformed_data_are_an_error_that_names_the_line(self):
         path = self.results / "near-edge/bands.csv"
         whole = path.read_text()

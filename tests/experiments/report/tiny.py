@@ -62,6 +62,9 @@ def write(program, source, results):
     mesh.write_text(MESH)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda item: run(program, *item[1], "--output", str(results / item[0])), reversed(calls(source, str(mesh)).items())))
+    for n in (1, 2):
+        run(program, "cell", "run", str(source / "experiments/cell/cells/aristo.json"), "--preset", f"case {n}", "--every-face", "--methods", "filtered,thesis",
+            "--output", str(results / "cell" / f"case-{n}"))
     for folder, drive in (("u-part", []), ("driven", ["--drive", "thesis"])):  # which ends with status 1
         call = ["cell", "run", str(source / "experiments/cell/cells/aristo.json"), "--preset", "U-part", "--methods", "filtered,thesis", *drive]
         assert subprocess.run([program, *call, "--output", str(results / "cell" / folder)], capture_output=True).returncode == len(drive) / 2

@@ -64,6 +64,31 @@ TEST(MethodComparison, CountsWhatTheThesissMethodGetsWrongInANotch) {
   }
 }
 
+// None of the whole steps comes very near; a sphere whose radius is nearly, or exactly, a distance does.
+TEST(MethodComparison, CountsHowNearQuestionsComeToContact) {
+  const cell::Workcell workcell = aristo(kNotched);
+  Process process = into_the_notch(workcell);
+  const MethodComparison some = cell::compare_methods(workcell, process, {}, false, true);
+  EXPECT_EQ(some.questions, some.met);
+  const MethodComparison all = cell::compare_methods(workcell, process, {}, true, true);
+  EXPECT_EQ(all.questions, all.pairs);
+  for (std::size_t k = 1; k < all.near.size(); ++k) EXPECT_LE(all.near[k], all.near[k - 1]) << k;
+  EXPECT_GT(all.near[0], 0U);
+  EXPECT_EQ(all.near[30], 0U);
+  EXPECT_EQ(cell::compare_methods(workcell, process, {}, true).near[0], 0U);  // was not to be counted
+
+  const cell::Workplace& at = workcell.at(StationSlot::Storage);
+  const Polygon& side = at.faces.polygons.front();
+  const Eigen::Vector3d center = at.pose.translation + at.pose.rotation * Eigen::Vector3d(0, 200, 20);
+  const double distance = exact::answer({center, 0}, side).distance;
+  process.stops.assign(1, {0, workcell.arm().home, {center, distance * (1 + 0x1p-20)}, StationSlot::Storage, {}});
+  const MethodComparison near = cell::compare_methods(workcell, process, {}, true, true);
+  EXPECT_GE(near.near[10], 1U);
+  EXPECT_EQ(near.near[40], 0U);
+  process.stops.front().sphere.radius = distance;
+  EXPECT_GE(cell::compare_methods(workcell, process, {}, true, true).near[cell::kNearest], 1U);
+}
+
 TEST(MethodComparison, BoxesHideNothingFromARightMethod) {
   const cell::Workcell workcell = aristo(kSecondCase);
   const Process process = cell::simulate(workcell);

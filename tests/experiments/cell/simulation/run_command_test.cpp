@@ -37,6 +37,8 @@ TEST(CellRun, WritesTheTrajectoryAndWhatTheMethodsSaid) {
             std::string::npos)
       << text("moves.csv");
   EXPECT_EQ(text("methods.csv").substr(0, 60), "method,asked,wrong_hits,wrong_misses,unsure,stops,share_low,");
+  EXPECT_EQ(text("near.csv").substr(0, 24), "exponent,near,questions\n");
+  EXPECT_EQ(lines(text("near.csv")), 1 + 61);
   const auto trajectory = nlohmann::json::parse(text("trajectory.json"));
   ASSERT_EQ(trajectory["stops"].size(), 603U);
   EXPECT_EQ(trajectory["stops"][152]["material"], "storage");
