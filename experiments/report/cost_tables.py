@@ -16,6 +16,7 @@ import pathlib
 import sys
 
 import markers
+import noise
 from shares import unless_whole
 
 FAMILIES = {  # of `touchstone bench`: family, the contest in it, in words
@@ -31,15 +32,18 @@ DATA, INSTRUCTIONS = "docs/cost.json", "tests/experiments/studies/bench/instruct
 
 def kept(bench):
     """What the pages need of the file that `touchstone bench` wrote: medians, wrong answers and the machine."""
-    contests = []
+    contests, noisy = [], []
     for contest in bench["contests"]:
         if (contest["family"], contest["name"]) in FAMILIES:
             contests.append({"family": contest["family"], "name": contest["name"], "contestants": [
                 {"name": c["name"], "nanoseconds": c["nanoseconds"]["median"], "wrong": c.get("wrong")}
                 for c in contest["contestants"] if c["name"] in CONTESTANTS]})
+            noisy += [f"{contest['family']}, {c['name']}" for c in contest["contestants"] if c["name"] in CONTESTANTS and not noise.of_contestant(c)]
     found = {(contest["family"], contest["name"]) for contest in contests}
     if missing := [family for family, name in FAMILIES if (family, name) not in found]:
         raise SystemExit(f"no times of {', '.join(missing)}")
+    if noisy:
+        raise SystemExit(f"too noisy to quote: {'; '.join(noisy)}; measure again on an idle machine")
     return {"run": {key: bench["run"][key] for key in RUN}, "repetitions": bench["repetitions"], "contests": contests}
 
 

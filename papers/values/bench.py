@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times of filtered beside fast and CGAL."""
+from noise import of_contestant
 from readings.bench import SET, WITHOUT_FLOATS, contests, named, polygons, sets
 from values.latex import count, percent, table, times
 
@@ -26,11 +27,15 @@ def quoted(ratio):
     return None if ratio.get("too_noisy") else times(ratio["median"])
 
 
+def nanoseconds(contestant):
+    """The median; None as of a ratio."""
+    return count(round(contestant["nanoseconds"]["median"])) if of_contestant(contestant) else None
+
+
 def nearness(study):
     found = {int(name.removeprefix("2^-")): contest for name, contest in named(study, "nearness").items()}
-    median = {k: contest["contestants"]["filtered"]["nanoseconds"]["median"] for k, contest in found.items()}
-    yield "near", f"{median[max(found)]:.0f}"
-    yield "far", f"{median[min(found)]:.0f}"
+    for key, exponent in (("near", max(found)), ("far", min(found))):
+        yield key, nanoseconds(found[exponent]["contestants"]["filtered"])
     yield "onset", f"$2^{{-{min(k for k, contest in found.items() if contest['shares']['double'] < 0.99)}}}$"
 
 
@@ -92,8 +97,7 @@ def row(words, contestants):
     wrong, tree = contestants["fast"].get("wrong"), contestants.get("fast, same tree", {}).get("ratio")
     noisy = ratio.get("too_noisy", False)
     aim = "" if goal is None or noisy else rf"$\le{goal['at_most']:g}$ {'met' if goal['met'] else 'missed'}"
-    nanoseconds = lambda name: count(round(contestants[name]["nanoseconds"]["median"]))
-    return [words, nanoseconds("fast"), nanoseconds("filtered"),
+    return [words, *(nanoseconds(contestants[name]) or "too noisy" for name in ("fast", "filtered")),
             "too noisy" if noisy else f"{times(ratio['median'])} ({times(min(ratio['repetitions']))}--{times(max(ratio['repetitions']))})", aim,
             "" if tree is None else "too noisy" if tree.get("too_noisy") else times(1 / tree["median"]),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
@@ -113,7 +117,7 @@ def tables(study):
     head = ["nanoseconds a query", r"\method{fast}", r"\method{filtered}", "ratio", "goal", "same tree", r"\method{fast} wrong"]
     yield "bench", table("@{}lrrrrrr@{}", head, rows)
     found = variants(study)
-    rows = [[r"\method{filtered}, nanoseconds", *(f"{found[family]['filtered']['nanoseconds']['median']:.0f}" for family in found)], None]
+    rows = [[r"\method{filtered}, nanoseconds", *(nanoseconds(found[family]["filtered"]) or "too noisy" for family in found)], None]
     rows += [[words, *(quoted(found[family][name]["ratio"]) or "too noisy" for family in found)] for name, words in VARIANTS.items()]
     yield "variants", table("lrrrr", ["", *VARIANTS_ASKED.values()], rows)
     yield "preparation", table("rrrrrr", ["vertices", "1 query", *(f"{n}" for n in list(ASKED_ONCE.values())[1:])], list(preparation_rows(study)))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Queries against the largest scene."""
-from readings.bench_scenes import OURS, Data
+from readings.bench_scenes import OURS, Data, are_steady
 from values.latex import count, decimal, escaped, table
 
 
@@ -16,10 +16,11 @@ def values(study):
         raise ValueError(f"{OURS} is wrong")
     scene, triangles = largest(data)
     yield "triangles", count(triangles)
-    times = {row["library"]: row["nanoseconds"] for row in data.motions if (row["scene"], row["triangles"], row["motions"]) == (scene, triangles, "short")}
+    found = {row["library"]: row for row in data.motions if (row["scene"], row["triangles"], row["motions"]) == (scene, triangles, "short")}
     for key, library in (("at-rest", f"{OURS}, at the start"), ("fcl", "FCL BVHModel"), ("bullet", "Bullet")):
-        if library in times:
-            yield f"moving/{key}", decimal(times[OURS] / times[library] if key == "at-rest" else times[library] / times[OURS])
+        if library in found:
+            base, other = (found[library], found[OURS]) if key == "at-rest" else (found[OURS], found[library])
+            yield f"moving/{key}", decimal(other["nanoseconds"] / base["nanoseconds"]) if are_steady(base, other) else None
 
 
 def tables(study):
@@ -31,7 +32,7 @@ def tables(study):
     lines = []
     for library, size in memory.items():
         here = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
-        time = lambda *key: decimal(here[key]["nanoseconds"] / 1000) if key in here else ""
+        time = lambda *key: "" if key not in here else decimal(here[key]["nanoseconds"] / 1000) if are_steady(here[key]) else "too noisy"
         touching = here.get(("touching", "any"))
         lines.append([escaped(library), time("near", "any"), time("near", "all"), time("near", "nearest"),
                       time("anywhere", "any"), f"{size:.0f}",

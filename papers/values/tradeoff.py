@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Times and wrong answers near contact, and errors of the computed distance in units in the last place."""
-from readings.tradeoff import MOST_SPREAD, Data
+from noise import is_steady
+from readings.tradeoff import Data
 from results import maybe, natural, number
 from values.latex import count, decimal, percent, times
 
@@ -23,7 +24,7 @@ def values(study):
     if near["filtered"]["error"]:
         raise ValueError("filtered is wrong")
     for method, row in near.items():
-        noisy = any(each["upper_quartile_ns"] > MOST_SPREAD * each["lower_quartile_ns"] for each in (row, near["fast"]))
+        noisy = not all(is_steady(each["lower_quartile_ns"], each["upper_quartile_ns"]) for each in (row, near["fast"]))
         yield f"time/{method}", None if noisy else times(row["nanoseconds"] / near["fast"]["nanoseconds"])
         yield f"wrong/{method}", percent(row["error"]) if row["error"] else "none"
 

@@ -22,7 +22,7 @@ import cost_tables  # noqa: E402
 def bench():
     """A file as `touchstone bench` writes it."""
     def contestant(name, median, wrong):
-        return {"name": name, "asked": 7, "nanoseconds": {"median": median}, "wrong": {"count": wrong, "of": 1000}}
+        return {"name": name, "asked": 7, "nanoseconds": {"median": median, "lower_quartile": 0.9 * median, "upper_quartile": 1.1 * median}, "wrong": {"count": wrong, "of": 1000}}
     contests = [{"family": family, "name": name, "contestants":
                  [contestant("fast", 30.4, 250), contestant("filtered", 28.6, 0), contestant("Ericson", 20, 3)]}
                 for family, name in cost_tables.FAMILIES]
@@ -45,6 +45,14 @@ class Cost(unittest.TestCase):
     def measure(self):
         (self.root / "bench.json").write_text(json.dumps(bench()))
         return self.run_main("--measured", str(self.root / "bench.json"))
+
+    def test_noise_is_not_stored(self):
+        noisy = bench()
+        noisy["contests"][1]["contestants"][1]["nanoseconds"]["upper_quartile"] = 80
+        (self.root / "bench.json").write_text(json.dumps(noisy))
+        with self.assertRaisesRegex(SystemExit, "too noisy to quote: random-triangles, filtered; measure again"):
+            self.run_main("--measured", str(self.root / "bench.json"))
+        self.assertFalse((self.root / "docs/cost.json").exists())
 
     def test_pages_show_the_stored_measurements(self):
         self.assertEqual(cost_tables.main(str(SOURCE)), 0)

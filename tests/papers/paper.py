@@ -93,6 +93,14 @@ def faster_predicate(path):
     path.write_text(json.dumps(bench))
 
 
+def unsteady(path):
+    """At the nearest balls."""
+    bench = json.loads(path.read_text())
+    contest = next(contest for contest in bench["contests"] if contest["family"] == "nearness" and contest["name"] == "2^-52")
+    next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["upper_quartile"] = 70
+    path.write_text(json.dumps(bench))
+
+
 def cheap_variant(path):
     bench = json.loads(path.read_text())
     contest = next(contest for contest in bench["contests"] if contest["family"] == "variants")
@@ -128,7 +136,7 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("motions: ValueError: exact and filtered differ", lambda at: edit(at / "motions/ways.csv", "all,filtered,8,0", "all,filtered,8,1"))
     spoiled("stability: ValueError: filtered failed", lambda at: edit(at / "stability/failures.csv", "filtered,1,0,4", "filtered,1,1,4"))
     spoiled("meshes: ValueError: filtered differs", lambda at: edit(at / "meshes/meshes.csv", "8,0", "8,1"))
-    spoiled("bench-scenes: ValueError: Scene is wrong", lambda at: edit(at / "bench-scenes/queries.csv", "1000,near,any,Scene,500,0", "1000,near,any,Scene,500,1"))
+    spoiled("bench-scenes: ValueError: Scene is wrong", lambda at: edit(at / "bench-scenes/queries.csv", "1000,near,any,Scene,500,490,510,0", "1000,near,any,Scene,500,490,510,1"))
     spoiled("cell: ValueError: wrong about the case studies, against the text: thesis",
             lambda at: edit(at / "cell/case-2/methods.csv", "thesis,100,0,0", "thesis,100,1,0"))
     spoiled("cell: ValueError: a case study was not recorded", lambda at: shutil.rmtree(at / "cell/case-1"))
@@ -137,6 +145,8 @@ def what_is_wrong_with_the_data_is_named(root, results, output, scratch):
     spoiled("too noisy to quote: bench/random-triangles/filtered/ratio",
             lambda at: edit(at / "bench/bench.json", '"ratio": {', '"ratio": {"too_noisy": true, '))
     spoiled("too noisy to quote: tradeoff/time/filtered", lambda at: edit(at / "tradeoff/front.csv", "filtered,300,290,310", "filtered,300,190,310"))
+    spoiled("too noisy to quote: scenes/moving/fcl", lambda at: edit(at / "bench-scenes/motions.csv", "FCL BVHModel,9000,8900,9100", "FCL BVHModel,9000,6000,9100"))
+    spoiled("too noisy to quote: bench/nearness/near", lambda at: unsteady(at / "bench/bench.json"))
     spoiled("bench: ValueError: EPICK's compare_squared_distance is faster", lambda at: faster_predicate(at / "bench/bench.json"))
     spoiled("bench/bench.json", lambda at: (at / "bench/bench.json").write_text("{"))
 

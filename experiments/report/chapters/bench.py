@@ -5,6 +5,7 @@ import re
 
 import chart
 from looks import look_of
+from noise import TOO_NOISY, of_contestant
 from page import code, count, escaped, folded, multiple, percent, power, rounded, table, words
 from readings.bench import STAGE_COLOURS as STAGES
 from readings.bench import SET, SETS, TRIANGLES, WITHOUT_FLOATS, contests, named, polygons, sets
@@ -55,12 +56,12 @@ def line(about, contestants, others=OTHERS):
     ours, fast = contestants["filtered"], contestants["fast"]
     ratio, goal, wrong = ours["ratio"], ours.get("goal"), fast.get("wrong")
     if is_noisy(ratio):
-        quoted, aim = "too noisy to tell", ""
+        quoted, aim = TOO_NOISY, ""
     else:
         quoted = (f"{multiple(ratio['median'], 3)}<br><small>{rounded(ratio['lower_quartile'], 3)} to "
                   f"{rounded(ratio['upper_quartile'], 3)}</small>")
         aim = "" if goal is None else (f"at most {goal['at_most']:g}: " + ("met" if goal["met"] else '<b class="no">missed</b>'))
-    return [about, *(f"{count(round(c['nanoseconds']['median']))}" for c in (fast, ours)),
+    return [about, *(f"{count(round(c['nanoseconds']['median']))}" if of_contestant(c) else TOO_NOISY for c in (fast, ours)),
             quoted, aim, *(multiple(ratio_of(contestants, other)) if is_quoted(contestants, other) else "" for other in others),
             "" if not wrong else percent(wrong["count"] / wrong["of"]) if wrong["count"] else "none"]
 
@@ -99,11 +100,13 @@ def nearness_picture(study):
     drawn += "".join(f'<rect x="{chart.LEFT + 128 * i}" y="{foot + 66}" width="12" height="12" fill="{colour}" stroke="none"/>'
                      + chart.text(chart.LEFT + 128 * i + 18, foot + 76, stage, "start") for i, (stage, colour) in enumerate(STAGES.items()))
     drawn += chart.text(chart.LEFT - 12, foot - 10, "decided by", "end", 'font-size="10"')
-    near, far = measured[exponents[0]]["contestants"]["filtered"]["nanoseconds"]["median"], measured[exponents[-1]]["contestants"]["filtered"]["nanoseconds"]["median"]
+    near, far = (measured[k]["contestants"]["filtered"] for k in (exponents[0], exponents[-1]))
+    follows = (f"{code('filtered')} takes {rounded(far['nanoseconds']['median'], 3)} ns far from contact and {rounded(near['nanoseconds']['median'], 3)} ns at it."
+               if of_contestant(near) and of_contestant(far) else f"in this run the times are {TOO_NOISY}.")
     return chart.figure(chart.LEFT + 670, foot + 84, "Nanoseconds a question against the distance of the radius from contact, for fast, filtered and two of CGAL's kernels; "
                         "below, the shares of filtered's stages.", drawn,
                         f"Cost against nearness: the same triangles, the radius ever nearer to the exact distance; medians and quartiles. Below: the slowest stage "
-                        f"that {code('filtered')} needed. <b>What follows:</b> {code('filtered')} takes {rounded(far, 3)} ns far from contact and {rounded(near, 3)} ns at it.")
+                        f"that {code('filtered')} needed. <b>What follows:</b> {follows}")
 
 
 def break_even_picture(study):
@@ -124,7 +127,8 @@ def break_even_picture(study):
         drawn += panel.frame([(n, str(n)) for n in own], ticks_of(min(values) / 1.3, max(values) * 1.3), f"{vertices:,} vertices", "questions to one polygon")
         drawn += "".join(map(panel.curve, curves)) + (chart.key(curves, chart.LEFT, 22, 150) if place == 0 else "")
         even = next((n for n, c in own.items() if c["filtered"]["nanoseconds"]["median"] <= c["fast"]["nanoseconds"]["median"]), None)
-        said.append(f"{count(vertices)} vertices: " + (f"not within {max(own)} questions" if even is None else f"by {even} questions"))
+        steady = all(of_contestant(c[name]) for n, c in own.items() if even is None or n <= even for name in ("fast", "filtered"))
+        said.append(f"{count(vertices)} vertices: " + (TOO_NOISY if not steady else f"not within {max(own)} questions" if even is None else f"by {even} questions"))
     drawn += chart.text(14, 160, "nanoseconds a question", more='transform="rotate(-90 14 160)"')
     return chart.figure(chart.LEFT + 250 * len(panels), 306, "Nanoseconds a question with preparation, against the number of questions to one polygon, for fast and filtered.", drawn,
                         f"Break-even: time of a question, the polygon's preparation included, when it is asked so often. {code('filtered')} builds a hierarchy of edges when "
@@ -145,15 +149,15 @@ def variants_table(study):
     if not found:
         return ""
     names = [name for name in next(iter(found.values())) if name != "filtered"]
-    rows = [[escaped(name), *(multiple(c[name]["ratio"]["median"], 3) if is_quoted(c, name) else "too noisy to tell" for c in found.values())] for name in names]
+    rows = [[escaped(name), *(multiple(c[name]["ratio"]["median"], 3) if is_quoted(c, name) else TOO_NOISY for c in found.values())] for name in names]
     return table(f"{code('filtered')} without one of its stages, or with other exact arithmetic behind the first: times over those of {code('filtered')} on the same "
                  "questions. Every variant answers as exact arithmetic does.", ["variant", *map(escaped, found)], rows, range(1, len(found) + 1))
 
 
 def sets_table(study):
     """What floats save where one ball is compared with many triangles; empty where it was not measured."""
-    rows = [[SETS[name], multiple(c[SET]["ratio"]["median"], 3) if is_quoted(c, SET) else "too noisy to tell",
-             multiple(c[WITHOUT_FLOATS]["ratio"]["median"], 3) if is_quoted(c, WITHOUT_FLOATS) else "too noisy to tell"]
+    rows = [[SETS[name], multiple(c[SET]["ratio"]["median"], 3) if is_quoted(c, SET) else TOO_NOISY,
+             multiple(c[WITHOUT_FLOATS]["ratio"]["median"], 3) if is_quoted(c, WITHOUT_FLOATS) else TOO_NOISY]
             for name, c in sets(study).items()]
     return table(f"One ball and 1,024 triangles that are prepared as a set: {code('filtered')} relative to {code('fast')}, one triangle after the other; and the "
                  "same set without its floats, relative to itself.", ["triangles", "set / fast", "without floats / set"], rows, (1, 2)) if rows else ""

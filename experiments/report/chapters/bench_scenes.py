@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone bench-scenes`: whole scenes, beside other libraries."""
 from names import BALLS, QUESTIONS
+from noise import TOO_NOISY
 from page import code, count, escaped, folded, multiple, percent, picture, rounded, smaller, table, words
-from readings.bench_scenes import OURS, Data
+from readings.bench_scenes import OURS, Data, are_steady
 
 TITLE = "Whole scenes"
 
@@ -24,15 +25,19 @@ def finding(study):
 LENGTHS = {"short": "ways of one radius", "long": "ways of thirty radii"}
 
 
+def microseconds(row):
+    return f"{rounded(row['nanoseconds'] / 1000)} µs" if are_steady(row) else TOO_NOISY
+
+
 def motions_table(data, scene):
     """First contacts of moving balls, beside the same balls at rest at the start of their ways."""
     rows = []
     for (size, motions), own in grouped(row for row in data.motions if row["scene"] == scene).items():
-        ours = own[OURS]["nanoseconds"]
+        ours = own[OURS]
         for library, row in own.items():
             said = "" if row["wrong"] is None else f"{count(row['wrong'])} of {count(row['checked'])}"
-            rows.append([f"{LENGTHS.get(motions, motions)}, {count(size)} triangles", escaped(library), f"{rounded(row['nanoseconds'] / 1000)} µs",
-                         "" if library == OURS else multiple(row["nanoseconds"] / ours), said])
+            rows.append([f"{LENGTHS.get(motions, motions)}, {count(size)} triangles", escaped(library), microseconds(row),
+                         "" if library == OURS or not are_steady(row, ours) else multiple(row["nanoseconds"] / ours["nanoseconds"]), said])
     return table(f"First contact of moving balls: time of a question, in times of {OURS}, and wrong answers. “{OURS}, at the start”: the same balls "
                  "at rest where their ways begin, touching any?", ["motions", "library", "time", f"of {OURS}", "wrong"], rows, (2, 3, 4)) if rows else ""
 
@@ -54,13 +59,14 @@ thread.</p>"""
         size = data.largest(scene)
         rows = [row for row in data.queries if row["scene"] == scene and row["triangles"] == size]
         questions = list(dict.fromkeys((row["balls"], row["question"]) for row in rows))
-        ours = {(row["balls"], row["question"]): row["nanoseconds"] for row in rows if row["library"] == OURS}
+        ours = {(row["balls"], row["question"]): row for row in rows if row["library"] == OURS}
         body = []
         for library in data.libraries:
             own = {(row["balls"], row["question"]): row for row in rows if row["library"] == library}
             body.append([escaped(library), *(
-                "not asked" if q not in own else f"{rounded(own[q]['nanoseconds'] / 1000)} µs"
-                + (f"<br><small>{multiple(own[q]['nanoseconds'] / ours[q])}</small>" if library != OURS and q in ours else "")
+                "not asked" if q not in own else microseconds(own[q])
+                + (f"<br><small>{multiple(own[q]['nanoseconds'] / ours[q]['nanoseconds'])}</small>"
+                   if library != OURS and q in ours and are_steady(own[q], ours[q]) else "")
                 + (f"<br><small class=\"no\">{percent(own[q]['wrong'] / own[q]['checked'])} wrong</small>" if own[q]["wrong"] else "")
                 for q in questions)])
         numbers = table(f"Scene “{escaped(scene)}” of {count(size)} triangles: microseconds a query, how many times {OURS}'s, "
@@ -72,8 +78,8 @@ thread.</p>"""
             growth = []
             small = min(row["triangles"] for row in data.queries if row["scene"] == scene)
             for library in data.libraries:
-                times = {row["triangles"]: row["nanoseconds"] for row in data.queries if (row["scene"], row["library"], row["balls"], row["question"]) ==
-                         (scene, library, "near", "any")}
+                times = {row["triangles"]: row["nanoseconds"] for row in data.queries if are_steady(row) and
+                         (row["scene"], row["library"], row["balls"], row["question"]) == (scene, library, "near", "any")}
                 if small in times and size in times and small < size:
                     growth.append(f"{escaped(library)} {multiple(times[size] / times[small])}")
             follows = (f" <b>What follows:</b> from {count(small)} to {count(size)} triangles the time of “near the surface: "

@@ -2,6 +2,7 @@
 """The chapter of `touchstone merging`: a mesh's coplanar faces as polygons."""
 import math
 
+from noise import is_steady
 from page import count, counted, escaped, multiple, percent, rounded, table, upper_limit, words
 from results import finite, natural
 
@@ -30,10 +31,11 @@ def finding(study):
 
 
 def ratios(study):
-    """By mesh and scene: the time of "touches any?" as a multiple of that of the mesh's own faces."""
+    """By mesh and scene: the time of "touches any?" as a multiple of that of the mesh's own faces; without times that are too noisy to tell."""
     times = {}
-    for row in study.rows("merge-times.csv", mesh=str, scene=str, any_ns=finite):
-        times.setdefault(row["mesh"], {})[row["scene"]] = row["any_ns"]
+    for row in study.rows("merge-times.csv", mesh=str, scene=str, any_ns=finite, any_lower_ns=finite, any_upper_ns=finite):
+        if is_steady(row["any_lower_ns"], row["any_upper_ns"]):
+            times.setdefault(row["mesh"], {})[row["scene"]] = row["any_ns"]
     return {mesh: {scene: ns / own["faces"] for scene, ns in own.items()} for mesh, own in times.items() if own.get("faces")}
 
 
@@ -55,5 +57,5 @@ def chapter(study):
         "Meshes; the last columns: time of “touches any?” as a multiple of that of the mesh's own faces (below 1 is a gain). "
         f"merged: a scene of all polygons; mixed: polygons only where one stands for many faces.{follows}", ["mesh", "faces", "polygons", "holes", *SCENES],
         [[escaped(row["mesh"]), count(row["faces"]), count(row["polygons"]), count(row["holes"]),
-          *(multiple(by_mesh[row['mesh']][scene]) if scene in by_mesh.get(row["mesh"], {}) else "not timed" for scene in SCENES)]
+          *(multiple(by_mesh[row['mesh']][scene]) if scene in by_mesh.get(row["mesh"], {}) else "not timed, or too noisy to tell" for scene in SCENES)]
          for row in rows_of(study)], range(1, 6))

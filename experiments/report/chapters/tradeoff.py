@@ -2,6 +2,7 @@
 """The chapter of `touchstone tradeoff`: run time against error."""
 from methods import asks_the_question
 from names import PLACEMENTS
+from noise import TOO_NOISY
 from page import bar, code, count, counted, folded, multiple, percent, picture, smaller, table, words
 from readings.tradeoff import Data, asked
 
@@ -17,7 +18,7 @@ def range_of(numbers):
 def times(data, method, placement, balls):
     """Of the time of fast."""
     ratio = data.ratio(method, placement, balls)
-    return "not timed" if ratio is None else "too noisy to tell" if data.is_noisy(method, placement, balls) else multiple(ratio)
+    return "not timed" if ratio is None else TOO_NOISY if data.is_noisy(method, placement, balls) else multiple(ratio)
 
 
 def price(study):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone tunnelling`: what steps miss, and what the exact sweep costs instead."""
+from noise import TOO_NOISY
 from page import bar, count, folded, multiple, percent, picture, rounded, share_of_size, smaller, table, upper_limit
-from readings.tunnelling import CONTACT, FIRST, Data, asked
+from readings.tunnelling import CONTACT, FIRST, Data, asked, has_steady_ratio, has_steady_time
 
 TITLE = "Steps that pass through: tunnelling"
 
@@ -18,7 +19,7 @@ def finding(study):
             f"{percent(data.at[small, steps]['rate'])} of its contacts; one of {share_of_size(large)}, by "
             f"{count(data.steps[2])} steps, {percent(data.at[large, data.steps[2]]['rate'])}.")
     if CONTACT in data.cost:
-        beaten = [n for n in data.steps if data.cost_of(n)["median_ratio"] > 1]
+        beaten = [n for n in data.steps if has_steady_ratio(data.cost_of(n)) and data.cost_of(n)["median_ratio"] > 1]
         text += (f" The exact sweep misses none. Measured here, it costs less than {count(beaten[0])} steps." if beaten and beaten[0] > 1 else
                  " The exact sweep misses none.")
     return text
@@ -41,7 +42,8 @@ def misses_table(data):
 def cost_table(data):
     if not data.cost:
         return ""
-    rows = [[name, f"{rounded(row['median_ns'])} ns", multiple(row["median_ratio"]) if row["median_ratio"] else "1"]
+    rows = [[name, f"{rounded(row['median_ns'])} ns" if has_steady_time(row) else TOO_NOISY,
+             "1" if not row["median_ratio"] else multiple(row["median_ratio"]) if has_steady_ratio(row) else TOO_NOISY]
             for name, row in data.cost.items()]
     return table(f"A measurement on this machine: what a motion costs, median; by the exact sweep ({CONTACT}, {FIRST}), and by steps until one "
                  "touches, both by <code>filtered</code> on prepared polygons.", ["asked", "time", "relative to the sweep"], rows, (1, 2))

@@ -2,11 +2,9 @@
 """Run time and error of methods near contact."""
 from methods import asks_the_question
 from names import PLACEMENTS
+from noise import is_steady
 from readings.asked import by_method
 from results import finite, natural, number
-
-
-MOST_SPREAD = 1.5  # of the quartiles of times that are quoted; `touchstone bench` has the same
 
 
 class Data:
@@ -40,10 +38,7 @@ class Data:
 
     def is_noisy(self, method, placement, balls):
         """Whether the times of the method, or those of fast, vary too much to quote their ratio."""
-        def spread(m):
-            return self.nanoseconds(m, placement, balls, "upper_quartile_ns") / self.nanoseconds(m, placement, balls, "lower_quartile_ns")
-
-        return max(spread(method), spread("fast")) > MOST_SPREAD
+        return not all(is_steady(*(self.nanoseconds(m, placement, balls, f"{which}_quartile_ns") for which in ("lower", "upper"))) for m in (method, "fast"))
 
 
 def asked(study):

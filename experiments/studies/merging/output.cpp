@@ -60,12 +60,12 @@ std::string costs_table(const std::vector<MeshResult>& results) {
       const Measured& m = result.measured[static_cast<std::size_t>(kind)];
       text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10.0f}{:>10.0f}{:>11.0f}{:>10.0f}{:>12.2f}\n",
                           kind == Kind::Faces ? io::legible(result.name) : "", to_string(kind), m.triangles, m.polygons,
-                          m.nanoseconds[0], m.nanoseconds[1], m.nanoseconds[2], static_cast<double>(m.memory) / 1024,
-                          1e3 * m.seconds);
+                          m.nanoseconds[0].median, m.nanoseconds[1].median, m.nanoseconds[2].median,
+                          static_cast<double>(m.memory) / 1024, 1e3 * m.seconds);
     }
   for (const Kind kind : {Kind::Merged, Kind::Mixed}) {
     const auto query = [&](std::size_t i) {
-      return mean_ratio(results, kind, [i](const Measured& m) { return m.nanoseconds[i]; });
+      return mean_ratio(results, kind, [i](const Measured& m) { return m.nanoseconds[i].median; });
     };
     text += fmt::format("{:<28}{:>8}{:>10}{:>9}{:>10}{:>10}{:>11}{:>10}{:>12}\n", "mean ratio to faces",
                         to_string(kind), "", "", query(0), query(1), query(2),
@@ -174,9 +174,10 @@ struct TimesRow {
 
 const harness::Table<TimesRow>& times_table() {
   using harness::path;
-  const auto nanoseconds = [](std::size_t question) {
-    return [question](const TimesRow& row) { return row.measured->nanoseconds[question]; };
+  const auto nanoseconds = [](std::size_t question, double timing::Quartiles::*which = &timing::Quartiles::median) {
+    return [question, which](const TimesRow& row) { return row.measured->nanoseconds[question].*which; };
   };
+  constexpr auto kLower = &timing::Quartiles::lower, kUpper = &timing::Quartiles::upper;
   static const harness::Table<TimesRow> table(
       "merge-times.csv", "a mesh and a scene of it",
       {{"mesh", "the mesh", path(&TimesRow::mesh, &MeshResult::name)},
@@ -186,9 +187,15 @@ const harness::Table<TimesRow>& times_table() {
        {"polygons", "polygons in the scene", path(&TimesRow::measured, &Measured::polygons)},
        {"memory_bytes", "allocated by the scene", path(&TimesRow::measured, &Measured::memory)},
        {"build_seconds", "of building the scene", path(&TimesRow::measured, &Measured::seconds)},
-       {"any_ns", "a ball near the surface: does it touch any face?", nanoseconds(0)},
-       {"all_ns", "which faces does it touch?", nanoseconds(1)},
-       {"nearest_ns", "which face is nearest?", nanoseconds(2)}});
+       {"any_ns", "a ball near the surface: does it touch any face? Median of the repetitions", nanoseconds(0)},
+       {"any_lower_ns", "the same, lower quartile", nanoseconds(0, kLower)},
+       {"any_upper_ns", "the same, upper quartile", nanoseconds(0, kUpper)},
+       {"all_ns", "which faces does it touch? Median", nanoseconds(1)},
+       {"all_lower_ns", "the same, lower quartile", nanoseconds(1, kLower)},
+       {"all_upper_ns", "the same, upper quartile", nanoseconds(1, kUpper)},
+       {"nearest_ns", "which face is nearest? Median", nanoseconds(2)},
+       {"nearest_lower_ns", "the same, lower quartile", nanoseconds(2, kLower)},
+       {"nearest_upper_ns", "the same, upper quartile", nanoseconds(2, kUpper)}});
   return table;
 }
 

@@ -121,11 +121,8 @@ void time_question(Question question, std::vector<Contender>& contenders, const 
       times[turn].push_back(1e9 * seconds_since(begin) / static_cast<double>(balls.size()));
       sink = sum;
     }
-  for (std::size_t k = 0; k < contenders.size(); ++k) {
-    const auto middle = times[k].begin() + static_cast<std::ptrdiff_t>(times[k].size() / 2);
-    std::nth_element(times[k].begin(), middle, times[k].end());
-    contenders[k].measured().nanoseconds[static_cast<std::size_t>(question)] = *middle;
-  }
+  for (std::size_t k = 0; k < contenders.size(); ++k)
+    contenders[k].measured().nanoseconds[static_cast<std::size_t>(question)] = timing::quartiles(std::move(times[k]));
 }
 
 /// Compares answers that name faces of the mesh, for which cases::differing_keys has no keys.

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "experiments/harness/timing/measurement.h"
 #include "geometry/shapes/ball.h"
 #include "geometry/shapes/mesh.h"
 #include "robust/mesh/merge.h"
@@ -64,9 +65,9 @@ struct PolygonCounts {
 /// A scene of one kind.
 struct Measured {
   std::size_t triangles = 0, polygons = 0;
-  std::size_t memory = 0;                               ///< bytes, as the C library counts what is allocated
-  double seconds = 0;                                   ///< to build it
-  std::array<double, kQuestions.size()> nanoseconds{};  ///< a ball, median of the repetitions
+  std::size_t memory = 0;                                          ///< bytes, as the C library counts what is allocated
+  double seconds = 0;                                              ///< to build it
+  std::array<timing::Quartiles, kQuestions.size()> nanoseconds{};  ///< a ball, of the repetitions
 };
 
 /// Answers that differ from those of the scene of faces.

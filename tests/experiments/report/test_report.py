@@ -228,6 +228,25 @@ class Report(unittest.TestCase):
         text = self.changed().text
         self.assertIn("filtered takes 8.00 ns far from contact and 70.0 ns at it", text)
         self.assertIn("8 vertices: by 8 questions", text)
+        for contest in bench["contests"]:
+            next(c for c in contest["contestants"] if c["name"] == "filtered")["nanoseconds"]["upper_quartile"] = 100
+        path.write_text(json.dumps(bench))
+        text = self.changed().text
+        self.assertIn("in this run the times are too noisy to tell", text)
+        self.assertIn("8 vertices: too noisy to tell", text)
+        self.assertNotIn("filtered takes", text)
+
+    def test_times_of_scenes_that_are_noise_are_not_quoted(self):
+        path = self.results / "bench-scenes/queries.csv"
+        edited(path, lambda row: row.update(nanoseconds="87654", lower_quartile="87000", upper_quartile="88000"))
+        self.assertIn("88 µs", self.changed().text)
+        edited(path, lambda row: row.update(upper_quartile="190000"))
+        text = self.changed().text
+        self.assertNotIn("88 µs", text)
+        self.assertIn("too noisy to tell", text)
+        times = self.results / "merging/merge-times.csv"
+        edited(times, lambda row: row.update(any_upper_ns=str(2 * float(row["any_lower_ns"]))))
+        self.assertIn("not timed, or too noisy to tell", self.changed().text)
 
     def test_a_wrong_answer_changes_what_the_robot_does(self):
         moves = rows_of(self.results / "cell/driven/moves.csv")
