@@ -6,6 +6,7 @@ import html
 import math
 import re
 
+import dark
 from results import DataError
 from shares import unless_whole
 
@@ -33,7 +34,7 @@ tbody th { font-weight: 400; }
 thead th:first-child, tbody th { position: sticky; left: 0; background: var(--paper); z-index: 1; }
 details { margin: 1rem 0; } summary { cursor: pointer; color: var(--link); }
 svg text { fill: currentColor; stroke: none; }
-@media (prefers-color-scheme: dark) { .picture img { filter: invert(.91) hue-rotate(180deg); } }
+@media (prefers-color-scheme: dark) { picture img { background: none; } img.scale { filter: invert(.91) hue-rotate(180deg); } article img { filter: brightness(.85); } }
 .scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
 :target { outline: 3px solid var(--link); }
 @media (max-width: 34rem) { body { padding: .6rem; } }
@@ -123,10 +124,10 @@ def code(text):
     return f"<code>{escaped(text)}</code>"
 
 
-def inlined(path):
-    """A picture as an address that holds it."""
+def inlined(path, data=None):
+    """A picture as an address that holds it, or other `data` of its kind."""
     kind = {".svg": "image/svg+xml", ".png": "image/png"}[path.suffix]
-    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
+    return f"data:{kind};base64,{base64.b64encode(path.read_bytes() if data is None else data).decode()}"
 
 
 def smaller(folder, stem):
@@ -151,14 +152,20 @@ def size_of(path):
 
 def image(path, alt):
     width, height = size_of(path)
-    return f'<img width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+    return (f'<picture><source media="(prefers-color-scheme: dark)" srcset="{inlined(path, dark.picture(path))}">'
+            f'<img width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}"></picture>')
 
 
-def picture(path, alt, caption):
-    """`alt` is text, `caption` HTML."""
+def picture(path, alt, caption, scale=False):
+    """`alt` is text, `caption` HTML. With `scale`, colours go from none to all, and are inverted as a whole on dark pages."""
+    if scale:
+        width, height = size_of(path)
+        drawn = f'<img class="scale" width="{width}" height="{height}" alt="{escaped(alt)}" src="{inlined(path)}">'
+    else:
+        drawn = image(path, alt)
     return (f'<figure class="picture"><div class="scroll" tabindex="0" role="group" aria-label="A picture; scrolls sideways '
             'where it is wider">'
-            f"{image(path, alt)}</div><figcaption>{caption}</figcaption></figure>")
+            f"{drawn}</div><figcaption>{caption}</figcaption></figure>")
 
 
 def bar(fraction, shown):

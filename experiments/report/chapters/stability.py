@@ -36,7 +36,7 @@ def failures_picture(study, data):
                          "with a wrong final answer.",
                    f"Polygons with a wrong final answer, empty (none) to full colour (all); each row gets worse from left to right. <b>What follows:</b> "
                    f"even with the {NEARNESSES['ample']}, of all polygons here failed: {words(said)}. (Chains “against the motion meant” are left out of these "
-                   f"shares: there rounding moves the polygon itself.)")
+                   f"shares: there rounding moves the polygon itself.)", scale=True)
 
 
 def onset_picture(study, data):

@@ -15,6 +15,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+import dark
 from looks import LIBRARIES, LOOKS
 from pictures import thesis_cell, thesis_method
 
@@ -56,6 +57,31 @@ class Looks(unittest.TestCase):
         names = re.findall(r'(?:\.name = |return \{|broad_phase<[^;]*>\(|kEmbree = )"([^"]+)"', text)
         self.assertGreaterEqual(len(names), 10)
         self.assertEqual(set(names) - set(LIBRARIES), set())
+
+
+class Dark(unittest.TestCase):
+    def test_methods_keep_their_colours_and_neighbours_stay_apart(self):
+        def parts(text):
+            return tuple(bytes.fromhex(text.removeprefix("#")))
+
+        self.assertEqual(dark.colour(255, 255, 255), dark.PAPER)
+        self.assertEqual(dark.colour(0, 0, 0), dark.INK)
+        for method in ("fast", "filtered", "thesis", "thesis-signed"):
+            self.assertEqual(dark.colour(*parts(LOOKS[method].colour)), parts(LOOKS[method].colour), method)
+        # Of the two blues, that of fast-float stays the lighter one.
+        self.assertGreater(sum(dark.colour(*parts(LOOKS["fast-float"].colour))), sum(dark.colour(*parts(LOOKS["fast"].colour))) + 100)
+
+    def test_both_kinds_of_pictures_are_changed(self):
+        text = dark.svg('<svg width="1pt"><path style="fill: #ffffff"/><g>text</g><path style="stroke: #0072b2"/></svg>')
+        self.assertEqual(text, '<svg fill="#e8e8e4" width="1pt"><path style="fill: #16181a"/><g>text</g><path style="stroke: #0072b2"/></svg>')
+        import io
+
+        import matplotlib.image
+        import numpy as np
+        file = io.BytesIO()
+        matplotlib.image.imsave(file, np.array([[[255, 255, 255], [0, 0x72, 0xb2]]], np.uint8), format="png")
+        pixels = matplotlib.image.imread(io.BytesIO(dark.png(file.getvalue())), format="png")
+        self.assertEqual(np.round(255 * pixels[0, :, :3]).astype(int).tolist(), [list(dark.PAPER), [0, 0x72, 0xb2]])
 
 
 class NotNumbers(unittest.TestCase):

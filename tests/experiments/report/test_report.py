@@ -24,7 +24,7 @@ from page import rounded, share_of_size, upper_limit
 from report import CHAPTERS, page
 from results import DataError, study_in
 
-VOID = {"meta", "img", "br", "link", "input", "path", "line", "circle", "polygon"}
+VOID = {"meta", "img", "source", "br", "link", "input", "path", "line", "circle", "polygon"}
 
 
 class Page(html.parser.HTMLParser):
@@ -46,7 +46,7 @@ class Page(html.parser.HTMLParser):
             self.links.append(attributes.get("href"))
         if tag == "img":
             self.images.append(attributes)
-        if tag in ("script", "link", "object", "embed", "source", "video", "audio", "base"):
+        if tag in ("script", "link", "object", "embed", "video", "audio", "base"):
             self.loaded.append(tag)
         self.loaded += [attributes[name] for name in ("src", "srcset", "data", "poster", "background") if
                         attributes.get(name) and not attributes[name].startswith("data:")]
