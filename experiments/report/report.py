@@ -41,7 +41,8 @@ code.call { white-space: normal; overflow-wrap: anywhere; }
 dt { font-weight: 600; margin-top: .5rem; break-after: avoid; } dd { margin-left: 1.2rem; } .methods { columns: 2 22rem; }
 iframe.cell { width: 100%; height: 46rem; border: 1px solid var(--line); border-radius: .3rem; }
 .made { columns: 2 20rem; } .narrow svg.scheme { max-width: 27rem; } .narrow .picture img { max-width: min(100%, 34rem); }
-.paper { display: none; } svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
+.paper { display: none; } .parts { display: flex; flex-wrap: wrap; justify-content: center; gap: 1rem; } svg.part { flex: 0 1 22rem; min-width: min(20rem, 100%); height: auto; }
+svg.scheme { display: block; width: 100%; max-width: 46rem; height: auto; margin: 0 auto; }
 @media (min-width: 75rem) { .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 1.5rem; margin-inline: calc(50% - min(48vw, 40rem)); } }
 @media (min-width: 62rem) { .picture .scroll, figure.cell { margin-inline: calc(50% - min(48vw, 40rem)); }
   .table .scroll { width: max-content; min-width: 100%; max-width: min(96vw, 80rem); position: relative; left: 50%; transform: translateX(-50%); } }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The chapter of `touchstone recorded`: the questions of a third-party simulation."""
-from page import code, count, percent, share_of_size, table, upper_limit, words
+from page import code, count, percent, power, share_of_size, table, upper_limit, words
 from readings.recorded import Data, asked
 
 TITLE = "Questions recorded from a simulation"
@@ -27,7 +27,7 @@ def wrong_of(row):
 
 def chapter(study):
     data = Data(study)
-    near = [f"{percent(data.near[name, 'own', k])} within 2<sup>−{k}</sup> in {BUILDS[name]}"
+    near = [f"{percent(data.near[name, 'own', k])} within {power('2', -k)} in {BUILDS[name]}"
             for name, k in (("bullet", 50), ("bullet-float", 20)) if (name, "own", k) in data.near]
     rows = [["the simulation itself", *(cell for name in data.simulations for cell in wrong_of(data.of_simulation(name)))]]
     rows += [[code(method), *(cell for name in data.simulations for cell in wrong_of(data.at.get((name, "own", method))))] for method in data.methods]

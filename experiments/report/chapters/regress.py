@@ -43,6 +43,10 @@ receive polygons triangulated. The cases are the same as those of the baseline i
                   "errs.",
                   OVERALL[:1] + ["what it is"] + OVERALL[2:],
                   [[code(name), escaped(what), *map(shown, cells)] for name, what, *cells in overall(rows, polygons_of(study, rows))], (2, 3, 4))
+    if {"cgal-epick-distance", "cgal-double-distance"} <= set(rows_by_engine(rows)):
+        text += (f"<p>{code('squared_distance')} is a construction: over {code('cgal-epick-distance')} it is computed in doubles, as over "
+                 f"{code('cgal-double-distance')}, so the two agree. {code('do_intersect')} is a predicate, which that kernel decides exactly once "
+                 "the square of the radius is rounded.</p>")
     if absent:
         text += (f"<p>Not in this build, because their libraries were missing: {words(map(code, absent))}. "
                  "<code>./reproduce --full</code> installs them.</p>")

@@ -14,9 +14,9 @@ def finding(study):
     if a.wrong:
         return f'<b class="no">{count(a.wrong)} answers of {count(a.answers)} differed from the exact ones: see differences.jsonl.</b>'
     whole = sum(row["cases"] for row in rows_of(study) if row["family"] != "all" and row["way"] == "answer")
-    rest = f", in the whole answer, which {count(whole)} of them were asked for, at most {percent(upper_limit(whole))}" if whole else ""
-    return (f"Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} "
-            f"cases: in contact at most {percent(upper_limit(a.trials))} of such cases do{rest} (95 %).")
+    rest = (f" The whole answer was compared in {count(whole)} of them; it differs in at most {percent(upper_limit(whole))} of such cases." if whole else "")
+    return (f"Not one answer of {count(a.answers)} differed from the exact one, in {count(a.trials)} cases. At 95 % confidence, contact "
+            f"differs in at most {percent(upper_limit(a.trials))} of such cases.{rest}")
 
 
 def stages_table(study):

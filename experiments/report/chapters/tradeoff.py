@@ -27,7 +27,7 @@ def price(study):
     if not all(data.ratio("filtered", p, b) and not data.is_noisy("filtered", p, b) for p in data.placements for b in ("near", "anywhere")):
         return ""
     return f"on the same questions (planar to rotated polygons), {code('filtered')} took " + words(
-        f"{words((times(data, 'filtered', p, balls) for p in data.placements), 'to')} the time of {code('fast')} {where}"
+        f"{words(dict.fromkeys(times(data, 'filtered', p, balls) for p in data.placements), 'to')} the time of {code('fast')} {where}"
         for balls, where in (("anywhere", "with balls anywhere"), ("near", "with balls within 8 doubles of contact"))) + "."
 
 

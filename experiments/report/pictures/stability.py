@@ -234,8 +234,7 @@ def draw_onset(folder, rows):
             rate, lower, upper = (np.array([100 * float(row[key]) for row in curve]) for key in ("rate", "lower", "upper"))
             axes.fill_between(x, lower, upper, color=look.colour, alpha=0.15, linewidth=0)
             axes.plot(x, rate, color=look.colour, linestyle=look.line, marker=look.marker, markersize=3, linewidth=1.2, label=method)
-        axes.set_title("triangles at the origin" if float(distance) == 0 else f"triangles {float(distance):.0e} sizes away"
-                       .replace("e+06", "e6"))
+        axes.set_title("triangles at the origin" if float(distance) == 0 else f"triangles $10^{{{round(math.log10(float(distance)))}}}$ sizes away")
         axes.set_xlabel("offset of the radius from the distance, $2^{-k}$ of it: k")
         axes.grid(color="#dddddd", linewidth=0.5)
     grid[0][0].set_ylabel("triangles with a wrong\ncontact at either offset, %")

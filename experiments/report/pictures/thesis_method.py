@@ -273,7 +273,7 @@ def factor_reach(rows):
     """Against what the factor lacks to 1, whose own place is beyond a gap of the axis."""
     figure, axes = plt.subplots(figsize=(6.6, 4))
     lowest, exact = 1e-6, 1e-6  # of the reach, and where the factor 1 stands
-    for outline, color, marker, side in (("square", BLUE, "o", 1), ("gripper", ORANGE, "s", -1)):
+    for outline, color, marker in (("square", BLUE, "o"), ("gripper", ORANGE, "s")):
         own = [row for row in rows if row["outline"] == outline]
         longest = max(row["length"] for row in own)
         own = list({row["factor"]: row for row in own if row["length"] == longest}.values())
@@ -281,8 +281,8 @@ def factor_reach(rows):
             share, lacks = row["reach"] / row["length"], round(1 - row["factor"], 9) or exact
             axes.plot(lacks, max(share, lowest), marker=marker, color=color, markersize=7, linestyle="", markerfacecolor=color if share > lowest else "none",
                       label=outline if n == 0 else None)
-            axes.annotate(f"{share:.3g}" if share > lowest else "none", (lacks, max(share, lowest)), xytext=(9 * side, 0 if share > lowest else 7),
-                          textcoords="offset points", ha="left" if side > 0 else "right", va="center", fontsize=8, color=color)
+            axes.annotate(f"{share:.3g}" if share > lowest else "none", (lacks, max(share, lowest)), xytext=(8, -2) if outline == "square" else (0, 9),
+                          textcoords="offset points", ha="left" if outline == "square" else "center", va="center", fontsize=8, color=color)
     lacks = np.geomspace(1e-5, 0.04, 60)
     axes.plot(lacks, 1 / (2 * np.tan(np.radians(90 * (1 - lacks)))), color=BLACK, linewidth=1, linestyle="--", label="1 / (2 tan(90° · factor)), a convex outline")
     axes.axvline(3.2e-6, color=GREY, linewidth=0.6)

@@ -246,11 +246,22 @@ def legend(figure, measure, rows, **where):
     figure.legend(*zip(*lines), frameon=False, handler_map={tuple: HandlerTuple(1, 0)}, **where)
 
 
+def legend_by_group(figure, measure, rows):
+    """A column a group of methods, below the panels."""
+    groups = {}
+    for method in in_order(row["method"] for row in rows):
+        groups.setdefault(look_of(method).group, []).append(method)
+    columns = [(title, [(handle, handle.get_label()) for handle in handles(methods)]) for title, methods in groups.items()]
+    columns.append(("signs", symbols(measure, rows)))
+    for number, (title, lines) in enumerate(columns):
+        figure.legend(*zip(*lines), title=title, loc="upper left", bbox_to_anchor=(0.01 + 0.98 * number / len(columns), 0.235), frameon=False, fontsize=8.5,
+                      title_fontproperties={"size": 9, "weight": "bold"}, alignment="left", labelspacing=0.3, handler_map={tuple: HandlerTuple(1, 0)})
+
+
 def draw_pooled(rows, folder, measure):
     placements = placements_of(rows)
-    figure, grid = plt.subplots(1, len(placements), figsize=(5.3 * len(placements) + 2.2, 6), sharex=True, sharey=True,
-                                squeeze=False)
-    figure.subplots_adjust(left=0.07, right=0.83, top=0.9, bottom=0.09, wspace=0.06)
+    figure, grid = plt.subplots(1, len(placements), figsize=(6.2 * len(placements), 7.6), sharex=True, sharey=True, squeeze=False)
+    figure.subplots_adjust(left=0.08, right=0.99, top=0.92, bottom=0.3, wspace=0.05)
     drawn = []
     for axes, placement in zip(grid[0], placements):
         spots = draw_front(axes, [row for row in rows if row["placement"] == placement], rows, 6, True)
@@ -261,10 +272,10 @@ def draw_pooled(rows, folder, measure):
         set_limits(axes, rows)
     grid[0][0].set_ylabel(MEASURES[measure][0])
     figure.suptitle(f"Run time against {SUBJECTS[measure]}: all families of polygons together", x=0.01, ha="left")
-    legend(figure, measure, rows, loc="center left", bbox_to_anchor=(0.835, 0.52), fontsize=7.5, labelspacing=0.35)
+    legend_by_group(figure, measure, rows)
     figure.canvas.draw()
     for axes, spots in drawn:
-        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], 8)
+        name_spots(axes, spots, [s for s in spots if s.front != "off" or s.not_finite > 0], 9)
     save(figure, folder, f"front-{measure}")
 
 

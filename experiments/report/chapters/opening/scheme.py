@@ -12,20 +12,26 @@ def doubles():
     return text
 
 
-PICTURE = f"""<figure><div class="scroll" tabindex="0" role="group" aria-label="A drawing; scrolls sideways where it is wider"><svg class="scheme" viewBox="0 0 720 250" role="img" aria-labelledby="scheme-title" fill="none" stroke="currentColor"
-font-family="system-ui, sans-serif" font-size="13">
-<title id="scheme-title">Left: a ball over an L-shaped polygon, its foot and its distance. Right: the doubles next to the exact
-distance, one of which is the radius.</title>
+def part(name, title, box, drawn):
+    return (f'<svg class="part" viewBox="{box}" role="img" aria-labelledby="{name}" fill="none" stroke="currentColor" font-family="system-ui, sans-serif" '
+            f'font-size="13"><title id="{name}">{title}</title>{drawn}</svg>')
+
+
+BALL = """
 <polygon points="40,215 250,215 300,165 195,165 220,140 115,140" fill="var(--soft)" stroke-width="1.5"/>
 <circle cx="135" cy="110" r="68" stroke-width="1.5"/><circle cx="135" cy="110" r="2.5" fill="currentColor"/>
 <line x1="135" y1="110" x2="135" y2="178" stroke-dasharray="4 3"/><circle cx="135" cy="178" r="3" fill="currentColor"/>
 <g fill="currentColor" stroke="none"><text x="128" y="108" text-anchor="end">centre</text><text x="142" y="162">d</text><text x="143" y="194">foot</text><text x="185" y="207">polygon</text>
 <text x="205" y="76">radius r</text></g><line x1="135" y1="110" x2="196" y2="79"/>
-<g stroke="currentColor">{doubles().replace('<text', '<text fill="currentColor" stroke="none"')}</g>
+"""
+NUMBERS = f"""<g stroke="currentColor">{doubles().replace('<text', '<text fill="currentColor" stroke="none"')}</g>
 <line x1="551" y1="105" x2="551" y2="150" stroke="var(--bad)" stroke-width="2"/>
 <g fill="currentColor" stroke="none"><text x="551" y="96" text-anchor="middle">the exact distance d</text>
 <text x="465" y="128" text-anchor="middle">separate</text><text x="630" y="128" text-anchor="middle">contact</text>
 <text x="540" y="200" text-anchor="middle">radius: doubles from the one nearest to d</text></g>
-</svg></div><figcaption>The question, and how it is made hard: the exact distance lies between two doubles, and the radius is
-set to one of them. Left of d the truth is “separate”, right of it
+"""
+PICTURE = f"""<figure><div class="parts">{part("scheme-ball", "A ball over an L-shaped polygon, its foot and its distance.", "20 30 300 200", BALL)}
+{part("scheme-doubles", "The doubles next to the exact distance, one of which is the radius.", "380 30 320 200", NUMBERS)}</div>
+<figcaption>The question, and how it is made hard: the exact distance lies between two doubles, and the radius is
+set to one of them. On the line of doubles, left of d the truth is “separate”, right of it
 “contact”; a program whose own distance is off by one double gives the wrong one.</figcaption></figure>"""
