@@ -20,10 +20,10 @@ template <class Counts>
 struct KernelTable {
   using Parts = PreparedPolygon::Parts;
   bool (*triangle_contact)(BallTriangleView, Counts&);
-  /// For a ball of radius 0: the feature that contains the closest point, its distance, and the point.
+  /// For a ball of radius 0: the feature that contains the closest point; its distance; feature, point and distance.
   Feature (*triangle_nearest)(BallTriangleView, Counts&);
   double (*triangle_distance)(BallTriangleView, const Feature&, Counts&);
-  void (*triangle_point)(BallTriangleView, const Feature&, double (&point)[3], Counts&);
+  double (*triangle_closest)(BallTriangleView, Feature&, double (&point)[3], Counts&);
   bool (*triangle_motion_contact)(MotionTriangleView, Counts&);
   void (*triangle_first_contact)(MotionTriangleView, FirstContact&, Counts&);
   void (*set_contact)(const Ball&, const TriangleSet::Parts&, std::span<bool>, Counts&);
@@ -83,11 +83,10 @@ template <class Counts>
 [[nodiscard]] ClosestPoint closest(const KernelTable<Counts>& kernels, const Eigen::Vector3d& center,
                                    const Triangle& triangle, Counts& counts) {
   const Ball point_ball{center, 0};
-  const BallTriangleView view = view_of(point_ball, triangle);
-  const Feature feature = kernels.triangle_nearest(view, counts);
+  Feature feature{};
   double point[3];
-  kernels.triangle_point(view, feature, point, counts);
-  return {feature, {point[0], point[1], point[2]}, kernels.triangle_distance(view, feature, counts)};
+  const double distance = kernels.triangle_closest(view_of(point_ball, triangle), feature, point, counts);
+  return {feature, {point[0], point[1], point[2]}, distance};
 }
 
 }  // namespace touchstone::filtered

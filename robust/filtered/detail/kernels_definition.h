@@ -22,7 +22,7 @@ inline constexpr KernelTable<Counts> kKernelTable{
     .triangle_contact = contact<Counts>,
     .triangle_nearest = nearest_feature<Counts>,
     .triangle_distance = feature_distance<Counts>,
-    .triangle_point = feature_point<Counts>,
+    .triangle_closest = closest_point<Counts>,
     .triangle_motion_contact = triangle_motion_contact<Counts>,
     .triangle_first_contact = triangle_first_contact<Counts>,
     .set_contact = set_contact<Counts>,

@@ -79,12 +79,15 @@ double feature_distance(BallTriangleView view, const Feature& feature, Counts& c
   return pinned(ClosestPointOnFeature(triangle, feature).distance());
 }
 
+/// Writes the feature that contains the closest point, and the point; returns its distance.
 template <class Counts>
-void feature_point(BallTriangleView view, const Feature& feature, double (&point)[3], Counts& counts) {
+double closest_point(BallTriangleView view, Feature& feature, double (&point)[3], Counts& counts) {
   const FloatingPointState nearest;
   const ExactTriangle<Counts> triangle(view, counts);
+  feature = triangle.nearest();
   const ClosestPointOnFeature closest(triangle, feature);
   for (int axis = 0; axis < 3; ++axis) point[axis] = closest.coordinate(axis);
+  return pinned(closest.distance());
 }
 
 }  // namespace TOUCHSTONE_TARGET

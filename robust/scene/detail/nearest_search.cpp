@@ -58,8 +58,7 @@ void NearestSearch::expect(const filtered::PreparedPolygon& polygon) {
 }
 
 void NearestSearch::meet(const Triangle& triangle, std::uint32_t number) {
-  const Feature feature = nearest_feature(ball_.center, triangle);
-  met_.push_back({{{first_.object, first_.face + number}, triangle}, feature, std::nullopt});
+  met_.push_back({{{first_.object, first_.face + number}, triangle}, std::nullopt, std::nullopt});
 }
 
 void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t number) {
@@ -70,9 +69,14 @@ void NearestSearch::meet(const filtered::PreparedPolygon& polygon, std::uint32_t
   shrink_to(answer.distance);
 }
 
-double NearestSearch::distance(const Met& met) const {
+const Feature& NearestSearch::feature(Met& met) const {
+  if (!met.feature) met.feature = nearest_feature(ball_.center, *met.face.triangle);
+  return *met.feature;
+}
+
+double NearestSearch::distance(Met& met) const {
   if (met.closest) return met.closest->distance;
-  return feature_distance(ball_.center, *met.face.triangle, met.feature);
+  return feature_distance(ball_.center, *met.face.triangle, feature(met));
 }
 
 int NearestSearch::compare(const Met& first, double first_distance, const Met& second, double second_distance) const {
@@ -81,19 +85,19 @@ int NearestSearch::compare(const Met& first, double first_distance, const Met& s
   return exact::compare_distances(ball_, first.face.exactly(), second.face.exactly());
 }
 
-std::optional<NearestFace> NearestSearch::nearest() const {
-  const Met* best = nullptr;
+std::optional<NearestFace> NearestSearch::nearest() {
+  Met* best = nullptr;
   std::optional<double> least;  // the distance of the best face
   // A face that the ball does not touch is farther than some other that it touches.
-  for (const Met& met : met_) {
+  for (Met& met : met_) {
     if (best == nullptr) {
       best = &met;
       continue;
     }
     int order = 0;
     std::optional<double> here = least;
-    if (const auto at = met.face.place(met.feature);
-        !at || at != best->face.place(best->feature)) {  // exact: coordinates as they were given
+    if (const auto at = met.face.place(feature(met));
+        !at || at != best->face.place(feature(*best))) {  // exact: coordinates as they were given
       if (!touched(met)) continue;
       if (!least) least = distance(*best);
       here = distance(met);
@@ -102,12 +106,10 @@ std::optional<NearestFace> NearestSearch::nearest() const {
     if (order < 0 || (order == 0 && met.face.id < best->face.id)) best = &met, least = here;
   }
   if (best == nullptr) return std::nullopt;
-  if (best->closest) return NearestFace{best->face.id, best->feature, best->closest->point, best->closest->distance};
-  const Ball at{ball_.center, 0};
-  double point[3];
-  filtered::kernels().plain.triangle_point(filtered::view_of(at, *best->face.triangle), best->feature, point,
-                                           uncounted);
-  return NearestFace{best->face.id, best->feature, {point[0], point[1], point[2]}, least ? *least : distance(*best)};
+  const filtered::ClosestPoint closest =
+      best->closest ? *best->closest
+                    : filtered::closest(filtered::kernels().plain, ball_.center, *best->face.triangle, uncounted);
+  return NearestFace{best->face.id, closest.feature, closest.point, closest.distance};
 }
 
 }  // namespace touchstone::scene

@@ -93,8 +93,10 @@ TEST(FilteredClosest, LeavesFacesOfNeedlesToBigIntegers) {
   const Ball center{(a + b + c) / 3, 0};
   const auto question = filtered::view_of(center, needle);
   filtered::StageCounts counts;
+  Feature feature;
   double point[3];
-  filtered::baseline_kernels().counted.triangle_point(question, {Feature::Kind::Face, 0}, point, counts);
+  (void)filtered::baseline_kernels().counted.triangle_closest(question, feature, point, counts);
+  EXPECT_EQ(feature.kind, Feature::Kind::Face);
   EXPECT_GT(counts.decided_by(filtered::Stage::BigInteger), 0U);
 }
 
